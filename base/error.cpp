@@ -21,6 +21,10 @@ std::string message(const InputError::Parts& parts) {
 
 InputError::InputError(Parts parts) : std::runtime_error(printable(message(parts))), parts_(std::move(parts)) {}
 
+void refuse(std::string problem, std::string remedy) {
+  throw InputError({.kind = ErrorKind::usage, .file = "", .place = "", .problem = std::move(problem), .remedy = std::move(remedy)});
+}
+
 std::size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});

@@ -33,6 +33,9 @@ class InputError : public std::runtime_error {
   Parts parts_;
 };
 
+/// Throws InputError (usage) of a value that a caller of the library gave; who knows file and place catches it and adds them.
+[[noreturn]] void refuse(std::string problem, std::string remedy = {});
+
 /// Levenshtein distance of two words.
 std::size_t edit_distance(const std::string& a, const std::string& b);
 

@@ -1,9 +1,9 @@
 #include "models/matrix_model.hpp"
 
-#include <stdexcept>
 #include <utility>
 
 #include "base/eigen.hpp"
+#include "base/error.hpp"
 #include "dense/lu.hpp"
 
 namespace jointid::models {
@@ -48,7 +48,7 @@ MatrixModel::MatrixModel(StructureMatrices matrices, Factors factors)
   const Eigen::Index n = matrices_.stiffness.rows();
   if (n == 0 || matrices_.mass.rows() == 0 || !fits(matrices_.mass, n) || !fits(matrices_.stiffness, n) ||
       !fits(matrices_.viscous_damping, n) || !fits(matrices_.hysteretic_damping, n)) {
-    throw std::invalid_argument("matrices of one structure have as many rows each");
+    refuse("matrices of one structure have as many rows each");
   }
   stiffness_ = static_stiffness(matrices_);
 }

@@ -20,7 +20,7 @@ class MatrixModel final : public Model {
  public:
   enum class Factors { by_size, full, sparse };
 
-  /// Throws std::invalid_argument unless sizes agree.
+  /// Throws InputError unless sizes agree.
   explicit MatrixModel(StructureMatrices matrices, Factors factors = Factors::by_size);
 
   std::size_t size() const override { return static_cast<std::size_t>(matrices_.mass.rows()); }

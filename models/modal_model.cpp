@@ -1,9 +1,9 @@
 #include "models/modal_model.hpp"
 
-#include <stdexcept>
 #include <utility>
 
 #include "base/eigen.hpp"
+#include "base/error.hpp"
 
 namespace jointid::models {
 namespace {
@@ -27,11 +27,11 @@ Complex stiffness(const NormalMode& mode, double omega) {
 ModalModel::ModalModel(Modes modes) : modes_(std::move(modes)) {
   if (modes_.normal_shapes.cols() != at(modes_.normal.size()) || modes_.complex_shapes.cols() != at(modes_.complex.size()) ||
       (!modes_.normal.empty() && !modes_.complex.empty() && modes_.normal_shapes.rows() != modes_.complex_shapes.rows())) {
-    throw std::invalid_argument("a mode has one shape, and all shapes have as many rows");
+    refuse("a mode has one shape, and all shapes have as many rows");
   }
   const Eigen::MatrixXcd& residual = modes_.residual;
   if (residual.size() > 0 && (residual.rows() != at(modes_.coordinates()) || residual.cols() != residual.rows())) {
-    throw std::invalid_argument("the residual has a row and a column for each coordinate");
+    refuse("the residual has a row and a column for each coordinate");
   }
 }
 

@@ -35,7 +35,7 @@ struct Modes {
 /// H as the sum over modes and the residual, by which those above are as flexible as at rest.
 class ModalModel final : public Model {
  public:
-  /// Throws std::invalid_argument where shapes and modes are not as many, or the residual has another size.
+  /// Throws InputError where shapes and modes are not as many, or the residual has another size.
   explicit ModalModel(Modes modes);
 
   std::size_t size() const override { return modes_.coordinates(); }

@@ -17,7 +17,7 @@ class MatioModule {
   /// All but the renaming.
   virtual void write(const FrfSet& set, const TemporaryFile& file) = 0;
   /// Unpacks raw deflate (zlib, which matio needs, too) until `out` is full or the data end; how many bytes it made. Throws
-  /// std::runtime_error where the data are no such.
+  /// InputError of the problem alone where the data are no such.
   virtual std::size_t inflate(std::string_view packed, std::span<char> out) = 0;
 };
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
 #include <string>
 
+#include "base/error.hpp"
 #include "frf/mat_module/files.hpp"
 
 namespace jointid::frf {
@@ -19,7 +19,7 @@ struct EndInflate {
 std::size_t mat::inflate_raw(std::string_view packed, std::span<char> out) {
   constexpr std::size_t most = std::size_t{1} << 30;  // zlib counts in 32 bits
   z_stream stream{};
-  if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) throw std::runtime_error("zlib cannot start");
+  if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) refuse("zlib cannot start");
   const std::unique_ptr<z_stream, EndInflate> owned(&stream);
   std::size_t made = 0, taken = 0;
   for (int outcome = Z_OK; outcome != Z_STREAM_END && made < out.size();) {
@@ -31,8 +31,8 @@ std::size_t mat::inflate_raw(std::string_view packed, std::span<char> out) {
     outcome = inflate(&stream, Z_NO_FLUSH);
     taken += left - stream.avail_in;
     made += room - stream.avail_out;
-    if (outcome == Z_BUF_ERROR) throw std::runtime_error("its packed data end early");
-    if (outcome != Z_OK && outcome != Z_STREAM_END) throw std::runtime_error("its packed data cannot be unpacked");
+    if (outcome == Z_BUF_ERROR) refuse("its packed data end early");
+    if (outcome != Z_OK && outcome != Z_STREAM_END) refuse("its packed data cannot be unpacked");
   }
   return made;
 }

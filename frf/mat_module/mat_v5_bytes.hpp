@@ -4,14 +4,17 @@
 #include <fstream>
 #include <memory>
 #include <span>
-#include <stdexcept>
+#include <string>
+
+#include "base/error.hpp"
 
 namespace jointid::frf::mat {
 
 /// What is wrong with the bytes of a MATLAB file; whoever knows the file makes an InputError of it.
-class Damaged : public std::runtime_error {
+class Damaged : public InputError {
  public:
-  using std::runtime_error::runtime_error;
+  explicit Damaged(const std::string& problem)
+      : InputError({.kind = ErrorKind::data, .file = "", .place = "", .problem = problem, .remedy = ""}) {}
 };
 
 /// Bytes one after the other, never many at a time.

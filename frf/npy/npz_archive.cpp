@@ -141,9 +141,9 @@ std::string npz_bytes(const NpzEntry& entry, std::uint64_t most, const std::stri
   std::size_t count = 0;
   try {
     count = matio_module(file).inflate(entry.stored, std::span(out));
-  } catch (const std::runtime_error& error) {
-    if (dynamic_cast<const InputError*>(&error) != nullptr) throw;
-    fail(file, entry.name, std::string("is damaged: ") + error.what());
+  } catch (const InputError& error) {
+    if (!error.parts().file.empty()) throw;
+    fail(file, entry.name, "is damaged: " + error.parts().problem);
   }
   out.resize(count);
   return out;

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
+#include "base/error.hpp"
 #include "friction/curve/equivalent.hpp"
 
 namespace jointid::friction {
@@ -42,7 +42,7 @@ std::vector<std::vector<double>> series_derivatives(const Element& element, cons
 }
 
 void require(bool holds, const Curve& curve, const char* what) {
-  if (!holds) throw std::invalid_argument((curve.name.empty() ? "curve" : curve.name) + ": " + what);
+  if (!holds) refuse((curve.name.empty() ? "curve" : curve.name) + ": " + what);
 }
 
 bool finite(const std::vector<double>& values) {

@@ -42,7 +42,7 @@ struct Curve {
 Curve loading_curve(std::string name, Record record);
 Curve loop_curve(std::string name, const Loop& centred);
 
-/// Throws std::invalid_argument that says what is wrong: lengths that differ, numbers that are not finite, a negative amplitude,
+/// Throws InputError that says what is wrong: lengths that differ, numbers that are not finite, a negative amplitude,
 /// forces that are all zero.
 void validate(const Curve& curve);
 

@@ -2,15 +2,15 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
+#include "base/error.hpp"
 #include "friction/path/quadrature.hpp"
 
 namespace jointid::friction {
 
 Equivalent equivalent(const Element& element, double amplitude) {
   if (!(amplitude > 0.0) || !std::isfinite(amplitude)) {
-    throw std::invalid_argument("equivalent stiffness: amplitude " + std::to_string(amplitude) + " must be finite and > 0");
+    refuse("equivalent stiffness: amplitude " + std::to_string(amplitude) + " must be finite and > 0");
   }
   Equivalent result = {.amplitude = amplitude};
   result.stiffness = element.equivalent_stiffness(amplitude);

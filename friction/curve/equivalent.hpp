@@ -17,7 +17,7 @@ struct Equivalent {
   double loss_factor = 0.0;  ///< d_e/k_e
 };
 
-/// amplitude > 0. Throws std::invalid_argument otherwise.
+/// amplitude > 0. Throws InputError otherwise.
 Equivalent equivalent(const Element& element, double amplitude);
 
 /// The same for several amplitudes.

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 #include "base/eigen.hpp"
+#include "base/error.hpp"
 #include "friction/fit/fit_problem.hpp"
 #include "friction/fit/fit_statistics.hpp"
 #include "friction/fit/tied_limit.hpp"
@@ -19,7 +19,7 @@ constexpr double global_half_width = 4.0;
 constexpr int global_evaluations = 1500;
 
 bool uses_ceres(Minimiser minimiser) {
-  if (minimiser == Minimiser::ceres && !minimise::has_ceres()) throw std::invalid_argument("this build lacks Ceres; use pattern search");
+  if (minimiser == Minimiser::ceres && !minimise::has_ceres()) refuse("this build lacks Ceres; use pattern search");
   return minimiser != Minimiser::pattern && minimise::has_ceres();
 }
 
@@ -76,7 +76,7 @@ minimise::Minimum by_pattern(const FitProblem& problem, const std::vector<std::v
 
 std::vector<std::vector<double>> starts_of(const FitProblem& problem, const FitOptions& options) {
   if (!options.global) return problem.starts();
-  if (!minimise::has_nlopt()) throw std::invalid_argument("this build lacks NLopt; leave the global start out");
+  if (!minimise::has_nlopt()) refuse("this build lacks NLopt; leave the global start out");
   const std::vector<double>& start = problem.starts().front();
   return {minimise::nlopt_minimum([&](std::span<const double> q) { return problem.objective(q); }, start,
                                   {.half_width = global_half_width, .evaluations = global_evaluations * static_cast<int>(start.size())})

@@ -54,7 +54,7 @@ std::string name(FitStatus status);
 
 /// Fits the law of `family` to curves by weighted least squares. Unknowns are the parameters on their ParameterScale. Standard
 /// errors are those of the linearised problem with the noise estimated from the residuals, taken as independent; intervals use
-/// Student's t. Throws std::invalid_argument for curves that validate() refuses and options that do not go together.
+/// Student's t. Throws InputError for curves that validate() refuses and options that do not go together.
 Fit fit(std::span<const Curve> curves, const Family& family, const FitOptions& options = {});
 
 /// Fits every family and sorts by AIC, best first; fits that are not usable come last.

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
+
+#include "base/error.hpp"
 
 namespace jointid::friction {
 namespace {
@@ -15,7 +16,7 @@ std::string name(Weighting weighting) { return weighting_names[static_cast<std::
 
 Weighting parse_weighting(const std::string& word) {
   const auto found = std::ranges::find(weighting_names, word);
-  if (found == weighting_names.end()) throw std::invalid_argument("no weighting '" + word + "'; valid: none, largest, relative, travel");
+  if (found == weighting_names.end()) refuse("no weighting '" + word + "'; valid: none, largest, relative, travel");
   return static_cast<Weighting>(found - weighting_names.begin());
 }
 

@@ -32,6 +32,6 @@ struct FitOptions {
 };
 
 std::string name(Weighting weighting);
-Weighting parse_weighting(const std::string& word);  ///< throws std::invalid_argument
+Weighting parse_weighting(const std::string& word);  ///< throws InputError
 
 }  // namespace jointid::friction

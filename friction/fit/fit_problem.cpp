@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "base/eigen.hpp"
+#include "base/error.hpp"
 #include "base/text.hpp"
 #include "friction/fit/tied_limit.hpp"
 
@@ -16,15 +16,15 @@ namespace {
 constexpr std::size_t most_starts = 4;
 
 void check(std::span<const Curve> curves, const FitOptions& options) {
-  if (curves.empty()) throw std::invalid_argument("there is no curve to fit");
+  if (curves.empty()) refuse("there is no curve to fit");
   for (const Curve& curve : curves) validate(curve);
-  if (options.limit && !(*options.limit > 0.0)) throw std::invalid_argument("the preset friction limit is not positive");
+  if (options.limit && !(*options.limit > 0.0)) refuse("the preset friction limit is not positive");
   if (options.limit && options.friction_coefficient) {
-    throw std::invalid_argument("a preset limit and an unknown friction coefficient do not go together");
+    refuse("a preset limit and an unknown friction coefficient do not go together");
   }
   const auto has_load = [](const Curve& curve) { return curve.normal_load.has_value(); };
   if (options.friction_coefficient && !std::ranges::all_of(curves, has_load)) {
-    throw std::invalid_argument("a friction coefficient needs the normal load of every curve");
+    refuse("a friction coefficient needs the normal load of every curve");
   }
 }
 
@@ -66,7 +66,7 @@ std::vector<std::unique_ptr<Element>> FitProblem::best_starts(std::size_t curve,
   for (auto& start : family.starts(features(curves_[curve]))) {
     if (options_.limit) {
       const auto parameter = tied_parameter(*start, std::vector<bool>(start->parameters().size(), false));
-      if (!parameter) throw std::invalid_argument(family.name + " has no friction limit to preset");
+      if (!parameter) refuse(family.name + " has no friction limit to preset");
       start = with_limit(*start, *parameter, *options_.limit);
       if (!start) continue;
     }
@@ -74,7 +74,7 @@ std::vector<std::unique_ptr<Element>> FitProblem::best_starts(std::size_t curve,
     if (std::isfinite(sum)) found.emplace_back(sum, std::move(start));
   }
   if (found.empty())
-    throw std::invalid_argument("there is no " + family.name + " near the curve" +
+    refuse("there is no " + family.name + " near the curve" +
                                 (options_.limit ? " with that friction limit" : ""));
   std::ranges::stable_sort(found, {}, [](const auto& each) { return each.first; });
   std::vector<std::unique_ptr<Element>> best;
@@ -91,9 +91,9 @@ void FitProblem::choose_tied() {
   for (std::size_t i = 0; i < parameters_.size(); ++i) spared.push_back(is_shared(i));
   tied_ = tied_parameter(*prototypes_.front(), spared);
   const bool preset = options_.limit || options_.friction_coefficient;
-  if (preset && !tied_) throw std::invalid_argument("the law has no friction limit");
+  if (preset && !tied_) refuse("the law has no friction limit");
   if (options_.friction_coefficient && spared[*tied_] && curves_.size() > 1) {
-    throw std::invalid_argument(parameters_[*tied_].name + " cannot be shared: every curve's friction limit determines it");
+    refuse(parameters_[*tied_].name + " cannot be shared: every curve's friction limit determines it");
   }
 }
 
@@ -101,7 +101,7 @@ void FitProblem::number_unknowns() {
   for (const std::string& name : options_.shared) {
     if (std::ranges::find(parameters_, name, &Parameter::name) != parameters_.end()) continue;
     const std::string valid = comma_list(parameters_, &Parameter::name);
-    throw std::invalid_argument("there is no parameter '" + name + "' to share; valid: " + valid);
+    refuse("there is no parameter '" + name + "' to share; valid: " + valid);
   }
   if (options_.friction_coefficient) {
     coefficient_ = 0;
@@ -154,12 +154,9 @@ std::optional<CurveState> FitProblem::state(std::size_t curve, std::span<const d
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (tied_ != i) values[i] = scales_[i].value(q[unknown_of_[curve][i]]);
   }
+  if (!prototypes_[curve]->admits(values)) return std::nullopt;
   CurveState out;
-  try {
-    out.element = prototypes_[curve]->with(values);
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;
-  }
+  out.element = prototypes_[curve]->with(values);
   if (tied_) out.element = with_limit(*out.element, *tied_, target_limit(curve, q));
   if (!out.element) return std::nullopt;
   if (!with_derivative) return out;

@@ -24,7 +24,7 @@ struct CurveState {
 /// this straightens the valley of the sum of squares); of a preset limit there is none, and with a friction coefficient ln μ.
 class FitProblem final : public minimise::LeastSquares {
  public:
-  /// Throws std::invalid_argument for options that do not go together.
+  /// Throws InputError for options that do not go together.
   FitProblem(std::span<const Curve> curves, const Family& family, const FitOptions& options);
 
   std::size_t unknowns() const override { return names_.size(); }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
+#include "base/error.hpp"
 #include "base/text.hpp"
 #include "friction/law/laws.hpp"
 #include "friction/path/ring.hpp"
@@ -55,7 +55,7 @@ std::vector<Features> around(const Features& seen) {
 const Law& law_to_fit(const std::string& name) {
   const auto found = std::ranges::find(laws(), name, &Law::name);
   if (found != laws().end()) return *found;
-  throw std::invalid_argument("no friction law '" + name + "' can be fitted by name; valid: " + comma_list(fitted_laws()));
+  refuse("no friction law '" + name + "' can be fitted by name; valid: " + comma_list(fitted_laws()));
 }
 
 }  // namespace

@@ -21,10 +21,10 @@ struct Family {
   std::function<std::vector<std::unique_ptr<Element>>(const Features&)> starts;
 };
 
-/// The family of a law by its name. Throws std::invalid_argument with the valid names.
+/// The family of a law by its name. Throws InputError with the valid names.
 Family family(const std::string& law);
 
-/// The family of a rotary joint of rings between two radii (m) with a law per area. Throws std::invalid_argument.
+/// The family of a rotary joint of rings between two radii (m) with a law per area. Throws InputError.
 Family ring_family(const std::string& law, double inner, double outer);
 
 /// All laws that a curve can be fitted with by name alone.

@@ -1,7 +1,6 @@
 #include "friction/fit/tied_limit.hpp"
 
 #include <cmath>
-#include <stdexcept>
 
 namespace jointid::friction {
 namespace {
@@ -24,11 +23,7 @@ std::vector<double> elasticities(const Element& element) {
 std::unique_ptr<Element> changed(const Element& element, std::size_t parameter, double value) {
   std::vector<double> values = element.values();
   values[parameter] = value;
-  try {
-    return element.with(values);
-  } catch (const std::invalid_argument&) {
-    return nullptr;
-  }
+  return element.admits(values) ? element.with(values) : nullptr;
 }
 
 }  // namespace

@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <stdexcept>
 
 #include "base/complex.hpp"
+#include "base/error.hpp"
 #include "friction/path/quadrature.hpp"
 
 namespace jointid::friction {
@@ -33,7 +33,7 @@ BendingRoot::BendingRoot(double bending_stiffness, double slip_force, double fre
     : bending_stiffness_(bending_stiffness), slip_force_(slip_force), free_length_(free_length) {
   for (const double value : {bending_stiffness, slip_force, free_length}) {
     if (value > 0.0 && std::isfinite(value)) continue;
-    throw std::invalid_argument("bending root: " + std::to_string(value) + " must be finite and > 0");
+    refuse("bending root: " + std::to_string(value) + " must be finite and > 0");
   }
 }
 
@@ -108,7 +108,7 @@ void BendingRoot::derivative(double u, std::span<double> out) const {
 }
 
 std::unique_ptr<Element> BendingRoot::with(std::span<const double> values) const {
-  if (values.size() != 3) throw std::invalid_argument("bending root: " + std::to_string(values.size()) + " values for 3");
+  if (values.size() != 3) refuse("bending root: " + std::to_string(values.size()) + " values for 3");
   return std::make_unique<BendingRoot>(values[0], values[1], values[2]);
 }
 

@@ -15,7 +15,7 @@ namespace jointid::friction {
 /// (a FiniteElementJoint of a beam) the joint is stiffer, by 3.7 % in displacement at F = 0.2 τL₀.
 class BendingRoot final : public Element {
  public:
-  /// EI (N·m²), τ (N/m), L₀ (m), all > 0. Throws std::invalid_argument.
+  /// EI (N·m²), τ (N/m), L₀ (m), all > 0. Throws InputError.
   BendingRoot(double bending_stiffness, double slip_force, double free_length);
 
   Response response(double u) const override;

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 
 #include "base/eigen.hpp"
+#include "base/error.hpp"
 #include "friction/joint/fe_matrices.hpp"
 #include "friction/path/masing_path.hpp"
 #include "friction/path/scaled.hpp"
@@ -18,7 +18,7 @@ using Vector = Eigen::VectorXd;
 using Matrix = Eigen::SparseMatrix<double>;
 
 void check(bool valid, const std::string& text) {
-  if (!valid) throw std::invalid_argument("finite-element joint: " + text);
+  if (!valid) refuse("finite-element joint: " + text);
 }
 
 void check(const JointMesh& mesh) {

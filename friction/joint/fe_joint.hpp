@@ -31,7 +31,7 @@ struct EquilibriumControl {
 /// halved when it does not converge. Every interface node follows its own Masing path.
 class FiniteElementJoint {
  public:
-  /// Throws std::invalid_argument for a mesh that makes no sense.
+  /// Throws InputError for a mesh that makes no sense.
   explicit FiniteElementJoint(JointMesh mesh, const EquilibriumControl& control = {});
   ~FiniteElementJoint();
   FiniteElementJoint(FiniteElementJoint&&) noexcept;

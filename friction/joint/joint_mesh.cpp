@@ -1,12 +1,13 @@
 #include "friction/joint/joint_mesh.hpp"
 
-#include <stdexcept>
 #include <utility>
+
+#include "base/error.hpp"
 
 namespace jointid::friction {
 
 JointMesh uniform_mesh(MemberKind kind, std::size_t count, const Member& whole, std::shared_ptr<const Element> interface) {
-  if (count == 0) throw std::invalid_argument("finite-element joint: no members");
+  if (count == 0) refuse("finite-element joint: no members");
   JointMesh mesh;
   mesh.kind = kind;
   mesh.members.assign(count, {whole.length / static_cast<double>(count), whole.stiffness});

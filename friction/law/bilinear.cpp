@@ -19,8 +19,7 @@ std::vector<double> bilinear_start(const Features& f, double) { return {f.limit 
 
 const Law Bilinear::law = {"bilinear", "bilinear (Jenkins)", bilinear_parameters, {bilinear_shapes, bilinear_start}};
 
-Bilinear::Bilinear(std::span<const double> values) {
-  check_values(law, values);
+Bilinear::Bilinear(std::span<const double> values) : ListedLaw(values) {
   slip_ = values[0];
   stiffness_ = values[1];
 }
@@ -41,8 +40,6 @@ void Bilinear::derivative(double u, std::span<double> out) const {
   out[0] = u < slip_ ? 0.0 : stiffness_;
   out[1] = std::min(u, slip_);
 }
-
-std::unique_ptr<Element> Bilinear::with(std::span<const double> values) const { return std::make_unique<Bilinear>(values); }
 
 double Bilinear::cycle_energy(double u) const { return 4.0 * limit() * std::max(u - slip_, 0.0); }
 

@@ -2,13 +2,12 @@
 
 #include <array>
 
-#include "friction/law/law.hpp"
-#include "friction/path/element.hpp"
+#include "friction/law/listed_law.hpp"
 
 namespace jointid::friction {
 
 /// Spring and dry friction in series (Jenkins): T = min(ku, ka).
-class Bilinear final : public Element {
+class Bilinear final : public ListedLaw<Bilinear> {
  public:
   static const Law law;
 
@@ -22,7 +21,6 @@ class Bilinear final : public Element {
   std::vector<double> kinks() const override { return {slip_}; }
   std::vector<Parameter> parameters() const override { return with_values(law, std::array{slip_, stiffness_}); }
   void derivative(double u, std::span<double> out) const override;
-  std::unique_ptr<Element> with(std::span<const double> values) const override;
   double cycle_energy(double u) const override;
   double equivalent_stiffness(double u) const override;
   double second_moment(double u) const override;

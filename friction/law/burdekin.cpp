@@ -21,8 +21,7 @@ std::vector<double> burdekin_start(const Features& f, double) {
 
 const Law Burdekin::law = {"burdekin", "parabola (Burdekin)", burdekin_parameters, {burdekin_shapes, burdekin_start}};
 
-Burdekin::Burdekin(std::span<const double> values) {
-  check_values(law, values);
+Burdekin::Burdekin(std::span<const double> values) : ListedLaw(values) {
   stiffness_ = values[0];
   curvature_ = values[1];
 }
@@ -50,8 +49,6 @@ void Burdekin::derivative(double u, std::span<double> out) const {
   out[0] = v;
   out[1] = v * v;
 }
-
-std::unique_ptr<Element> Burdekin::with(std::span<const double> values) const { return std::make_unique<Burdekin>(values); }
 
 double Burdekin::cycle_energy(double u) const {
   const double v = std::min(u, slip());

@@ -2,13 +2,12 @@
 
 #include <array>
 
-#include "friction/law/law.hpp"
-#include "friction/path/element.hpp"
+#include "friction/law/listed_law.hpp"
 
 namespace jointid::friction {
 
 /// T = au + bu² for u < −a/(2b), then −a²/(4b) (docs/formulas.md §10a; 2.44, b < 0).
-class Burdekin final : public Element {
+class Burdekin final : public ListedLaw<Burdekin> {
  public:
   static const Law law;
 
@@ -22,7 +21,6 @@ class Burdekin final : public Element {
   std::vector<double> kinks() const override { return {slip()}; }
   std::vector<Parameter> parameters() const override { return with_values(law, std::array{stiffness_, curvature_}); }
   void derivative(double u, std::span<double> out) const override;
-  std::unique_ptr<Element> with(std::span<const double> values) const override;
   double cycle_energy(double u) const override;
   double equivalent_stiffness(double u) const override;
   double second_moment(double u) const override;

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "base/error.hpp"
 
 namespace jointid::friction {
 namespace {
 
 void check(bool valid, std::size_t point, const char* text) {
-  if (!valid) throw std::invalid_argument("generalised slip: point " + std::to_string(point + 1) + ": " + text);
+  if (!valid) refuse("generalised slip: point " + std::to_string(point + 1) + ": " + text);
 }
 
 /// The share where the stretch from p to q reaches u, p.displacement ≤ u < q.displacement.
@@ -21,9 +22,9 @@ double share_between(const SlipPoint& p, const SlipPoint& q, double u) {
 GeneralizedSlip::GeneralizedSlip(double stiffness, std::vector<SlipPoint> table)
     : stiffness_(stiffness), table_(std::move(table)) {
   if (!(stiffness_ > 0.0) || !std::isfinite(stiffness_)) {
-    throw std::invalid_argument("generalised slip: stiffness " + std::to_string(stiffness_) + " must be finite and > 0");
+    refuse("generalised slip: stiffness " + std::to_string(stiffness_) + " must be finite and > 0");
   }
-  if (table_.empty()) throw std::invalid_argument("generalised slip: no points");
+  if (table_.empty()) refuse("generalised slip: no points");
   for (std::size_t i = 0; i < table_.size(); ++i) {
     check(i > 0 || table_[i].share == 0.0, i, "the first share must be 0");
     check(i == 0 || table_[i].share > table_[i - 1].share, i, "shares must increase");
@@ -113,9 +114,13 @@ void GeneralizedSlip::derivative(double u, std::span<double> out) const {
   }
 }
 
+bool GeneralizedSlip::admits(std::span<const double> values) const {
+  return Element::admits(values) && std::ranges::is_sorted(values.subspan(1));
+}
+
 std::unique_ptr<Element> GeneralizedSlip::with(std::span<const double> values) const {
   if (values.size() != table_.size() + 1) {
-    throw std::invalid_argument("generalised slip: " + std::to_string(values.size()) + " values");
+    refuse("generalised slip: " + std::to_string(values.size()) + " values");
   }
   std::vector<SlipPoint> table = table_;
   for (std::size_t i = 0; i < table.size(); ++i) table[i].displacement = values[i + 1];

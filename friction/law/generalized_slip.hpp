@@ -18,7 +18,7 @@ struct SlipPoint {
 class GeneralizedSlip final : public Element {
  public:
   /// Shares increase from 0 to at most 1, displacements are > 0 and do not decrease, stiffness > 0 (N/m).
-  /// Throws std::invalid_argument.
+  /// Throws InputError.
   GeneralizedSlip(double stiffness, std::vector<SlipPoint> table);
 
   Response response(double u) const override;
@@ -27,6 +27,7 @@ class GeneralizedSlip final : public Element {
   std::vector<double> kinks() const override;
   std::vector<Parameter> parameters() const override;  ///< k, u0, u1, …
   void derivative(double u, std::span<double> out) const override;
+  bool admits(std::span<const double> values) const override;
   std::unique_ptr<Element> with(std::span<const double> values) const override;
   double cycle_energy(double u) const override;
   double second_moment(double u) const override;

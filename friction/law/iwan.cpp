@@ -21,8 +21,7 @@ std::vector<double> iwan_start(const Features& f, double chi) { return {f.limit,
 
 const Law Iwan::law = {"iwan", "four-parameter Iwan (Segalman)", iwan_parameters, {iwan_shapes, iwan_start}};
 
-Iwan::Iwan(std::span<const double> values) {
-  check_values(law, values);
+Iwan::Iwan(std::span<const double> values) : ListedLaw(values) {
   limit_ = values[0];
   stiffness_ = values[1];
   exponent_ = values[2];
@@ -56,8 +55,6 @@ void Iwan::derivative(double u, std::span<double> out) const {
   out[2] = u > 0.0 ? -lost * (std::log(u / slip_) + power / (next * next * rest) - 1.0 / next) : 0.0;
   out[3] = lost * ((power + 1.0) / (1.0 + ratio_) - power / rest);
 }
-
-std::unique_ptr<Element> Iwan::with(std::span<const double> values) const { return std::make_unique<Iwan>(values); }
 
 /// 4Ru^{χ+3}/((χ+2)(χ+3)) up to φ_max.
 double Iwan::cycle_energy(double u) const {

@@ -2,15 +2,14 @@
 
 #include <array>
 
-#include "friction/law/law.hpp"
-#include "friction/path/element.hpp"
+#include "friction/law/listed_law.hpp"
 
 namespace jointid::friction {
 
 /// Four-parameter Iwan model (Segalman 2005): sliders of density ρ(φ) = Rφ^χ up to φ_max, and S sliders that all slip at φ_max.
 /// With r = u/φ_max, φ_max = f(1+β)/(k(β + (χ+1)/(χ+2))): T = ku(1 − r^{χ+1}/((χ+2)(1+β))) up to φ_max, then f. For small
 /// amplitudes the energy of a cycle grows as u^{χ+3}.
-class Iwan final : public Element {
+class Iwan final : public ListedLaw<Iwan> {
  public:
   static const Law law;
 
@@ -25,7 +24,6 @@ class Iwan final : public Element {
     return with_values(law, std::array{limit_, stiffness_, exponent_, ratio_});
   }
   void derivative(double u, std::span<double> out) const override;
-  std::unique_ptr<Element> with(std::span<const double> values) const override;
   double cycle_energy(double u) const override;
   double equivalent_stiffness(double u) const override;
   double second_moment(double u) const override;

@@ -1,8 +1,10 @@
 #include "friction/law/law.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
+
+#include "base/error.hpp"
 
 namespace jointid::friction {
 namespace {
@@ -21,16 +23,20 @@ std::string bounds(const LawParameter& parameter) {
 
 }  // namespace
 
+bool admits(const Law& law, std::span<const double> values) {
+  return std::ranges::equal(law.parameters, values, inside);
+}
+
 void check_values(const Law& law, std::span<const double> values) {
   const std::string name(law.name);
   if (values.size() != law.parameters.size()) {
-    throw std::invalid_argument(name + ": " + std::to_string(values.size()) + " values for " +
+    refuse(name + ": " + std::to_string(values.size()) + " values for " +
                                 std::to_string(law.parameters.size()) + " parameters");
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     const LawParameter& parameter = law.parameters[i];
     if (inside(parameter, values[i])) continue;
-    throw std::invalid_argument(name + ": " + std::string(parameter.name) + " = " + std::to_string(values[i]) + " " +
+    refuse(name + ": " + std::string(parameter.name) + " = " + std::to_string(values[i]) + " " +
                                 std::string(parameter.unit) + " must be finite and " + bounds(parameter));
   }
 }

@@ -37,7 +37,10 @@ struct Law {
   bool has_limit = true;  ///< macroslip, which a spring does not reach
 };
 
-/// Throws std::invalid_argument that names the law, the parameter and its value, unless every value is finite and inside
+/// True where there are as many values as parameters, each finite and inside its bounds.
+bool admits(const Law& law, std::span<const double> values);
+
+/// Throws InputError that names the law, the parameter and its value, unless every value is finite and inside
 /// its bounds.
 void check_values(const Law& law, std::span<const double> values);
 

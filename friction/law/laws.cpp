@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 #include <string>
 
+#include "base/error.hpp"
 #include "base/text.hpp"
 #include "friction/law/bilinear.hpp"
 #include "friction/law/burdekin.hpp"
@@ -42,7 +42,7 @@ std::span<const Law> laws() { return laws_of(Elements()); }
 const Law& law(std::string_view name) {
   const auto found = std::ranges::find(laws(), name, &Law::name);
   if (found != laws().end()) return *found;
-  throw std::invalid_argument("no friction law '" + std::string(name) + "'; valid: " + comma_list(laws(), &Law::name));
+  refuse("no friction law '" + std::string(name) + "'; valid: " + comma_list(laws(), &Law::name));
 }
 
 std::unique_ptr<Element> make_element(std::string_view name, std::span<const double> values) {

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <stdexcept>
+
+#include "base/error.hpp"
 
 namespace jointid::friction {
 namespace {
@@ -53,7 +54,7 @@ MenqBar::MenqBar(const Values& values) : values_(values) {
   const auto all = array(values_);
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (std::isfinite(all[i]) && (all[i] > 0.0 || (i == 4 && all[i] == 0.0))) continue;
-    throw std::invalid_argument("menq bar: value " + std::to_string(i + 1) + " = " + std::to_string(all[i]) +
+    refuse("menq bar: value " + std::to_string(i + 1) + " = " + std::to_string(all[i]) +
                                 " must be finite and > 0 (the end spring >= 0)");
   }
 }
@@ -151,7 +152,7 @@ void MenqBar::derivative(double u, std::span<double> out) const {
 }
 
 std::unique_ptr<Element> MenqBar::with(std::span<const double> values) const {
-  if (values.size() != 5) throw std::invalid_argument("menq bar: " + std::to_string(values.size()) + " values for 5");
+  if (values.size() != 5) refuse("menq bar: " + std::to_string(values.size()) + " values for 5");
   return std::make_unique<MenqBar>(Values{values[0], values[1], values[2], values[3], values[4]});
 }
 

@@ -21,7 +21,7 @@ class MenqBar final : public Element {
     double end_spring = 0.0;         ///< β ≥ 0 at the far end, N/m
   };
 
-  /// Throws std::invalid_argument.
+  /// Throws InputError.
   explicit MenqBar(const Values& values);
 
   Response response(double u) const override;

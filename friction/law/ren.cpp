@@ -24,8 +24,7 @@ double growth(double b, double h) { return b > 0.0 ? std::expm1(b * h) / b : h; 
 
 const Law Ren::law = {"ren", "microslip u = a exp(bh) (Ren)", ren_parameters, {ren_shapes, ren_start}};
 
-Ren::Ren(std::span<const double> values) {
-  check_values(law, values);
+Ren::Ren(std::span<const double> values) : ListedLaw(values) {
   begin_ = values[0];
   spread_ = values[1];
   stiffness_ = values[2];
@@ -69,8 +68,6 @@ void Ren::derivative(double u, std::span<double> out) const {
                          : 0.5 * stiffness_ * begin_ * h;
   out[2] = begin_ * growth(spread_, h) + (1.0 - h) * u;
 }
-
-std::unique_ptr<Element> Ren::with(std::span<const double> values) const { return std::make_unique<Ren>(values); }
 
 /// 2k(v − a)²/b up to macroslip, v = min(u, ae^b).
 double Ren::cycle_energy(double u) const {

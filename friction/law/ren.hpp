@@ -2,14 +2,13 @@
 
 #include <array>
 
-#include "friction/law/law.hpp"
-#include "friction/path/element.hpp"
+#include "friction/law/listed_law.hpp"
 
 namespace jointid::friction {
 
 /// Microslip element with u(h) = a e^{bh}: displacement at which the share h of the stiffness has slipped (docs/formulas.md
 /// §10a; 2.59, 2.60). T = k∫₀¹ min(u, u(h)) dh; b = 0 is the bilinear element.
-class Ren final : public Element {
+class Ren final : public ListedLaw<Ren> {
  public:
   static const Law law;
 
@@ -23,7 +22,6 @@ class Ren final : public Element {
   std::vector<double> kinks() const override;
   std::vector<Parameter> parameters() const override { return with_values(law, std::array{begin_, spread_, stiffness_}); }
   void derivative(double u, std::span<double> out) const override;
-  std::unique_ptr<Element> with(std::span<const double> values) const override;
   double cycle_energy(double u) const override;
   double equivalent_stiffness(double u) const override;
   double second_moment(double u) const override;

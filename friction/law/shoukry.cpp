@@ -17,8 +17,7 @@ std::vector<double> shoukry_start(const Features& f, double) { return {f.limit, 
 
 const Law Shoukry::law = {"shoukry", "exponential (Shoukry, Rogers)", shoukry_parameters, {shoukry_shapes, shoukry_start}};
 
-Shoukry::Shoukry(std::span<const double> values) {
-  check_values(law, values);
+Shoukry::Shoukry(std::span<const double> values) : ListedLaw(values) {
   limit_ = values[0];
   rate_ = values[1];
 }
@@ -37,8 +36,6 @@ void Shoukry::derivative(double u, std::span<double> out) const {
   out[0] = -std::expm1(-rate_ * u);
   out[1] = limit_ * u * std::exp(-rate_ * u);
 }
-
-std::unique_ptr<Element> Shoukry::with(std::span<const double> values) const { return std::make_unique<Shoukry>(values); }
 
 /// 4a[u(1 + e^{−r}) − 2(1 − e^{−r})/b] with r = bu, written without differences.
 double Shoukry::cycle_energy(double u) const {

@@ -2,14 +2,13 @@
 
 #include <array>
 
-#include "friction/law/law.hpp"
-#include "friction/path/element.hpp"
+#include "friction/law/listed_law.hpp"
 
 namespace jointid::friction {
 
 /// T = a(1 − e^{−bu}) (docs/formulas.md §10a, 2.45); with a = T_s, ab = K the law of Rogers (2.46). It reaches its limit only
 /// asymptotically.
-class Shoukry final : public Element {
+class Shoukry final : public ListedLaw<Shoukry> {
  public:
   static const Law law;
 
@@ -22,7 +21,6 @@ class Shoukry final : public Element {
   double limit() const override { return limit_; }
   std::vector<Parameter> parameters() const override { return with_values(law, std::array{limit_, rate_}); }
   void derivative(double u, std::span<double> out) const override;
-  std::unique_ptr<Element> with(std::span<const double> values) const override;
   double cycle_energy(double u) const override;
   double equivalent_stiffness(double u) const override;
   double second_moment(double u) const override;

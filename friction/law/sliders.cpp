@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <queue>
-#include <stdexcept>
 
+#include "base/error.hpp"
 #include "friction/law/bilinear.hpp"
 #include "friction/law/spring.hpp"
 #include "friction/path/parallel.hpp"
@@ -27,7 +27,7 @@ Gap gap(const Element& element, double from, double to) {
 
 Sliders sliders(const Element& element, std::span<const double> knots) {
   if (knots.empty() || knots.front() <= 0.0 || std::ranges::adjacent_find(knots, std::greater_equal()) != knots.end()) {
-    throw std::invalid_argument("sliders: knots must be increasing and > 0");
+    refuse("sliders: knots must be increasing and > 0");
   }
   Sliders result;
   double last = 0.0, last_force = 0.0, slope = 0.0;

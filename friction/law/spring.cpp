@@ -14,8 +14,7 @@ std::vector<double> spring_start(const Features& f, double) { return {f.stiffnes
 
 const Law Spring::law = {"spring", "linear spring", spring_parameters, {spring_shapes, spring_start}, false};
 
-Spring::Spring(std::span<const double> values) {
-  check_values(law, values);
+Spring::Spring(std::span<const double> values) : ListedLaw(values) {
   stiffness_ = values[0];
 }
 
@@ -23,7 +22,6 @@ Response Spring::response(double u) const { return {stiffness_ * u, stiffness_};
 double Spring::energy(double u) const { return 0.5 * stiffness_ * u * u; }
 double Spring::displacement(double force) const { return force / stiffness_; }
 void Spring::derivative(double u, std::span<double> out) const { out[0] = u; }
-std::unique_ptr<Element> Spring::with(std::span<const double> values) const { return std::make_unique<Spring>(values); }
 double Spring::cycle_energy(double) const { return 0.0; }
 double Spring::equivalent_stiffness(double) const { return stiffness_; }
 double Spring::second_moment(double u) const { return stiffness_ * u * u * u * u / 4.0; }

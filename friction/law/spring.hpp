@@ -2,13 +2,12 @@
 
 #include <array>
 
-#include "friction/law/law.hpp"
-#include "friction/path/element.hpp"
+#include "friction/law/listed_law.hpp"
 
 namespace jointid::friction {
 
 /// T = ku; a part of assemblies.
-class Spring final : public Element {
+class Spring final : public ListedLaw<Spring> {
  public:
   static const Law law;
 
@@ -21,7 +20,6 @@ class Spring final : public Element {
   double limit() const override { return infinity; }
   std::vector<Parameter> parameters() const override { return with_values(law, std::array{stiffness_}); }
   void derivative(double u, std::span<double> out) const override;
-  std::unique_ptr<Element> with(std::span<const double> values) const override;
   double cycle_energy(double u) const override;
   double equivalent_stiffness(double u) const override;
   double second_moment(double u) const override;

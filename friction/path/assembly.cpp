@@ -1,12 +1,13 @@
 #include "friction/path/assembly.hpp"
 
 #include <numeric>
-#include <stdexcept>
+
+#include "base/error.hpp"
 
 namespace jointid::friction {
 
 Assembly::Assembly(Parts parts) : parts_(std::move(parts)) {
-  if (parts_.empty()) throw std::invalid_argument("assembly of friction elements: no element");
+  if (parts_.empty()) refuse("assembly of friction elements: no element");
   for (const auto& part : parts_) sizes_.push_back(part->parameters().size());
 }
 
@@ -21,9 +22,21 @@ std::vector<Parameter> Assembly::parameters() const {
   return result;
 }
 
+bool Assembly::sizes_agree(std::span<const double> values) const {
+  return values.size() == std::accumulate(sizes_.begin(), sizes_.end(), std::size_t{0});
+}
+
+bool Assembly::admits(std::span<const double> values) const {
+  if (!sizes_agree(values)) return false;
+  for (std::size_t i = 0, first = 0; i < parts_.size(); first += sizes_[i++]) {
+    if (!parts_[i]->admits(values.subspan(first, sizes_[i]))) return false;
+  }
+  return true;
+}
+
 Parts Assembly::parts_with(std::span<const double> values) const {
-  if (values.size() != std::accumulate(sizes_.begin(), sizes_.end(), std::size_t{0})) {
-    throw std::invalid_argument("assembly of friction elements: " + std::to_string(values.size()) + " values");
+  if (!sizes_agree(values)) {
+    refuse("assembly of friction elements: " + std::to_string(values.size()) + " values");
   }
   Parts result;
   for (std::size_t i = 0, first = 0; i < parts_.size(); first += sizes_[i++]) {

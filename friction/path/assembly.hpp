@@ -13,10 +13,11 @@ using Parts = std::vector<std::shared_ptr<const Element>>;
 /// Parameters of several elements one after the other, named "1.a", "1.b", "2.k", …
 class Assembly : public Element {
  public:
-  /// Throws std::invalid_argument when there is no part.
+  /// Throws InputError when there is no part.
   explicit Assembly(Parts parts);
 
   std::vector<Parameter> parameters() const override;
+  bool admits(std::span<const double> values) const override;
 
  protected:
   const Parts& parts() const { return parts_; }
@@ -28,6 +29,8 @@ class Assembly : public Element {
   std::vector<std::span<double>> split(std::span<double> out) const;
 
  private:
+  bool sizes_agree(std::span<const double> values) const;
+
   Parts parts_;
   std::vector<std::size_t> sizes_;
 };

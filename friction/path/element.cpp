@@ -10,7 +10,7 @@ namespace jointid::friction {
 
 /// T is concave, so Newton's steps from the left stay left of the solution and rise; the last one is rounding.
 double Element::displacement(double force) const {
-    if (force > limit()) return infinity;
+  if (force > limit()) return infinity;
   const std::vector<double> pieces = kinks();
   const auto next_kink = std::ranges::partition_point(pieces, [&](double u) { return response(u).force <= force; });
   double u = next_kink == pieces.begin() ? 0.0 : *(next_kink - 1);
@@ -63,6 +63,13 @@ void Element::second_moment_derivative(double u, std::span<double> out) const {
     };
     out[i] = integrate(integrand, ends);
   }
+}
+
+bool Element::admits(std::span<const double> values) const {
+  return std::ranges::equal(parameters(), values, [](const Parameter& parameter, double value) {
+    const bool above = parameter.lower_included ? value >= parameter.lower : value > parameter.lower;
+    return std::isfinite(value) && above && value < parameter.upper;
+  });
 }
 
 std::vector<double> Element::values() const {

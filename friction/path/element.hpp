@@ -53,7 +53,10 @@ class Element {
   /// ∂T(u)/∂p, one for each parameter.
   virtual void derivative(double u, std::span<double> out) const = 0;
 
-  /// The same law with other parameter values. Throws std::invalid_argument when they make no sense.
+  /// True where `with` has a law of these values: one for each parameter, finite and inside its bounds.
+  virtual bool admits(std::span<const double> values) const;
+
+  /// The same law with other parameter values. Throws InputError where it does not admit them.
   virtual std::unique_ptr<Element> with(std::span<const double> values) const = 0;
 
   /// Energy lost in one cycle between −u and u, E = 8∫₀^u T du − 4uT(u) (2.10).

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "base/error.hpp"
 
 namespace jointid::friction {
 namespace {
@@ -30,17 +31,17 @@ Record positive(const Record& specimen) {
 }  // namespace
 
 std::vector<double> integrated(std::span<const double> time, std::span<const double> velocity) {
-  if (time.size() != velocity.size()) throw std::invalid_argument("time and velocity are not equally long");
+  if (time.size() != velocity.size()) refuse("time and velocity are not equally long");
   std::vector<double> out(time.size(), 0.0);
   for (std::size_t i = 1; i < time.size(); ++i) {
-    if (!(time[i] > time[i - 1])) throw std::invalid_argument("time does not increase at sample " + std::to_string(i + 1));
+    if (!(time[i] > time[i - 1])) refuse("time does not increase at sample " + std::to_string(i + 1));
     out[i] = out[i - 1] + 0.5 * (time[i] - time[i - 1]) * (velocity[i] + velocity[i - 1]);
   }
   return out;
 }
 
 Record without_elastic(Record record, double stiffness) {
-  if (!(stiffness > 0.0)) throw std::invalid_argument("the stiffness of the specimen is not positive");
+  if (!(stiffness > 0.0)) refuse("the stiffness of the specimen is not positive");
   for (std::size_t i = 0; i < record.force.size(); ++i) record.displacement[i] -= record.force[i] / stiffness;
   return record;
 }
@@ -48,7 +49,7 @@ Record without_elastic(Record record, double stiffness) {
 Record without_elastic(Record record, const Record& specimen) {
   const Record curve = positive(specimen);
   if (curve.force.empty() || std::ranges::adjacent_find(curve.force, std::greater_equal<>()) != curve.force.end()) {
-    throw std::invalid_argument("the specimen's forces do not increase");
+    refuse("the specimen's forces do not increase");
   }
   for (std::size_t i = 0; i < record.force.size(); ++i) {
     record.displacement[i] -= std::copysign(1.0, record.force[i]) * deformation(curve, std::abs(record.force[i]));

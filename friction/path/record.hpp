@@ -12,14 +12,14 @@ struct Record {
 };
 
 /// Displacement from velocity by the trapezoidal rule, 0 at the first sample. Exact for a velocity that is linear between
-/// samples. Throws std::invalid_argument unless `time` increases and both are equally long.
+/// samples. Throws InputError unless `time` increases and both are equally long.
 std::vector<double> integrated(std::span<const double> time, std::span<const double> velocity);
 
 /// The record without the elastic deformation u = F/stiffness of the specimen around the joint (docs/formulas.md §10f).
 Record without_elastic(Record record, double stiffness);
 
 /// The same by the measured loading curve of a specimen without joint: u_s(F) is interpolated linearly between its points and
-/// through the origin, continued by its last slope, and odd in F. Throws std::invalid_argument when the specimen's forces,
+/// through the origin, continued by its last slope, and odd in F. Throws InputError when the specimen's forces,
 /// without signs, do not increase.
 Record without_elastic(Record record, const Record& specimen);
 

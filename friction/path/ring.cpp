@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
+#include "base/error.hpp"
 #include "friction/path/quadrature.hpp"
 
 namespace jointid::friction {
@@ -25,7 +25,7 @@ std::string per_area(const std::string& unit) {
 Ring::Ring(std::shared_ptr<const Element> law, double inner, double outer)
     : law_(std::move(law)), inner_(inner), outer_(outer) {
   if (!(inner >= 0.0 && outer > inner && std::isfinite(outer))) {
-    throw std::invalid_argument("ring: radii " + std::to_string(inner) + ", " + std::to_string(outer) +
+    refuse("ring: radii " + std::to_string(inner) + ", " + std::to_string(outer) +
                                 " must be finite with 0 <= inner < outer");
   }
 }

@@ -12,7 +12,7 @@ namespace jointid::friction {
 /// and Burdekin is (2.72), (2.68) and (2.70) with 6b for the printed 12b.
 class Ring final : public Element {
  public:
-  /// 0 ≤ inner < outer (m). Throws std::invalid_argument.
+  /// 0 ≤ inner < outer (m). Throws InputError.
   Ring(std::shared_ptr<const Element> law, double inner, double outer);
 
   Response response(double angle) const override;
@@ -21,6 +21,7 @@ class Ring final : public Element {
   std::vector<double> kinks() const override;
   std::vector<Parameter> parameters() const override;
   void derivative(double angle, std::span<double> out) const override;
+  bool admits(std::span<const double> values) const override { return law_->admits(values); }
   std::unique_ptr<Element> with(std::span<const double> values) const override;
   double cycle_energy(double angle) const override;
 

@@ -1,13 +1,14 @@
 #include "friction/path/scaled.hpp"
 
 #include <cmath>
-#include <stdexcept>
+
+#include "base/error.hpp"
 
 namespace jointid::friction {
 
 Scaled::Scaled(std::shared_ptr<const Element> law, double factor) : law_(std::move(law)), factor_(factor) {
   if (!(factor_ > 0.0) || !std::isfinite(factor_)) {
-    throw std::invalid_argument("scaled friction law: factor " + std::to_string(factor_) + " must be finite and > 0");
+    refuse("scaled friction law: factor " + std::to_string(factor_) + " must be finite and > 0");
   }
 }
 

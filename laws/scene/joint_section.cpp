@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <stdexcept>
 
 #include "friction/law/laws.hpp"
 #include "laws/scene/sections.hpp"
@@ -15,11 +14,7 @@ std::vector<std::string> read_laws(const scene::Item& item) {
   std::vector<std::string> laws;
   for (const scene::Item& each : item.is_list() ? item.list_not_empty() : std::vector<scene::Item>{item}) {
     const std::string word = each.text_not_empty();
-    try {
-      (void)friction::law(word);
-    } catch (const std::invalid_argument& error) {
-      each.fail(error.what());
-    }
+    each.here([&] { (void)friction::law(word); });
     if (std::ranges::find(laws, word) != laws.end()) each.fail("law " + word + " is named twice", "name it once");
     laws.push_back(word);
   }

@@ -14,7 +14,7 @@ struct TwoSteps {
 };
 
 /// Chapter 7.3: the equivalent stiffness and damping k_e + i d_e = F₁/Q₁ of every state over |Q₁|, as they are, then the law of
-/// each joint fitted to that curve by (7.20). Throws std::invalid_argument for a law that there is not.
+/// each joint fitted to that curve by (7.20). Throws InputError for a law that there is not.
 std::vector<TwoSteps> two_steps(const std::vector<response::DirectStep>& steps, const std::vector<std::string>& laws);
 
 }  // namespace jointid::laws

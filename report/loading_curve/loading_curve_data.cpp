@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "base/error.hpp"
 #include "frf/file/columns.hpp"
@@ -91,8 +90,9 @@ template <class Act>
 auto of_file(const std::string& file, Act&& act) {
   try {
     return act();
-  } catch (const std::invalid_argument& error) {
-    throw InputError({ErrorKind::data, file, "", error.what(), "check the columns, their units and their signs"});
+  } catch (const InputError& error) {
+    if (!error.parts().file.empty()) throw;
+    throw InputError({ErrorKind::data, file, "", error.parts().problem, "check the columns, their units and their signs"});
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <span>
-#include <stdexcept>
 
 #include "base/control.hpp"
 #include "base/error.hpp"
@@ -110,8 +109,9 @@ class Fitting {
 LoadingCurveReport fit_loading_curves(const LoadingCurveTask& task, const FittingWatch& watch) {
   try {
     return Fitting(task, watch).run();
-  } catch (const std::invalid_argument& error) {
-    throw InputError({ErrorKind::usage, "", "loading-curve", error.what(), "change the options"});
+  } catch (const InputError& error) {
+    if (!error.parts().place.empty() || !error.parts().file.empty()) throw;
+    throw InputError({ErrorKind::usage, "", "loading-curve", error.parts().problem, "change the options"});
   }
 }
 

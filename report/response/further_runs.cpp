@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
 
 #include "base/complex.hpp"
 #include "base/error.hpp"
@@ -111,12 +110,12 @@ void run_curves(const response::HarmonicBalance& balance, const ResponseScene& s
     stop_if(control.interrupted);
     try {
       run.curves.push_back({curve, curve_name(curve, run.joints), response::follow_response(balance, request_of(curve))});
-    } catch (const std::invalid_argument& error) {
-      throw InputError({.kind = ErrorKind::usage,
-                        .file = scene.file.string(),
-                        .place = fmt::format("[[curves]] {}", i + 1),
-                        .problem = std::string("the curve left the values that the law can have: ") + error.what(),
-                        .remedy = "end the range farther from the law's bound"});
+    } catch (const InputError& error) {
+      InputError::Parts parts = error.parts();
+      if (!parts.file.empty() || !parts.place.empty()) throw;
+      parts.file = scene.file.string();
+      parts.place = fmt::format("[[curves]] {}", i + 1);
+      throw InputError(std::move(parts));
     }
   }
 }

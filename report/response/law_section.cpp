@@ -1,4 +1,3 @@
-#include <stdexcept>
 
 #include "base/text.hpp"
 #include "report/response/response_sections.hpp"
@@ -80,8 +79,9 @@ Law read_friction(const scene::Table& table) {
   if (!composed && parts) parts->fail("law " + name + " has no parts", "only series and parallel have");
   try {
     return made(name, table);
-  } catch (const std::invalid_argument& error) {
-    const std::string problem = error.what();
+  } catch (const InputError& error) {
+    if (!error.parts().place.empty()) throw;
+    const std::string& problem = error.parts().problem;
     law->fail(problem.starts_with("no friction law") ? problem + ", generalised, series, parallel" : problem);
   }
 }

@@ -10,6 +10,17 @@
 namespace jointid::response {
 namespace {
 
+/// The joint with one value changed. Throws InputError (usage) where the law has no such value.
+Joint changed(const Joint& joint, std::size_t parameter, double value) {
+  std::vector<double> values = joint.values();
+  values[parameter] = value;
+  try {
+    return joint.with(values);
+  } catch (const InputError& error) {
+    refuse("the curve left the values that the law can have: " + error.parts().problem, "end the range farther from the law's bound");
+  }
+}
+
 /// The condensed equations along the parameter of a request, and what follows from them.
 class ParameterPath {
  public:
@@ -78,9 +89,7 @@ class ParameterPath {
       line_ = harmonic_line(balance_.structure(), equations_.harmonics(), balance_.force(), parameter, true);
     } else if (request_.along == Along::joint_parameter) {
       const std::size_t j = request_.parameter.joint;
-      std::vector<double> values = balance_.joints()[j].values();
-      values[request_.parameter.parameter] = parameter;
-      equations_.replace(j, balance_.joints()[j].with(values));
+      equations_.replace(j, changed(balance_.joints()[j], request_.parameter.parameter, parameter));
     }
   }
 
@@ -111,9 +120,8 @@ void require(const HarmonicBalance& balance, const CurveRequest& request) {
 
 HarmonicBalance at_begin(const HarmonicBalance& balance, const CurveRequest& request) {
   if (request.along != Along::joint_parameter) return balance;
-  std::vector<double> values = balance.joints()[request.parameter.joint].values();
-  values[request.parameter.parameter] = request.from;
-  return balance.with_joint(request.parameter.joint, balance.joints()[request.parameter.joint].with(values));
+  const Joint& joint = balance.joints()[request.parameter.joint];
+  return balance.with_joint(request.parameter.joint, changed(joint, request.parameter.parameter, request.from));
 }
 
 /// The curve from a known solution.

@@ -20,7 +20,7 @@ struct ForceFit {
 /// The law of that name with the parameters that bring it nearest to the forces of joint `index` at its motions; `beside` gives
 /// the joint's name, spring, dashpot and cubic spring, which are known. Starts where friction::Family does, with the stiffness of
 /// the smallest motions and the largest force. The errors of Q are left out: parameters to start with, no estimate. Throws
-/// InputError (data) when no step has harmonic 1, std::invalid_argument for a law that there is not.
+/// InputError (data) when no step has harmonic 1, (usage) for a law that there is not.
 ForceFit fit_forces(const std::vector<DirectStep>& steps, std::size_t index, const std::string& law, const Joint& beside = {});
 
 }  // namespace jointid::response

@@ -6,7 +6,6 @@
 #include <limits>
 #include <optional>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
 #include "base/error.hpp"
@@ -70,15 +69,11 @@ Starts starts_of(const std::vector<DirectStep>& steps, const std::vector<std::st
   }
   Starts starts;
   starts.joints = together(beside, constraints, [&](std::size_t j) {
-    try {
-      ForceFit fit = fit_forces(steps, j, laws[j], beside[j]);
-      if (!fit.joint.friction) fail_laws("no start of " + laws[j] + " suits joint " + std::to_string(j + 1), "give its values");
-      fit.family.insert(fit.family.begin(), fit.joint);
-      starts.distance += fit.chi_square;
-      return fit.family;
-    } catch (const std::invalid_argument& wrong) {
-      fail_laws(wrong.what(), "");
-    }
+    ForceFit fit = fit_forces(steps, j, laws[j], beside[j]);
+    if (!fit.joint.friction) fail_laws("no start of " + laws[j] + " suits joint " + std::to_string(j + 1), "give its values");
+    fit.family.insert(fit.family.begin(), fit.joint);
+    starts.distance += fit.chi_square;
+    return fit.family;
   });
   for (std::vector<Joint>& start : starts.joints) begin_beside(steps, constraints, start);
   return starts;

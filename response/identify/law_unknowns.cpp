@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -118,11 +117,8 @@ std::optional<std::vector<Joint>> LawUnknowns::at_numbers(const Eigen::VectorXd&
     for (std::size_t i = 0; i < moved_.size(); ++i) {
       if (moved_[i].joint == j) own[moved_[i].parameter] = found(moved_by_[i]);
     }
-    try {
-      joints[j] = joints[j].with(own);
-    } catch (const std::invalid_argument&) {
-      return std::nullopt;
-    }
+    if (!joints[j].admits(own)) return std::nullopt;
+    joints[j] = joints[j].with(own);
   }
   return joints;
 }

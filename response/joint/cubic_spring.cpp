@@ -1,6 +1,6 @@
 #include "response/joint/cubic_spring.hpp"
 
-#include <stdexcept>
+#include "base/error.hpp"
 
 namespace jointid::response {
 
@@ -9,7 +9,7 @@ std::vector<friction::Parameter> CubicSpring::parameters() const {
 }
 
 std::unique_ptr<friction::Element> CubicSpring::with(std::span<const double> values) const {
-  if (values.size() != 1) throw std::invalid_argument("a cubic spring has one parameter");
+  if (!admits(values)) refuse("a cubic spring has one parameter, and that is finite");
   return std::make_unique<CubicSpring>(values[0]);
 }
 

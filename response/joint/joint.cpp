@@ -1,7 +1,8 @@
 #include "response/joint/joint.hpp"
 
 #include <span>
-#include <stdexcept>
+
+#include "base/error.hpp"
 
 namespace jointid::response {
 
@@ -20,8 +21,12 @@ std::vector<double> Joint::values() const {
   return values;
 }
 
+bool Joint::admits(const std::vector<double>& values) const {
+  return values.size() == parameter_names().size() && (!friction || friction->admits(std::span(values).first(values.size() - 3)));
+}
+
 Joint Joint::with(const std::vector<double>& values) const {
-  if (values.size() != parameter_names().size()) throw std::invalid_argument("a joint has as many values as parameters");
+  if (values.size() != parameter_names().size()) refuse("a joint has as many values as parameters");
   Joint other = *this;
   const std::size_t own = values.size() - 3;
   if (friction) other.friction = friction->with(std::span(values).first(own));

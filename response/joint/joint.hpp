@@ -21,7 +21,10 @@ struct Joint {
   std::vector<std::string> parameter_names() const;
   std::vector<double> values() const;
 
-  /// The joint with other values, in the same order. Throws std::invalid_argument when the friction law has no such parameters.
+  /// True where the friction law admits its part of the values, in the same order.
+  bool admits(const std::vector<double>& values) const;
+
+  /// The joint with other values, in the same order. Throws InputError when the friction law has no such parameters.
   Joint with(const std::vector<double>& values) const;
 
   /// Tangent of the joint that does not slip: T′(0) + k.

@@ -1,16 +1,16 @@
 #include "response/structure/corrected_receptance.hpp"
 
 #include <cmath>
-#include <stdexcept>
 
 #include "base/eigen.hpp"
+#include "base/error.hpp"
 
 namespace jointid::response {
 
 void CorrectedReceptance::correct(double omega, const Eigen::VectorXd& deviations) {
   const std::vector<ReceptanceError> all = errors(omega);
   if (deviations.size() != 2 * jointid::at(all.size()))
-    throw std::invalid_argument("two deviations for each error of a receptance");
+    refuse("two deviations for each error of a receptance");
   Eigen::MatrixXcd sum = Eigen::MatrixXcd::Zero(joints() + responses(), joints() + forces());
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Eigen::Index place = 2 * jointid::at(k);

@@ -14,7 +14,7 @@ class CorrectedReceptance final : public Receptance {
  public:
   explicit CorrectedReceptance(std::shared_ptr<const Receptance> of) : of_(std::move(of)) {}
 
-  /// Throws std::invalid_argument unless there are two numbers for each error there.
+  /// Throws InputError unless there are two numbers for each error there.
   void correct(double omega, const Eigen::VectorXd& deviations);
 
   Eigen::Index joints() const override { return of_->joints(); }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "friction/curve/equivalent.hpp"
+#include "base/error.hpp"
 #include "friction/law/sliders.hpp"
 #include "friction/path/cancellation_free.hpp"
 #include "friction/path/masing_path.hpp"
@@ -66,11 +67,11 @@ TEST(GeneralizedSlip, ThatEndsBelowOneStaysElastic) {
 }
 
 TEST(GeneralizedSlip, WrongTablesAreRefused) {
-  EXPECT_THROW(GeneralizedSlip(1e6, {}), std::invalid_argument);
-  EXPECT_THROW(GeneralizedSlip(-1.0, {{0.0, 1e-7}}), std::invalid_argument);
-  EXPECT_THROW(GeneralizedSlip(1e6, {{0.1, 1e-7}}), std::invalid_argument);
-  EXPECT_THROW(GeneralizedSlip(1e6, {{0.0, 2e-7}, {0.5, 1e-7}}), std::invalid_argument);
-  EXPECT_THROW(GeneralizedSlip(1e6, {{0.0, 1e-7}, {1.5, 2e-7}}), std::invalid_argument);
+  EXPECT_THROW(GeneralizedSlip(1e6, {}), InputError);
+  EXPECT_THROW(GeneralizedSlip(-1.0, {{0.0, 1e-7}}), InputError);
+  EXPECT_THROW(GeneralizedSlip(1e6, {{0.1, 1e-7}}), InputError);
+  EXPECT_THROW(GeneralizedSlip(1e6, {{0.0, 2e-7}, {0.5, 1e-7}}), InputError);
+  EXPECT_THROW(GeneralizedSlip(1e6, {{0.0, 1e-7}, {1.5, 2e-7}}), InputError);
 }
 
 TEST(Series, OfABilinearElementAndASpringIsBilinear) {
@@ -107,8 +108,8 @@ TEST(Assembly, NumbersTheParametersOfItsParts) {
   const Parallel parallel({part("ren", {1e-7, 2.0, 1e7}), part("spring", {1e6})});
   ASSERT_EQ(parallel.parameters().size(), 4U);
   EXPECT_EQ(parallel.parameters()[3].name, "2.k");
-  EXPECT_THROW(parallel.with(std::array{1.0}), std::invalid_argument);
-  EXPECT_THROW(Parallel{Parts{}}, std::invalid_argument);
+  EXPECT_THROW(parallel.with(std::array{1.0}), InputError);
+  EXPECT_THROW(Parallel{Parts{}}, InputError);
 }
 
 // Against (B.4) of docs/formulas.md §10c, with the cosine.
@@ -151,7 +152,7 @@ RC_GTEST_PROP(EquivalentDerivative, IsTheSlopeOfTheFigures, ()) {
 
 TEST(Equivalent, WrongAmplitudesAreRefused) {
   const auto element = make_element("spring", std::array{1.0});
-  EXPECT_THROW(equivalent(*element, 0.0), std::invalid_argument);
+  EXPECT_THROW(equivalent(*element, 0.0), InputError);
   EXPECT_EQ(equivalent(*element, std::array{1.0, 2.0}).size(), 2U);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/error.hpp"
 #include "friction/fit/fit_start.hpp"
 #include "friction/fit/tied_limit.hpp"
 #include "friction/law/laws.hpp"
@@ -98,7 +99,7 @@ TEST(Curve, WhatCannotBeFittedIsRefusedByName) {
   const auto refusal = [](const Curve& curve) -> std::string {
     try {
       validate(curve);
-    } catch (const std::invalid_argument& error) {
+    } catch (const InputError& error) {
       return error.what();
     }
     return "";

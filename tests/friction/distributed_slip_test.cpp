@@ -6,6 +6,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "base/error.hpp"
 #include "friction/path/masing_path.hpp"
 #include "random_element.hpp"
 
@@ -75,9 +76,9 @@ TEST(DistributedSlip, ScaledLoadIsALawWithScaledLimits) {
 
 TEST(Sliders, WrongKnotsAreRefused) {
   const auto law = make_element("ren", std::array{5e-8, 3.0, 1e6});
-  EXPECT_THROW(sliders(*law, std::vector<double>{}), std::invalid_argument);
-  EXPECT_THROW(sliders(*law, std::vector{0.0, 1e-7}), std::invalid_argument);
-  EXPECT_THROW(sliders(*law, std::vector{2e-7, 1e-7}), std::invalid_argument);
+  EXPECT_THROW(sliders(*law, std::vector<double>{}), InputError);
+  EXPECT_THROW(sliders(*law, std::vector{0.0, 1e-7}), InputError);
+  EXPECT_THROW(sliders(*law, std::vector{2e-7, 1e-7}), InputError);
 }
 
 }  // namespace

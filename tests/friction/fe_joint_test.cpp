@@ -7,6 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "base/error.hpp"
 #include "friction/joint/bending_root.hpp"
 #include "friction/joint/fe_cases.hpp"
 #include "friction/law/laws.hpp"
@@ -124,15 +125,15 @@ TEST(FiniteElementJoint, CaseThreeShowsMacroAndMicroMicroslip) {
 }
 
 TEST(FiniteElementJoint, WrongMeshesAreRefused) {
-  EXPECT_THROW(FiniteElementJoint(JointMesh{}), std::invalid_argument);
+  EXPECT_THROW(FiniteElementJoint(JointMesh{}), InputError);
   JointMesh mesh = case_two();
   mesh.interface.pop_back();
-  EXPECT_THROW(FiniteElementJoint{mesh}, std::invalid_argument);
+  EXPECT_THROW(FiniteElementJoint{mesh}, InputError);
   mesh.interface.assign(21, nullptr);
-  EXPECT_THROW(FiniteElementJoint{mesh}, std::invalid_argument);
+  EXPECT_THROW(FiniteElementJoint{mesh}, InputError);
   mesh = case_two();
   mesh.members[3].length = 0.0;
-  EXPECT_THROW(FiniteElementJoint{mesh}, std::invalid_argument);
+  EXPECT_THROW(FiniteElementJoint{mesh}, InputError);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "base/error.hpp"
 #include "friction/law/laws.hpp"
 #include "minimise/least_squares.hpp"
 #include "tests/require.hpp"
@@ -89,7 +90,7 @@ TEST(Fit, TheStartFromFeaturesIsWhereAGlobalSearchEnds) {
   for (const Exact& each : exact_cases) {
     const Curve curve = loading(*make_element(each.law, each.values), 3e-7, 40, 0.02, 3);
     if (!minimise::has_nlopt()) {
-      EXPECT_THROW(fit_one(curve, each.law, options), std::invalid_argument);
+      EXPECT_THROW(fit_one(curve, each.law, options), InputError);
       JOINTID_SKIP("this build lacks NLopt");
     }
     const Fit plain = fit_one(curve, each.law), global = fit_one(curve, each.law, options);
@@ -143,8 +144,8 @@ TEST(Fit, APresetLimitIsKeptAndTakesOneUnknownAway) {
   const Fit shoukry = fit_one(curve, "shoukry", {.limit = element->limit()});
   EXPECT_EQ(value(shoukry, "a").knowledge, Knowledge::preset);
   EXPECT_EQ(value(shoukry, "b").knowledge, Knowledge::determined);
-  EXPECT_THROW(fit_one(curve, "spring", {.limit = 1.0}), std::invalid_argument);
-  EXPECT_THROW(fit_one(curve, "ren", {.limit = -1.0}), std::invalid_argument);
+  EXPECT_THROW(fit_one(curve, "spring", {.limit = 1.0}), InputError);
+  EXPECT_THROW(fit_one(curve, "ren", {.limit = -1.0}), InputError);
 }
 
 TEST(Fit, LoopsEnergiesAndEquivalentsLeadToTheSameElement) {
@@ -197,9 +198,9 @@ TEST(Fit, CurvesWithOneShapeAndOneFrictionCoefficient) {
   }
   const Fit alone = fit(std::span(curves).first(1), family("ren"));
   EXPECT_LT(*coefficient.std_error, *alone.curves[0].friction_coefficient->std_error);
-  EXPECT_THROW(fit(curves, family("ren"), {.shared = {"c"}}), std::invalid_argument);
+  EXPECT_THROW(fit(curves, family("ren"), {.shared = {"c"}}), InputError);
   curves[1].normal_load.reset();
-  EXPECT_THROW(fit(curves, family("ren"), options), std::invalid_argument);
+  EXPECT_THROW(fit(curves, family("ren"), options), InputError);
 }
 
 TEST(Fit, WhatTheCurveCannotTellIsSaid) {
@@ -260,8 +261,8 @@ TEST(Fit, NamesAreTheWordsOfTheCommandLine) {
   for (const Weighting each : {Weighting::none, Weighting::largest, Weighting::relative, Weighting::travel}) {
     EXPECT_EQ(parse_weighting(name(each)), each);
   }
-  EXPECT_THROW(parse_weighting("big"), std::invalid_argument);
-  EXPECT_THROW(family("renn"), std::invalid_argument);
+  EXPECT_THROW(parse_weighting("big"), InputError);
+  EXPECT_THROW(family("renn"), InputError);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "friction/joint/bending_root.hpp"
+#include "base/error.hpp"
 #include "friction/law/menq_bar.hpp"
 #include "friction/path/quadrature.hpp"
 #include "friction/path/ring.hpp"
@@ -177,10 +178,10 @@ TEST(Scaled, MultipliesForcesOnly) {
 }
 
 TEST(Joint, SenselessValuesAreRefused) {
-  EXPECT_THROW(Ring(make_element("spring", std::array{1.0}), 0.1, 0.1), std::invalid_argument);
-  EXPECT_THROW(MenqBar({1.0, 1.0, 1.0, 1.0, -1.0}), std::invalid_argument);
-  EXPECT_THROW(BendingRoot(1.0, 0.0, 1.0), std::invalid_argument);
-  EXPECT_THROW(Scaled(make_element("spring", std::array{1.0}), 0.0), std::invalid_argument);
+  EXPECT_THROW(Ring(make_element("spring", std::array{1.0}), 0.1, 0.1), InputError);
+  EXPECT_THROW(MenqBar({1.0, 1.0, 1.0, 1.0, -1.0}), InputError);
+  EXPECT_THROW(BendingRoot(1.0, 0.0, 1.0), InputError);
+  EXPECT_THROW(Scaled(make_element("spring", std::array{1.0}), 0.0), InputError);
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <rapidcheck/gtest.h>
 
 #include <numbers>
-#include <stdexcept>
 
+#include "base/error.hpp"
 #include "friction/path/quadrature.hpp"
 #include "random_element.hpp"
 
@@ -168,9 +168,30 @@ void expect_refused(const std::string& name, const std::vector<double>& values, 
   try {
     make_element(name, values);
     FAIL() << name;
-  } catch (const std::invalid_argument& error) {
+  } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr(text));
   }
+}
+
+/// Values of which one or none makes sense.
+std::vector<double> disturbed(std::vector<double> values) {
+  const std::vector<double> strange = {0.0, -1.0, 1e300, std::nan(""), infinity, -infinity};
+  const std::size_t i = any_of(values.size() + 1), with = any_of(strange.size());
+  if (i < values.size()) values[i] = strange[with];
+  if (any_of(8) == 0) values.pop_back();
+  return values;
+}
+
+RC_GTEST_PROP(Law, AdmitsJustTheValuesThatItCanHave, ()) {
+  const auto element = any_element();
+  const std::vector<double> values = disturbed(element->values());
+  bool made = true;
+  try {
+    (void)element->with(values);
+  } catch (const InputError&) {
+    made = false;
+  }
+  RC_ASSERT(element->admits(values) == made);
 }
 
 TEST(Law, SenselessValuesAreRefused) {

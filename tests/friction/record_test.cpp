@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "base/error.hpp"
 #include "friction/path/loops.hpp"
 
 namespace jointid::friction {
@@ -36,8 +37,8 @@ TEST(Record, LinearVelocityIsIntegratedExactlyOnUnevenSteps) {
     expected.push_back(3.0 * t - t * t);
   }
   EXPECT_THAT(integrated(time, velocity), Pointwise(DoubleNear(1e-14), expected));
-  EXPECT_THROW(integrated(std::vector{0.0, 0.0}, std::vector{1.0, 1.0}), std::invalid_argument);
-  EXPECT_THROW(integrated(std::vector{0.0}, std::vector{1.0, 1.0}), std::invalid_argument);
+  EXPECT_THROW(integrated(std::vector{0.0, 0.0}, std::vector{1.0, 1.0}), InputError);
+  EXPECT_THROW(integrated(std::vector{0.0}, std::vector{1.0, 1.0}), InputError);
 }
 
 TEST(Record, ElasticDeformationByStiffnessAndByCurveAgreeOnALine) {
@@ -53,9 +54,9 @@ TEST(Record, ACurvedSpecimenIsInterpolatedAndContinued) {
   const Record specimen{{0.0, -1.0, -3.0}, {0.0, -10.0, -20.0}};
   const Record out = without_elastic(Record{{0.0, 0.0, 0.0, 0.0}, {5.0, 15.0, 30.0, -30.0}}, specimen);
   EXPECT_THAT(out.displacement, ElementsAre(-0.5, -2.0, -5.0, 5.0));
-  EXPECT_THROW(without_elastic(Record{{0.0}, {1.0}}, Record{{1.0, 2.0}, {3.0, 3.0}}), std::invalid_argument);
-  EXPECT_THROW(without_elastic(Record{{0.0}, {1.0}}, Record{{1.0}, {0.0}}), std::invalid_argument);
-  EXPECT_THROW(without_elastic(Record{{0.0}, {1.0}}, -1.0), std::invalid_argument);
+  EXPECT_THROW(without_elastic(Record{{0.0}, {1.0}}, Record{{1.0, 2.0}, {3.0, 3.0}}), InputError);
+  EXPECT_THROW(without_elastic(Record{{0.0}, {1.0}}, Record{{1.0}, {0.0}}), InputError);
+  EXPECT_THROW(without_elastic(Record{{0.0}, {1.0}}, -1.0), InputError);
 }
 
 TEST(Record, WorkOfAnEllipseIsItsArea) {

@@ -120,7 +120,7 @@ TEST(MatrixModel, TellsWhereItIsInfinite) {
 TEST(MatrixModel, NeedsMatricesOfOneSize) {
   StructureMatrices wrong = matrices_of(problems::substructure_a());
   wrong.viscous_damping.resize(3, 3);
-  EXPECT_THROW(MatrixModel{wrong}, std::invalid_argument);
+  EXPECT_THROW(MatrixModel{wrong}, InputError);
 }
 
 TEST(ModalModel, OfAllModesIsTheMatrixModel) {
@@ -161,7 +161,7 @@ TEST(ModalModel, AResidualStandsForTheModesThatAreLeftOut) {
   EXPECT_LT(error(with), 0.05 * error(few));  // (ω/ω_7)² of it is left
   EXPECT_GT(error(few), 1e-6);
   with.residual.resize(2, 2);
-  EXPECT_THROW(ModalModel{with}, std::invalid_argument);
+  EXPECT_THROW(ModalModel{with}, InputError);
 }
 
 TEST(ModalModel, AComplexModeIsTheNormalOneOfTheSameDamping) {
