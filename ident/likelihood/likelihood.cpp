@@ -25,7 +25,7 @@
 #include "ident/likelihood/findings/bound_of.hpp"
 #include "ident/likelihood/errors/chi_square_law.hpp"
 #include "ident/likelihood/findings/findings.hpp"
-#include "ident/likelihood/findings/gain_scores.hpp"
+#include "ident/likelihood/errors/gain_scores.hpp"
 #include "ident/likelihood/findings/identifiability.hpp"
 #include "ident/likelihood/errors/interval_notes.hpp"
 #include "ident/likelihood/errors/intervals.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "likelihood_case.hpp"
+#include "tests/ident/likelihood_case.hpp"
 #include "memory_systems.hpp"
 #include "tasks/bound.hpp"
 

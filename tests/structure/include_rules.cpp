@@ -59,7 +59,7 @@ IncludeTable read_table(std::istream& markdown) {
     const auto cells = split(trimmed(line), '|');  // the first is what stands before the first bar
     if (cells.size() < 3 || folder_of(cells[1]).empty()) continue;
     const std::string folder = folder_of(cells[1]);
-    const std::size_t slash = folder.find('/');
+    const std::size_t slash = folder.rfind('/');
     std::set<std::string>& before = above[slash == std::string::npos ? "" : folder.substr(0, slash)];
     table[folder] = allowed_folders(cells.back(), before);
     before.insert(slash == std::string::npos ? folder : folder.substr(slash + 1));
@@ -97,21 +97,24 @@ std::vector<std::string> violations(const IncludeTable& table, const std::string
   return found;
 }
 
-std::string room_of(const std::string& path) {
-  const std::size_t first = path.find('/');
-  const std::size_t second = first == std::string::npos ? first : path.find('/', first + 1);
-  if (first == std::string::npos) return "";
-  return second == std::string::npos ? path.substr(0, first) + "/." : path.substr(0, second);
+std::optional<RoomStep> room_step(const std::string& file, const std::string& include) {
+  const std::vector<std::string> from = split(file, '/'), to = split(include, '/');
+  std::size_t shared = 0;
+  while (shared + 1 < from.size() && shared + 1 < to.size() && from[shared] == to[shared]) ++shared;
+  if (shared == 0 || (shared + 1 == from.size() && shared + 1 == to.size())) return std::nullopt;
+  std::string folder;
+  for (std::size_t i = 0; i < shared; ++i) folder += from[i] + "/";
+  const auto room = [&](const std::vector<std::string>& parts) { return folder + (shared + 1 < parts.size() ? parts[shared] : "."); };
+  return RoomStep{room(from), room(to)};
 }
 
-std::vector<std::string> room_violations(const IncludeTable& table, const std::string& room, std::istream& source) {
+std::vector<std::string> room_violations(const IncludeTable& table, const std::string& file, std::istream& source) {
   std::vector<std::string> found;
-  const std::string folder = room.substr(0, room.find('/') + 1);
   for (const std::string& include : includes(source)) {
-    const std::string target = room_of(include);
-    if (!target.starts_with(folder) || target == room || !table.contains(target)) continue;
-    if (!table.contains(room) || !table.at(room).contains(target.substr(folder.size()))) {
-      found.push_back(room + " may not include " + include);
+    const auto step = room_step(file, include);
+    if (!step || !table.contains(step->to)) continue;
+    if (!table.contains(step->from) || !table.at(step->from).contains(step->to.substr(step->to.rfind('/') + 1))) {
+      found.push_back(step->from + " may not include " + include);
     }
   }
   return found;

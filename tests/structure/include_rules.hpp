@@ -3,13 +3,14 @@
 #include <filesystem>
 #include <istream>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace jointid::structure {
 
-/// Folder → folders it may include besides itself. Rooms inside a folder are "frf/uff", and what lies in it beside them "frf/.".
+/// Folder → folders beside it that it may include. Rooms inside a folder are "frf/uff", and what lies in it beside them "frf/.".
 using IncludeTable = std::map<std::string, std::set<std::string>>;
 
 /// Reads the rows "| `folder/` | … | may include |" of a Markdown table; the last column is "–", "all above" or names
@@ -22,11 +23,18 @@ std::vector<std::string> includes(std::istream& source);
 /// One sentence per include of `source`, a file of `folder`, that runs against the table or names no folder.
 std::vector<std::string> violations(const IncludeTable& table, const std::string& folder, std::istream& source);
 
-/// Folder and room of a file or include: "frf/uff" of "frf/uff/scan.hpp", "frf/." of "frf/open.hpp".
-std::string room_of(const std::string& path);
+/// An include from one room into another of the same folder, in the deepest folder that holds both files: "frf/uff" → "frf/set" of
+/// "frf/uff/scan.cpp" and "frf/set/dof.hpp"; "frf/." is what lies in the folder itself.
+struct RoomStep {
+  std::string from, to;
+  bool operator==(const RoomStep&) const = default;
+};
 
-/// One sentence per include of `source`, a file of `room`, of another room of its folder that the table does not give it.
-std::vector<std::string> room_violations(const IncludeTable& table, const std::string& room, std::istream& source);
+/// That of a file that includes another; none inside one room, or between top folders.
+std::optional<RoomStep> room_step(const std::string& file, const std::string& include);
+
+/// One sentence per include of `source` of another room of its folder that the table does not give the room of `file`.
+std::vector<std::string> room_violations(const IncludeTable& table, const std::string& file, std::istream& source);
 
 /// Includes of a header that cost its users much build time or a dependency.
 std::vector<std::string> heavy_includes(std::istream& header);

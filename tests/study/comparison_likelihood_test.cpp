@@ -3,7 +3,7 @@
 #include "base/error.hpp"
 #include "study/comparison.hpp"
 #include "minimise/least_squares.hpp"
-#include "tests/ident/solver_case.hpp"
+#include "tests/ident/likelihood/solver_case.hpp"
 
 namespace jointid::study {
 namespace {

@@ -8,7 +8,7 @@
 #include "base/eigen.hpp"
 #include "dense/pivoted_qr.hpp"
 #include "ident/likelihood/bundle/bundle_functions.hpp"
-#include "ident/likelihood/line/line_start.hpp"
+#include "ident/likelihood/model/line_start.hpp"
 #include "ident/likelihood/line/line_tolerance.hpp"
 #include "minimise/linear/covariance.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ident/likelihood/line/explicit_line.hpp"
+#include "ident/likelihood/model/explicit_line.hpp"
 #include "minimise/blocks.hpp"
 
 namespace jointid::ident {

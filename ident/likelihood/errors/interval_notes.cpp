@@ -6,7 +6,7 @@
 #include "base/eigen.hpp"
 #include "base/text.hpp"
 #include "ident/judgement/judge.hpp"
-#include "ident/likelihood/findings/gain_scores.hpp"
+#include "ident/likelihood/errors/gain_scores.hpp"
 
 namespace jointid::ident {
 namespace {

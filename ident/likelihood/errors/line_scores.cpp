@@ -6,7 +6,7 @@
 #include "base/eigen.hpp"
 #include "dense/cholesky.hpp"
 #include "ident/likelihood/data/likelihood_plan.hpp"
-#include "ident/likelihood/line/corrected_line.hpp"
+#include "ident/likelihood/model/corrected_line.hpp"
 
 namespace jointid::ident {
 namespace {

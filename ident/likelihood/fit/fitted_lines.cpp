@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "base/eigen.hpp"
-#include "ident/likelihood/line/corrected_line.hpp"
-#include "ident/likelihood/line/line_gradient.hpp"
+#include "ident/likelihood/model/corrected_line.hpp"
+#include "ident/likelihood/model/line_gradient.hpp"
 #include "ident/likelihood/line/robust_loss.hpp"
 
 namespace jointid::ident {

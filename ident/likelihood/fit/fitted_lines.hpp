@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ident/likelihood/data/likelihood_data.hpp"
-#include "ident/likelihood/line/fitted_line.hpp"
+#include "ident/likelihood/model/fitted_line.hpp"
 
 namespace jointid::ident {
 

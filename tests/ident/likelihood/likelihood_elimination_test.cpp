@@ -1,0 +1,106 @@
+// The equations of a line solved by their structure against those of all rows, which likelihood_line_model_test.cpp holds to
+// differences.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <Eigen/Core>
+#include <cmath>
+
+#include "base/eigen.hpp"
+#include "ident/likelihood/elimination/elimination_flops.hpp"
+#include "ident/likelihood/model/line_model.hpp"
+#include "likelihood_line_sample.hpp"
+
+namespace jointid::ident {
+namespace {
+
+/// Circular errors, of sizes that are apart by factors up to `ratio`.
+void make_circular(LineSample& s, double ratio, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> power(-0.5, 0.5);
+  for (Channel* channel : {&s.data.x, &s.data.y, &s.data.a, &s.data.b, &s.data.d}) {
+    for (Complex& weight : channel->weight) weight = weight.real() * std::pow(ratio, power(random)) * Complex(1.0, 1.0);
+  }
+}
+
+/// Some FRFs off, and A and B off the constraint unless asked for.
+LineState moved(LineSample& s, bool on_constraint) {
+  LineState state = s.exact;
+  LineStep step(at(2 * s.layout.variables()));
+  for (double& value : step) value = s.normal();
+  move(s.layout, step, 0.05, state.x, state.y);
+  put_on_constraint(s.layout, s.joint.at(s.theta), state);
+  if (on_constraint) return state;
+  state.a += 0.05 * s.any(state.a);
+  if (!s.layout.b.empty()) state.b += 0.05 * s.any(state.b);
+  return state;
+}
+
+double size_of(const Eigen::MatrixXd& a) { return a.size() == 0 ? 0.0 : a.cwiseAbs().maxCoeff(); }
+
+/// Complex and real equations of all rows, and what is to be the same.
+struct Ways {
+  LineModel complex, real, structure;
+
+  explicit Ways(const LineLayout& layout)
+      : complex(layout, LineModel::Numbers::complex),
+        real(layout, LineModel::Numbers::real),
+        structure(layout, LineModel::Numbers::eliminated) {}
+};
+
+/// To `tolerance` of its size, or as far as the other two agree: what the equations hardly fix has lost digits in these, too.
+void expect_same(const Eigen::MatrixXd& found, const Eigen::MatrixXd& complex, const Eigen::MatrixXd& real, double tolerance,
+                 double size = 0.0) {
+  RC_ASSERT(found.rows() == complex.rows() && found.cols() == complex.cols());
+  RC_ASSERT(size_of(found - complex) <= tolerance * (size + size_of(complex)) + 100.0 * size_of(complex - real));
+}
+
+void expect_same_reduction(const LineSample& s, Ways& ways, const LineState& state, double tolerance) {
+  for (const bool with_joint : {true, false}) {
+    for (LineModel* model : {&ways.complex, &ways.real, &ways.structure}) {
+      model->linearise(s.data, s.joint, s.joint.at(s.theta), state, with_joint);
+    }
+    for (const double damping : {0.0, 0.1, 0.0}) {
+      const auto complex = ways.complex.reduce(damping), real = ways.real.reduce(damping), found = ways.structure.reduce(damping);
+      RC_ASSERT(complex.has_value() && real.has_value() && found.has_value());
+      expect_same(found->information, complex->information, real->information, tolerance);
+      const double size = std::sqrt(size_of(complex->information) * complex->cost);
+      expect_same(found->gradient, complex->gradient, real->gradient, tolerance, size);
+      RC_ASSERT(std::abs(found->cost - complex->cost) <=
+                tolerance * complex->cost + 100.0 * std::abs(complex->cost - real->cost));
+      expect_same(*found->back, *complex->back, *real->back, tolerance);
+      expect_same(found->own, complex->own, real->own, tolerance, 1.0);
+      LineStep any(complex->own.size());
+      for (Eigen::Index i = 0; i < any.size(); ++i) any[i] = std::sin(static_cast<double>(i));
+      expect_same(ways.structure.own_step(any), ways.complex.own_step(any), ways.real.own_step(any), tolerance);
+    }
+  }
+}
+
+RC_GTEST_PROP(LikelihoodElimination, SolvesTheEquationsOfAllRows, (unsigned seed)) {
+  std::mt19937_64 random(seed);
+  const auto up_to = [&](std::size_t most) { return std::uniform_int_distribution<std::size_t>(1, most)(random); };
+  std::bernoulli_distribution coin;
+  LineSample s({.others = up_to(6), .joint = up_to(6), .with_b = coin(random), .uncoupled = coin(random)}, random);
+  make_circular(s, coin(random) ? 10.0 : 1.0, random);
+  // Not all of A, B and D.
+  std::bernoulli_distribution absent(coin(random) ? 0.2 : 0.0);
+  for (Channel* channel : {&s.data.a, &s.data.b, &s.data.d}) {
+    for (Complex& weight : channel->weight) weight = absent(random) ? Complex(0.0) : weight;
+  }
+  const LineState state = moved(s, coin(random));
+  Ways ways(s.layout);
+  expect_same_reduction(s, ways, state, 1e-10);
+}
+
+/// Weights by a factor of 10⁴ apart.
+RC_GTEST_PROP(LikelihoodElimination, KeepsDigitsWithErrorsOfAllSizes, (unsigned seed)) {
+  std::mt19937_64 random(seed);
+  LineSample s({.others = 4, .joint = 4, .with_b = true, .uncoupled = true}, random);
+  make_circular(s, 1e4, random);
+  const LineState state = moved(s, true);
+  Ways ways(s.layout);
+  expect_same_reduction(s, ways, state, 1e-7);
+}
+
+}  // namespace
+}  // namespace jointid::ident

@@ -1,0 +1,53 @@
+#include "ident/likelihood/model/guess_y.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "likelihood_line_sample.hpp"
+
+namespace jointid::ident {
+namespace {
+
+/// On exact FRFs the unmeasured Y are found, also when the joint has rigid-body motions, so that Z A has not full rank.
+RC_GTEST_PROP(GuessY, IsExactOnExactData, (unsigned seed, bool with_some)) {
+  std::mt19937_64 random(seed);
+  LineSample s({.others = 6, .joint = 4, .uncoupled = true, .noise = 1e-12}, random);
+  RC_PRE(s.layout.x.size() >= 8 && s.layout.y.size() <= 6);  // two joint coordinates in each part
+  const ComplexMatrix shape = ComplexMatrix::Identity(4, 4) - ComplexMatrix::Constant(4, 4, 0.25), z = shape * s.joint.at(s.theta) * shape;
+  put_on_constraint(s.layout, z, s.exact);
+  for (std::size_t i = 0; i < s.layout.a.size(); ++i) {
+    s.data.a.value[i] = s.exact.a(LineSample::index(s.layout.a[i].row), LineSample::index(s.layout.a[i].column));
+  }
+  for (std::size_t i = with_some ? 1 : 0; i < s.layout.y.size(); ++i) s.data.y.weight[i] = 0.0;
+  LineState state = s.exact;
+  for (std::size_t i = 0; i < s.layout.y.size(); ++i) {
+    const auto [p, q] = s.layout.y[i];
+    if (s.data.y.weight[i] == Complex(0.0)) state.y(LineSample::index(p), LineSample::index(q)) = 7.0;
+  }
+  guess_y(s.layout, s.data, z, state);
+  ComplexMatrix wrong = state.y * z * s.exact.a - (s.exact.x - s.exact.a);
+  RC_ASSERT(wrong.norm() <= 1e-8 * s.exact.x.norm());
+  RC_ASSERT((state.y - state.y.transpose()).norm() == 0.0);
+  RC_ASSERT((state.y - s.exact.y).norm() <= 1e-5 * s.exact.y.norm());
+}
+
+TEST(GuessY, LeavesMeasuredOnesAlone) {
+  std::mt19937_64 random(1);
+  LineSample s({.others = 3, .joint = 2}, random);
+  LineState state = s.exact;
+  guess_y(s.layout, s.data, s.joint.at(s.theta), state);
+  EXPECT_EQ(state.y, s.exact.y);
+}
+
+TEST(GuessY, IsZeroWithoutAnyAssemblyFrfOfTheJoint) {
+  std::mt19937_64 random(1);
+  LineSample s({.others = 3, .joint = 2}, random);
+  for (Complex& weight : s.data.a.weight) weight = 0.0;
+  for (Complex& weight : s.data.y.weight) weight = 0.0;
+  LineState state = s.exact;
+  guess_y(s.layout, s.data, s.joint.at(s.theta), state);
+  EXPECT_EQ(state.y.norm(), 0.0);
+}
+
+}  // namespace
+}  // namespace jointid::ident
