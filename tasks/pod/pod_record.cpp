@@ -1,4 +1,4 @@
-#include "report/pod/pod_record.hpp"
+#include "tasks/pod/pod_record.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "frf/file/columns.hpp"
 #include "records/file/open_samples.hpp"
 
-namespace jointid::report {
+namespace jointid::tasks {
 namespace {
 
 constexpr std::size_t most_channels = 10'000;  ///< a triangle of them takes 400 MB
@@ -93,4 +93,4 @@ Eigen::MatrixXd read_pod_matrix(const std::filesystem::path& file, std::size_t r
   return out;
 }
 
-}  // namespace jointid::report
+}  // namespace jointid::tasks

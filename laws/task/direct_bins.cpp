@@ -1,11 +1,11 @@
-#include "report/laws/direct_bins.hpp"
+#include "laws/task/direct_bins.hpp"
 
 #include <algorithm>
 
 #include "base/statistics.hpp"
 #include "response/fourier/harmonics.hpp"
 
-namespace jointid::report {
+namespace jointid::laws {
 
 std::vector<DirectBin> direct_bins(const std::vector<response::DirectStep>& steps, Eigen::Index joint, std::size_t most) {
   struct Point {
@@ -37,4 +37,4 @@ std::vector<DirectBin> direct_bins(const std::vector<response::DirectStep>& step
   return bins;
 }
 
-}  // namespace jointid::report
+}  // namespace jointid::laws

@@ -4,7 +4,7 @@
 
 #include "laws/task/identify_laws.hpp"
 
-namespace jointid::report {
+namespace jointid::laws {
 
 /// States of similar motion of a joint: medians.
 struct DirectBin {
@@ -17,4 +17,4 @@ struct DirectBin {
 /// out.
 std::vector<DirectBin> direct_bins(const std::vector<response::DirectStep>& steps, Eigen::Index joint, std::size_t most);
 
-}  // namespace jointid::report
+}  // namespace jointid::laws

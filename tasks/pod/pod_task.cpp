@@ -1,10 +1,10 @@
-#include "report/pod/pod_task.hpp"
+#include "tasks/pod/pod_task.hpp"
 
 #include <utility>
 
 #include "base/error.hpp"
 
-namespace jointid::report {
+namespace jointid::tasks {
 
 std::vector<ident::NamedFile> files_of(const PodTask& task) {
   std::vector<ident::NamedFile> files;
@@ -25,4 +25,4 @@ void check(const PodTask& task) {
   if (!task.compare.empty()) fail("--stiffness", "there are other modes to compare with", "leave --compare out");
 }
 
-}  // namespace jointid::report
+}  // namespace jointid::tasks

@@ -1,4 +1,4 @@
-#include "report/series/delay_report.hpp"
+#include "tasks/series/delay.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include "base/control.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "records/file/read_series.hpp"
+#include "tasks/tell.hpp"
 
-namespace jointid::report {
+namespace jointid::tasks {
 namespace {
 
 constexpr double few_false = 0.01;       ///< share of false neighbours that is allowed for noise
@@ -37,8 +37,7 @@ class DelayRun {
  public:
   DelayRun(const DelayTask& task, const ident::Control& control) : task_(task), control_(control) {}
 
-  DelayReport run() {
-    const records::SeriesRecord record = read_channel(task_);
+  DelayResult run(const records::SeriesRecord& record) {
     x_ = record.samples.front();
     out_.file = record.file, out_.channel = record.channels.front().name, out_.unit = record.channels.front().unit;
     out_.rate_hz = record.rate_hz, out_.samples = x_.size();
@@ -56,7 +55,7 @@ class DelayRun {
  private:
   template <class Work>
   void step(const char* stage, const Work& work) {
-    if (control_.progress) control_.progress(stage, 0, 0);
+    tell(control_, stage);
     stop_if(control_.interrupted);
     work();
   }
@@ -102,11 +101,17 @@ class DelayRun {
   const DelayTask& task_;
   const ident::Control& control_;
   std::vector<double> x_;
-  DelayReport out_;
+  DelayResult out_;
 };
 
 }  // namespace
 
-DelayReport delay_report(const DelayTask& task, const ident::Control& control) { return DelayRun(task, control).run(); }
+DelayResult run_delay(const DelayTask& task, const records::SeriesRecord& record, const ident::Control& control) {
+  return DelayRun(task, control).run(record);
+}
 
-}  // namespace jointid::report
+DelayResult run_delay(const DelayTask& task, const ident::Control& control) {
+  return run_delay(task, read_channel(task), control);
+}
+
+}  // namespace jointid::tasks

@@ -5,16 +5,17 @@
 #include <vector>
 
 #include "ident/team/team.hpp"
-#include "report/pod/pod_task.hpp"
 #include "series/pod/pod.hpp"
+#include "tasks/pod/pod_task.hpp"
 
-namespace jointid::report {
+namespace jointid::tasks {
 
-/// What `pod` reads: the triangle of the record, and what the files say of its channels.
+/// What `pod` reads: the triangle of the record, and what the files say of its channels. Of samples in memory:
+/// series::record_triangle().
 struct PodRecord {
-  std::vector<std::string> names, units;
-  std::size_t cut = 0;  ///< samples of longer channels that were left out, of all channels together
-  series::RecordTriangle triangle;
+  std::vector<std::string> names, units;  ///< of the channels
+  std::size_t cut = 0;                    ///< samples of longer channels that were left out, of all channels together
+  series::RecordTriangle triangle;        ///< sums of the samples and of their products, n channels: n(n+1)/2 numbers
 };
 
 /// Reads the files block by block (records::open_samples()); several files are further samples of the same channels. Each process
@@ -27,4 +28,4 @@ PodRecord read_pod_record(const PodTask& task, ident::Team& team, const std::fun
 /// missing.
 Eigen::MatrixXd read_pod_matrix(const std::filesystem::path& file, std::size_t rows, const std::string& option);
 
-}  // namespace jointid::report
+}  // namespace jointid::tasks
