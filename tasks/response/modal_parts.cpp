@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "ident/plan/data_source.hpp"
 #include "modalfit/model/symmetric_model.hpp"
 #include "modalfit/model/synthesis.hpp"
 
@@ -50,10 +49,11 @@ frf::FrfSet on_lines(const frf::FrfSet& measured, const std::vector<double>& lin
 
 }  // namespace
 
-std::unique_ptr<frf::FrfSystem> modal_parts(const ResponseScene& scene, std::vector<double> lines_hz,
-                                            const ident::Control& control, std::vector<std::string>& doubts) {
+std::unique_ptr<frf::FrfSystem> modal_parts(const ResponseScene& scene, const std::vector<std::unique_ptr<frf::FrfSource>>& parts,
+                                            std::vector<double> lines_hz, const ident::Control& control,
+                                            std::vector<std::string>& doubts) {
   std::vector<frf::FrfSet> measured;
-  for (const auto& source : ident::open_all(scene.parts)) {
+  for (const auto& source : parts) {
     measured.push_back(frf::load(*source));
     const std::vector<double>& own = measured.back().header.frequency_hz;
     std::erase_if(lines_hz, [&](double hz) { return hz < own.front() || hz > own.back(); });

@@ -94,14 +94,14 @@ Prepared from_matrices(const ResponseScene& scene) {
   return prepared;
 }
 
-Prepared from_files(const ResponseScene& scene, const ident::Control& control) {
+Prepared from_parts(const ResponseScene& scene, std::vector<std::unique_ptr<frf::FrfSource>> sources,
+                    const ident::Control& control) {
   Prepared prepared;
   std::unique_ptr<frf::FrfSystem> parts;
   if (scene.modal_model) {
-    parts = modal_parts(scene, asked_lines_hz(scene), control, prepared.doubts);
+    parts = modal_parts(scene, sources, asked_lines_hz(scene), control, prepared.doubts);
   } else {
-    parts = std::make_unique<frf::FrfSystem>("[data] parts", ident::open_all(scene.parts), frf::Composition::uncoupled,
-                                             scene.reciprocity);
+    parts = std::make_unique<frf::FrfSystem>("[data] parts", std::move(sources), frf::Composition::uncoupled, scene.reciprocity);
   }
   std::vector<response::JointEnds> joints;
   std::vector<frf::Dof> responses;
@@ -143,7 +143,16 @@ std::vector<response::Joint> joints_of(const ResponseScene& scene) {
 }
 
 Prepared prepare(const ResponseScene& scene, const ident::Control& control) {
-  return coordinates(scene) > 0 ? from_matrices(scene) : from_files(scene, control);
+  return coordinates(scene) > 0 ? from_matrices(scene) : from_parts(scene, ident::open_all(scene.parts), control);
+}
+
+Prepared prepare(const ResponseScene& scene, std::vector<frf::FrfSet> parts, const ident::Control& control) {
+  std::vector<std::unique_ptr<frf::FrfSource>> sources;
+  for (frf::FrfSet& part : parts) {
+    frf::validate(part);
+    sources.push_back(frf::from_memory(std::move(part)));
+  }
+  return from_parts(scene, std::move(sources), control);
 }
 
 Eigen::VectorXd Prepared::unit_force(Eigen::Index coordinate) const {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "frf/set/frf_set.hpp"
 #include "ident/result/control.hpp"
 #include "response/stability/matrix_assembly.hpp"
 #include "tasks/response/response_scene.hpp"
@@ -33,6 +34,9 @@ struct Prepared {
 
 /// Reads what the scene needs. Throws InputError (data).
 Prepared prepare(const ResponseScene& scene, const ident::Control& control);
+
+/// The same with these FRFs in place of the scene's files.
+Prepared prepare(const ResponseScene& scene, std::vector<frf::FrfSet> parts, const ident::Control& control);
 
 std::vector<response::Joint> joints_of(const ResponseScene& scene);
 

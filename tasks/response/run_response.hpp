@@ -1,5 +1,6 @@
 #pragma once
 
+#include "frf/set/frf_set.hpp"
 #include "tasks/response/response_result.hpp"
 
 namespace jointid::tasks {
@@ -10,5 +11,9 @@ namespace jointid::tasks {
 /// other members are not used. What does not converge is marked in the result (all_converged()). Throws InputError (usage, data),
 /// and Interrupted.
 ResponseResult run_response(const ResponseScene& scene, const ident::Control& control = {});
+
+/// The same with FRFs of the parts in memory in place of the scene's files. Throws InputError for sets whose sizes do not agree,
+/// too.
+ResponseResult run_response(const ResponseScene& scene, std::vector<frf::FrfSet> parts, const ident::Control& control = {});
 
 }  // namespace jointid::tasks

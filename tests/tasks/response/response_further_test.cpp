@@ -26,7 +26,7 @@ using testing::HasSubstr;
 
 ResponseScene scene_of(const std::string& text) { return parse_response_scene(text, "scene.toml"); }
 
-ResponseResult run_of(const ResponseScene& scene) { return run_response(scene, {}); }
+ResponseResult run_of(const ResponseScene& scene) { return run_response(scene); }
 
 std::string at_one() { return replaced(rest, "range = [2.0, 4.0]\npoints = 41", "values = [3.0]"); }
 

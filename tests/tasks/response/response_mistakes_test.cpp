@@ -110,7 +110,7 @@ TEST(ResponseMistakes, SaysWhatAJointDoesThatIsNone) {
   const auto told = [&](const std::string& parameters) {
     const std::string text = replaced(parts_scene("values = [2.0, 3.0]\n", "[1, 3]"), "[0.01, 150.0]", parameters);
     const ResponseScene scene = parse_response_scene(text, folder / "scene.toml");
-    return report::response_text(scene, run_response(scene, {}));
+    return report::response_text(scene, run_response(scene));
   };
   EXPECT_THAT(told("[0.01, 1.5e-9]"), HasSubstr("joint 2:+X–3:+X takes all the motion"));
   EXPECT_THAT(told("[0.01, 1.5]"), testing::Not(HasSubstr("takes all the motion")));
@@ -136,7 +136,7 @@ TEST(ResponseMistakes, SaysWhereAPeakIsNarrowerThanTheLines) {
     }
     const std::string text = parts_scene("range = [1.0, 4.0]\n", "[1]");
     const ResponseScene scene = parse_response_scene(text, folder / "scene.toml");
-    return report::response_text(scene, run_response(scene, {}));
+    return report::response_text(scene, run_response(scene));
   };
   EXPECT_THAT(narrow(8), HasSubstr("how high it is between them is not known"));
   EXPECT_THAT(narrow(1), testing::Not(HasSubstr("how high it is between them is not known")));

@@ -112,7 +112,7 @@ inline std::string parts_scene(const std::string& frequency, const std::string& 
 }
 
 inline ResponseResult run_parts(const std::string& text, const TestFolder& folder) {
-  return run_response(parse_response_scene(text, folder / "scene.toml"), {});
+  return run_response(parse_response_scene(text, folder / "scene.toml"));
 }
 
 }  // namespace jointid::tasks

@@ -9,6 +9,7 @@
 
 #include "base/control.hpp"
 #include "base/error.hpp"
+#include "frf/set/frf_source.hpp"
 #include "models/matrix_file.hpp"
 #include "report/response/response_text.hpp"
 #include "response/structure/modal_damping.hpp"
@@ -70,7 +71,7 @@ TEST(ResponseScene, SaysInOneLineWhatIsWrong) {
 TEST(ResponseScene, LawsAreTablesOrMadeOfParts) {
   const std::string ren = "law = \"ren\"\nparameters = { a = 0.004, b = 1.5, k = 150.0 }";
   const auto run_with = [&](const std::string& law) {
-    return run_response(parse_response_scene(replaced(chain + rest, ren, law), "scene.toml"), {});
+    return run_response(parse_response_scene(replaced(chain + rest, ren, law), "scene.toml"));
   };
   const ResponseResult slider = run_with("law = \"bilinear\"\nparameters = { a = 0.004, k = 150.0 }");
   const std::vector<std::string> same = {
@@ -109,7 +110,7 @@ TEST(ResponseScene, LawsAreTablesOrMadeOfParts) {
 
 TEST(ResponseScene, FindsPeaksOverLevels) {
   const ResponseScene scene = parse_response_scene(chain + rest, "scene.toml");
-  const ResponseResult run = run_response(scene, {});
+  const ResponseResult run = run_response(scene);
   ASSERT_EQ(run.levels.size(), 2u);
   EXPECT_TRUE(all_converged(run));
   for (const LevelResponse& level : run.levels) {
@@ -132,7 +133,7 @@ TEST(ResponseScene, TellsDeviationsOfTheLaw) {
   const ResponseScene scene =
       parse_response_scene(replaced(known, "range = [2.0, 4.0]\npoints = 41", "values = [2.9]"), "scene.toml");
   EXPECT_EQ(scene.joints[0].deviations, (std::vector<double>{0.0, 0.0, 5.0}));
-  const ResponseResult run = run_response(scene, {});
+  const ResponseResult run = run_response(scene);
   ASSERT_EQ(run.levels[0].deviations.size(), 1u);
   EXPECT_GT(run.levels[0].deviations[0].amplitude(0, 0), 0.0);
   EXPECT_THAT(report::response_text(scene, run), HasSubstr("std dev"));
@@ -161,8 +162,8 @@ TEST(ResponseScene, FilesOfPartsGiveWhatMatricesGive) {
       "[structure]\nmodal_damping = 0.02\nmass = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]\n"
       "stiffness = [[500.0, -200.0, 0.0], [-200.0, 210.0, 0.0], [0.0, 0.0, 90.0]]\n[[joints]]\ndofs = [2, 3]\n" +
       joint + "[force]\ndof = 1\n" + end + "points = 41\n[response]\ndofs = [1, 3]\nharmonics = [1, 3, 5]\n";
-  const ResponseResult measured = run_response(parse_response_scene(files, folder / "scene.toml"), {});
-  const ResponseResult computed = run_response(parse_response_scene(matrices, folder / "scene.toml"), {});
+  const ResponseResult measured = run_response(parse_response_scene(files, folder / "scene.toml"));
+  const ResponseResult computed = run_response(parse_response_scene(matrices, folder / "scene.toml"));
   ASSERT_EQ(measured.levels[0].points.size(), 41u);
   EXPECT_TRUE(all_converged(measured));
   EXPECT_TRUE(measured.doubts.empty());
@@ -174,12 +175,15 @@ TEST(ResponseScene, FilesOfPartsGiveWhatMatricesGive) {
   // The ninth harmonic of 4 Hz is beyond the last line.
   const std::string more = replaced(files, "[1, 3, 5]", "[1, 3, 5, 7, 9]");
   const ResponseScene beyond = parse_response_scene(more, folder / "scene.toml");
-  const ResponseResult dropped = run_response(beyond, {});
+  const ResponseResult dropped = run_response(beyond);
   EXPECT_EQ(dropped.levels[0].points.back().dropped.size(), 2u);
+  const std::vector<frf::FrfSet> sets = {frf::load(*frf::open(folder / "one.csv")), frf::load(*frf::open(folder / "two.csv"))};
+  const ResponseResult in_memory = run_response(beyond, sets);
+  EXPECT_EQ(in_memory.levels[0].points[3].response, dropped.levels[0].points[3].response);
   EXPECT_THAT(report::response_text(beyond, dropped), HasSubstr("harmonics beyond the lines of the files are dropped"));
-  EXPECT_THROW(run_response(parse_response_scene(replaced(files, "\"1:+X\"\n", "\"1:+Y\"\n"), folder / "scene.toml"), {}),
+  EXPECT_THROW(run_response(parse_response_scene(replaced(files, "\"1:+X\"\n", "\"1:+Y\"\n"), folder / "scene.toml")),
                InputError);
-  EXPECT_THROW(run_response(parse_response_scene(replaced(files, "[2.0, 4.0]", "[50.0, 60.0]"), folder / "scene.toml"), {}),
+  EXPECT_THROW(run_response(parse_response_scene(replaced(files, "[2.0, 4.0]", "[50.0, 60.0]"), folder / "scene.toml")),
                InputError);
 }
 
@@ -247,7 +251,7 @@ TEST(ResponseScene, LargeModelsStaySparse) {
     const ResponseScene scene = parse_response_scene(text, folder / "scene.toml");
     EXPECT_EQ(scene.sparse.has_value(), n > most_full);
     EXPECT_EQ(coordinates(scene), n);
-    return run_response(scene, {});
+    return run_response(scene);
   };
   const ResponseResult small = run_of(200, ""), large = run_of(1000, "");
   EXPECT_TRUE(all_converged(large));
