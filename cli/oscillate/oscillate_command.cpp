@@ -12,19 +12,20 @@
 #include "cli/text/progress.hpp"
 #include "report/oscillate/oscillate_page.hpp"
 #include "report/oscillate/oscillate_report.hpp"
+#include "tasks/oscillate/run_oscillate.hpp"
 
 namespace jointid::cli {
 namespace {
 
-void check_outputs(const OscillateArguments& arguments, const report::OscillateScene& scene) {
-  check_targets(report::files_of(scene), {{"--json", arguments.json},
-                                          {"--csv", arguments.csv},
-                                          {"--report", arguments.report},
-                                          {"--sweep", arguments.sweep},
-                                          {"--events", arguments.events}});
+void check_outputs(const OscillateArguments& arguments, const tasks::OscillateScene& scene) {
+  check_targets(tasks::files_of(scene), {{"--json", arguments.json},
+                                         {"--csv", arguments.csv},
+                                         {"--report", arguments.report},
+                                         {"--sweep", arguments.sweep},
+                                         {"--events", arguments.events}});
 }
 
-void write(const OscillateArguments& arguments, const report::OscillateRun& run, std::ostream& out) {
+void write(const OscillateArguments& arguments, const tasks::OscillateResult& run, std::ostream& out) {
   if (arguments.json) write_target(*arguments.json, report::oscillate_json(run), out);
   if (arguments.csv) write_target(*arguments.csv, report::motion_csv(run), out);
   if (arguments.sweep) write_target(*arguments.sweep, report::sweep_csv(run), out);
@@ -35,7 +36,7 @@ void write(const OscillateArguments& arguments, const report::OscillateRun& run,
 }
 
 /// Writes what was found when the command was interrupted.
-std::string save(const OscillateArguments& arguments, std::optional<report::OscillateRun> done, std::ostream& out) {
+std::string save(const OscillateArguments& arguments, std::optional<tasks::OscillateResult> done, std::ostream& out) {
   if (!done) return "interrupted";
   done->interrupted = true;
   done->remarks.emplace_back("INTERRUPTED: only what was found so far");
@@ -60,24 +61,25 @@ void add_oscillate(CLI::App& app, Chosen& chosen) {
 }
 
 ExitCode execute(const OscillateArguments& arguments, std::ostream& out) {
-  const report::OscillateScene scene = report::read_oscillate_scene(arguments.scene);
+  const tasks::OscillateScene scene = tasks::read_oscillate_scene(arguments.scene);
   check_outputs(arguments, scene);
   if (arguments.sweep && !scene.sweep) {
     throw InputError({ErrorKind::usage, "", "--sweep", "the scene has no [sweep]", "add one, or leave --sweep out"});
   }
-  SoFar<report::OscillateRun> done;
+  SoFar<tasks::OscillateResult> done;
   const auto save_so_far = [&] { return save(arguments, done.get(), out); };
-  const report::OscillateRun run = with_last_words(save_so_far, [&] {
+  const tasks::OscillateResult run = with_last_words(save_so_far, [&] {
     Progress progress;
-    report::OscillateControl control{arguments.threads, {}, interrupted, {}};
-    control.progress = [&](const std::string& stage, int percent) {
-      progress.show(percent < 0 ? stage : fmt::format("{}: {} %", stage, percent));
+    ident::Control control;
+    control.threads = arguments.threads;
+    control.interrupted = interrupted;
+    control.progress = [&](const std::string& stage, std::size_t percent, std::size_t total) {
+      progress.show(total == 0 ? stage : fmt::format("{}: {} %", stage, percent));
     };
-    control.so_far = [&](const report::OscillateRun& found) { done.put(found); };
-    return run_oscillate(scene, control);
+    return run_oscillate(scene, control, [&](const tasks::OscillateResult& found) { done.put(found); });
   });
   write(arguments, run, out);
-  const std::string failure = report::failure_of(run);
+  const std::string failure = tasks::failure_of(run);
   if (failure.empty()) return ExitCode::done;
   print_error(arguments.scene.string() + ": " + failure);
   return ExitCode::unusable;

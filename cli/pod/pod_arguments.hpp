@@ -1,11 +1,11 @@
 #pragma once
 
 #include "cli/options/target.hpp"
-#include "report/pod/pod_task.hpp"
+#include "tasks/pod/pod_task.hpp"
 
 namespace jointid::cli {
 
-struct PodArguments : report::PodTask {
+struct PodArguments : tasks::PodTask {
   static constexpr bool is_shared = true;
   Target json, csv, report;
 };

@@ -9,6 +9,7 @@
 #include "cli/text/progress.hpp"
 #include "report/pod/pod_page.hpp"
 #include "report/pod/pod_report.hpp"
+#include "tasks/pod/run_pod.hpp"
 
 namespace jointid::cli {
 
@@ -40,19 +41,21 @@ ExitCode execute(const PodArguments& arguments, std::ostream& out) {
     check_targets(files_of(arguments), {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
     check(arguments);
   });
-  std::optional<report::PodRecord> record;
+  std::optional<tasks::PodResult> result;
   {
     Progress progress;
     constexpr std::size_t step = 100'000;
-    const auto tell = [&, told = std::size_t{0}](std::size_t read) mutable {
+    ident::Control control;
+    control.interrupted = interrupted;
+    control.progress = [&, told = std::size_t{0}](const char*, std::size_t read, std::size_t) mutable {
       if (team->rank() > 0 || read / step == told) return;
       told = read / step;
       progress.show(std::to_string(read) + " samples read");
     };
-    record = read_pod_record(arguments, *team, tell, interrupted);
+    result = tasks::run_pod(arguments, *team, control);
   }
-  if (team->rank() > 0) return ExitCode::done;
-  const report::PodReport found = make_pod_report(arguments, std::move(*record));
+  if (!result) return ExitCode::done;
+  const tasks::PodResult& found = *result;
   if (arguments.json) write_target(*arguments.json, report::pod_json(found), out);
   if (arguments.csv) write_target(*arguments.csv, report::pod_csv(found), out);
   if (arguments.report) write_target(*arguments.report, report::pod_page(found), out);

@@ -5,17 +5,17 @@
 #include "base/error.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
-#include "cli/response/comparison_run.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/progress.hpp"
 #include "report/response/curve_rows.hpp"
-#include "report/response/read_response_scene.hpp"
 #include "report/response/response_file.hpp"
 #include "report/response/response_page.hpp"
-#include "report/response/response_run.hpp"
-#include "report/response/response_scene.hpp"
 #include "report/response/response_text.hpp"
-#include "report/response/run_response.hpp"
+#include "report/response/ways_text.hpp"
+#include "tasks/response/read_response_scene.hpp"
+#include "tasks/response/response_result.hpp"
+#include "tasks/response/response_scene.hpp"
+#include "tasks/response/run_response.hpp"
 
 namespace jointid::cli {
 
@@ -41,7 +41,7 @@ void add_response(CLI::App& app, Chosen& chosen) {
 
 namespace {
 
-void check_outputs(const ResponseArguments& arguments, const report::ResponseScene& scene) {
+void check_outputs(const ResponseArguments& arguments, const tasks::ResponseScene& scene) {
   const auto refuse = [&](std::string place, std::string problem, std::string remedy) {
     throw InputError({.kind = ErrorKind::usage,
                       .file = arguments.scene.string(),
@@ -49,12 +49,12 @@ void check_outputs(const ResponseArguments& arguments, const report::ResponseSce
                       .problem = std::move(problem),
                       .remedy = std::move(remedy)});
   };
-  check_targets(report::files_of(scene), {{"--json", arguments.json},
-                                          {"--csv", arguments.csv},
-                                          {"--report", arguments.report},
-                                          {"--curves", arguments.curves},
-                                          {"--history", arguments.history},
-                                          {"--out", arguments.out}});
+  check_targets(tasks::files_of(scene), {{"--json", arguments.json},
+                                         {"--csv", arguments.csv},
+                                         {"--report", arguments.report},
+                                         {"--curves", arguments.curves},
+                                         {"--history", arguments.history},
+                                         {"--out", arguments.out}});
   if (arguments.history && !scene.transient)
     refuse("--history", "the scene has no [transient]", "add one, or leave --history out");
   if (arguments.out && *arguments.out == "-") refuse("--out", "HDF5 does not go to standard output", "name a file");
@@ -65,7 +65,7 @@ void check_outputs(const ResponseArguments& arguments, const report::ResponseSce
   }
 }
 
-void write_history(const std::string& target, const report::ResponseRun& run, std::ostream& out) {
+void write_history(const std::string& target, const tasks::ResponseResult& run, std::ostream& out) {
   if (report::names_hdf5(target)) {
     report::write_history_table(target, run);
   } else {
@@ -73,7 +73,7 @@ void write_history(const std::string& target, const report::ResponseRun& run, st
   }
 }
 
-void write_curves(const std::string& target, const report::ResponseRun& run, std::ostream& out) {
+void write_curves(const std::string& target, const tasks::ResponseResult& run, std::ostream& out) {
   if (report::names_hdf5(target)) {
     report::write_curves_table(target, run);
   } else {
@@ -81,15 +81,15 @@ void write_curves(const std::string& target, const report::ResponseRun& run, std
   }
 }
 
-ExitCode compare(const ResponseArguments& arguments, const report::ResponseScene& scene, std::ostream& out) {
-  const std::vector<WaysRun> runs = [&] {
+ExitCode compare(const ResponseArguments& arguments, const tasks::ResponseScene& scene, std::ostream& out) {
+  const std::vector<tasks::WaysResult> runs = [&] {
     Progress progress;
-    return run_comparison(scene, progress);
+    return tasks::compare_responses(scene, progress.control());
   }();
-  if (arguments.json) write_target(*arguments.json, comparison_json(scene, runs), out);
-  if (arguments.csv) write_target(*arguments.csv, comparison_csv(runs), out);
-  if (!takes_output({arguments.json, arguments.csv})) out << comparison_text(scene, runs);
-  if (all_known(runs)) return ExitCode::done;
+  if (arguments.json) write_target(*arguments.json, report::ways_json(scene, runs), out);
+  if (arguments.csv) write_target(*arguments.csv, report::ways_csv(runs), out);
+  if (!takes_output({arguments.json, arguments.csv})) out << report::ways_text(scene, runs);
+  if (tasks::all_known(runs)) return ExitCode::done;
   print_error(arguments.scene.string() + ": no exact orbit was found");
   return ExitCode::unusable;
 }
@@ -97,12 +97,12 @@ ExitCode compare(const ResponseArguments& arguments, const report::ResponseScene
 }  // namespace
 
 ExitCode execute(const ResponseArguments& arguments, std::ostream& out) {
-  const report::ResponseScene scene = report::read_response_scene(arguments.scene);
+  const tasks::ResponseScene scene = tasks::read_response_scene(arguments.scene);
   check_outputs(arguments, scene);
   if (arguments.compare) return compare(arguments, scene, out);
-  const report::ResponseRun run = [&] {
+  const tasks::ResponseResult run = [&] {
     Progress progress;
-    return report::run_response(scene, progress.control());
+    return tasks::run_response(scene, progress.control());
   }();
   if (arguments.json) write_target(*arguments.json, report::response_json(scene, run), out);
   if (arguments.csv) write_target(*arguments.csv, report::response_csv(run), out);
@@ -112,7 +112,7 @@ ExitCode execute(const ResponseArguments& arguments, std::ostream& out) {
   if (arguments.out) report::write_response_table(*arguments.out, run);
   if (!takes_output({arguments.json, arguments.csv, arguments.report, arguments.curves, arguments.history}))
     out << report::response_text(scene, run);
-  if (report::all_converged(run)) return ExitCode::done;
+  if (tasks::all_converged(run)) return ExitCode::done;
   print_error(arguments.scene.string() + ": harmonic balance did not converge everywhere");
   return ExitCode::unusable;
 }

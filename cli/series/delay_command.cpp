@@ -8,9 +8,9 @@ namespace jointid::cli {
 ExitCode execute(const SeriesDelayArguments& arguments, std::ostream& out) {
   check_targets({{arguments.file, "FILE"}},
                 {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
-  const report::DelayReport found = [&] {
+  const tasks::DelayResult found = [&] {
     Progress progress;
-    return report::delay_report(arguments, progress.control());
+    return tasks::run_delay(arguments, progress.control());
   }();
   if (arguments.json) write_target(*arguments.json, report::delay_json(found), out);
   if (arguments.csv) write_target(*arguments.csv, report::delay_csv(found), out);

@@ -1,30 +1,30 @@
 #pragma once
 
 #include "cli/options/target.hpp"
-#include "report/series/align_report.hpp"
-#include "report/series/contact_report.hpp"
-#include "report/series/delay_task.hpp"
-#include "report/series/strain_report.hpp"
+#include "tasks/series/align.hpp"
+#include "tasks/series/contact.hpp"
+#include "tasks/series/delay.hpp"
+#include "tasks/series/strain.hpp"
 
 namespace jointid::cli {
 
 /// `series delay`: delay, dimension and exponents of one channel.
-struct SeriesDelayArguments : report::DelayTask {
+struct SeriesDelayArguments : tasks::DelayTask {
   Target json, csv, report;
 };
 
 /// `series strain`: displacements of a clamped beam from strain gauges.
-struct SeriesStrainArguments : report::StrainTask {
+struct SeriesStrainArguments : tasks::StrainTask {
   Target output, json, report;
 };
 
 /// `series friction`: the law of a contact from a record of it.
-struct SeriesFrictionArguments : report::ContactTask {
+struct SeriesFrictionArguments : tasks::ContactTask {
   Target json, csv, report;
 };
 
 /// `series align`: how late the channels of a periodic record are.
-struct SeriesAlignArguments : report::AlignTask {
+struct SeriesAlignArguments : tasks::AlignTask {
   Target output, json, report;
 };
 

@@ -6,20 +6,26 @@
 #include "cli/options/output.hpp"
 #include "cli/series/series_command.hpp"
 #include "cli/text/interrupt.hpp"
+#include "report/series/strain_report.hpp"
 
 namespace jointid::cli {
 namespace {
 
+std::size_t write_displacements(const tasks::StrainResult& found, records::SampleStream& gauges, std::ostream& to) {
+  ident::Control control;
+  control.interrupted = interrupted;
+  to << report::displacements_title(found);
+  return tasks::find_displacements(
+      found, gauges, [&](const Eigen::MatrixXd& block) { to << report::displacements_csv(block); }, control);
+}
+
 /// To a file whole or not at all, or to `out`.
-std::size_t write_displacements(const std::string& target, const report::StrainReport& found, records::SampleStream& gauges,
+std::size_t write_displacements(const std::string& target, const tasks::StrainResult& found, records::SampleStream& gauges,
                                 std::ostream& out) {
-  if (target == "-")
-    return report::write_displacements(
-        found, gauges, [&](const std::string& text) { out << text; }, interrupted);
+  if (target == "-") return write_displacements(found, gauges, out);
   TemporaryFile file(target);
   std::ofstream to(file.path(), std::ios::binary);
-  const std::size_t samples = report::write_displacements(
-      found, gauges, [&](const std::string& text) { to << text; }, interrupted);
+  const std::size_t samples = write_displacements(found, gauges, to);
   to.close();
   if (!to) file.fail("the disk does not take it");
   file.commit();
@@ -31,8 +37,8 @@ std::size_t write_displacements(const std::string& target, const report::StrainR
 ExitCode execute(const SeriesStrainArguments& arguments, std::ostream& out) {
   check_targets({{arguments.file, "FILE"}},
                 {{"--output", arguments.output}, {"--json", arguments.json}, {"--report", arguments.report}});
-  const report::StrainReport found = report::strain_report(arguments);
-  const auto gauges = report::open_gauges(found.task);
+  const tasks::StrainResult found = tasks::run_strain(arguments);
+  const auto gauges = tasks::open_gauges(found.task);
   std::size_t samples = 0;
   if (arguments.output) samples = write_displacements(*arguments.output, found, *gauges, out);
   if (arguments.json) write_target(*arguments.json, report::strain_json(found), out);

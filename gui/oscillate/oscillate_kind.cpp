@@ -1,17 +1,18 @@
 #include "gui/oscillate/oscillate_kind.hpp"
 
 #include "gui/look/said.hpp"
+#include "gui/work/control_of.hpp"
 #include "report/oscillate/oscillate_page.hpp"
 #include "report/oscillate/oscillate_plots.hpp"
 #include "report/oscillate/oscillate_report.hpp"
-#include "report/oscillate/oscillate_run.hpp"
+#include "tasks/oscillate/run_oscillate.hpp"
 
 namespace jointid::gui {
 namespace {
 
-using report::OscillateRun;
+using tasks::OscillateResult;
 
-std::vector<PlotMenu::Named> plots_of(const OscillateRun& run) {
+std::vector<PlotMenu::Named> plots_of(const OscillateResult& run) {
   std::vector<PlotMenu::Named> out{{Said::tr("motion"), report::phase_plots(run)},
                                    {Said::tr("contact"), report::contact_plots(run)}};
   if (run.modes) out.emplace_back(Said::tr("proper orthogonal modes"), report::mode_plots(run));
@@ -21,7 +22,7 @@ std::vector<PlotMenu::Named> plots_of(const OscillateRun& run) {
 }
 
 /// What the command tells in lines.
-CellRows line_rows(const OscillateRun& run) {
+CellRows line_rows(const OscillateResult& run) {
   CellRows out{{Said::tr("of"), Said::tr("what was found")}, {}, {}};
   const auto add = [&](const QString& of, const std::string& line) { out.cells.push_back({Cell{of}, Cell{q(line)}}); };
   add(Said::tr("motion"), report::motion_line(run));
@@ -31,7 +32,7 @@ CellRows line_rows(const OscillateRun& run) {
   return out;
 }
 
-std::vector<TableMenu::Named> tables_of(const OscillateRun& run) {
+std::vector<TableMenu::Named> tables_of(const OscillateResult& run) {
   std::vector<TableMenu::Named> out{{Said::tr("motion and orbit"), line_rows(run)}};
   if (run.modes) {
     out.emplace_back(Said::tr("shares of modes"), rows_of(report::fractions_table(*run.modes)));
@@ -45,9 +46,9 @@ std::vector<TableMenu::Named> tables_of(const OscillateRun& run) {
   return out;
 }
 
-Findings findings_of(const std::shared_ptr<const OscillateRun>& run) {
+Findings findings_of(const std::shared_ptr<const OscillateResult>& run) {
   Findings out;
-  const std::string failure = report::failure_of(*run);
+  const std::string failure = tasks::failure_of(*run);
   out.is_bad = !failure.empty();
   out.said = out.is_bad ? q(failure) : Said::tr("Everything that was asked for was found.");
   out.plots = plots_of(*run);
@@ -59,15 +60,11 @@ Findings findings_of(const std::shared_ptr<const OscillateRun>& run) {
 }
 
 SceneTask read_oscillation(const std::string& text, const std::filesystem::path& file) {
-  const report::OscillateScene scene = report::parse_oscillate_scene(text, file);
+  const tasks::OscillateScene scene = tasks::parse_oscillate_scene(text, file);
   SceneTask task;
-  for (const ident::NamedFile& named : report::files_of(scene)) task.inputs.push_back(named.path);
+  for (const ident::NamedFile& named : tasks::files_of(scene)) task.inputs.push_back(named.path);
   const auto run = [scene](const Worker::Watch& watch, std::size_t) {
-    report::OscillateControl control{0, {}, watch.interrupted, {}};
-    control.progress = [&](const char* stage, int percent) {
-      percent < 0 ? watch.progress(stage, 0, 0) : watch.progress(stage, static_cast<std::size_t>(percent), 100);
-    };
-    return findings_of(std::make_shared<const OscillateRun>(report::run_oscillate(scene, control)));
+    return findings_of(std::make_shared<const OscillateResult>(tasks::run_oscillate(scene, control_of(watch))));
   };
   task.run = {run};
   return task;

@@ -8,7 +8,6 @@
 #include "gui/look/paths.hpp"
 #include "gui/look/said.hpp"
 #include "gui/work/control_of.hpp"
-#include "ident/team/team.hpp"
 #include "report/pod/pod_page.hpp"
 #include "report/pod/pod_plots.hpp"
 #include "report/pod/pod_report.hpp"
@@ -16,6 +15,7 @@
 #include "report/series/contact_report.hpp"
 #include "report/series/delay_report.hpp"
 #include "report/series/strain_report.hpp"
+#include "tasks/pod/run_pod.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -96,18 +96,13 @@ QString said(const std::string& summary, const std::vector<std::string>& remarks
 }
 
 Findings find_modes(const Files& files, const ToolValues& values, const Worker::Watch& watch) {
-  report::PodTask task;
+  tasks::PodTask task;
   task.files = files;
   task.channels = columns_of(values, "--channels");
   task.mass = text_of(values, "--mass"), task.stiffness = text_of(values, "--stiffness"),
   task.compare = text_of(values, "--compare");
   task.keep_mean = values.contains("--keep-mean");
-  report::check(task);
-  const auto team = ident::make_team_of_one();
-  watch.progress("reading samples", 0, 0);
-  const auto read = [](std::size_t) {};
-  auto record = report::read_pod_record(task, *team, read, watch.interrupted);
-  const auto found = std::make_shared<const report::PodReport>(report::make_pod_report(task, std::move(record)));
+  const auto found = std::make_shared<const tasks::PodResult>(tasks::run_pod(task, control_of(watch)));
   Findings out;
   const std::vector<std::string> remarks = report::pod_remarks(*found);
   out.said = said(report::pod_summary(*found), remarks);
@@ -125,7 +120,7 @@ Findings find_modes(const Files& files, const ToolValues& values, const Worker::
 }
 
 Findings find_delays(const Files& files, const ToolValues& values, const Worker::Watch& watch) {
-  report::DelayTask task;
+  tasks::DelayTask task;
   task.file = files.front();
   task.channel = text_of(values, "--channel");
   task.rate_hz = positive_of(values, "--rate");
@@ -133,7 +128,7 @@ Findings find_delays(const Files& files, const ToolValues& values, const Worker:
   task.delay = whole_of(values, "--delay", task.delay, 0, 100'000);
   task.dimension = whole_of(values, "--dimension", task.dimension, 0, 20);
   task.theiler = whole_of(values, "--theiler", task.theiler, 0, 100'000);
-  const auto found = std::make_shared<const report::DelayReport>(report::delay_report(task, control_of(watch)));
+  const auto found = std::make_shared<const tasks::DelayResult>(tasks::run_delay(task, control_of(watch)));
   Findings out;
   out.said = said(report::delay_summary(*found), found->remarks);
   out.plots = {{Said::tr("delay and dimension"), report::delay_plots(*found)},
@@ -148,8 +143,8 @@ Findings find_delays(const Files& files, const ToolValues& values, const Worker:
   return out;
 }
 
-Findings find_contact_law(const Files& files, const ToolValues& values, const Worker::Watch&) {
-  report::ContactTask task;
+Findings find_contact_law(const Files& files, const ToolValues& values, const Worker::Watch& watch) {
+  tasks::ContactTask task;
   task.file = files.front();
   task.velocity = chosen_column(values, "--velocity");
   task.force = chosen_column(values, "--force");
@@ -159,7 +154,7 @@ Findings find_contact_law(const Files& files, const ToolValues& values, const Wo
       required(positive_of(values, "--stick-speed"), "--stick-speed", "give the speed in m/s below which a sample sticks");
   task.rate_hz = positive_of(values, "--rate");
   task.force_delay = number_of(values, "--force-delay").value_or(0.0);
-  const auto found = std::make_shared<const report::ContactReport>(report::contact_report(task));
+  const auto found = std::make_shared<const tasks::ContactResult>(tasks::run_contact(task, control_of(watch)));
   Findings out;
   const std::vector<std::string> remarks = report::contact_remarks(*found);
   out.said = said(report::contact_summary(*found), remarks);
@@ -172,7 +167,7 @@ Findings find_contact_law(const Files& files, const ToolValues& values, const Wo
 }
 
 Findings find_displacements(const Files& files, const ToolValues& values, const Worker::Watch&) {
-  report::StrainTask task;
+  tasks::StrainTask task;
   task.file = files.front();
   task.channels = columns_of(values, "--channels");
   task.length = required(positive_of(values, "--length"), "--length", "give the length of the beam in m");
@@ -183,7 +178,7 @@ Findings find_displacements(const Files& files, const ToolValues& values, const 
   task.points = numbers_of(values, "--points");
   task.shapes = whole_of(values, "--shapes", 0, 0, 100);
   task.static_shapes = values.contains("--static-shapes");
-  const auto found = std::make_shared<const report::StrainReport>(report::strain_report(task));
+  const auto found = std::make_shared<const tasks::StrainResult>(tasks::run_strain(task));
   Findings out;
   const std::vector<std::string> remarks = report::strain_remarks(*found);
   out.said = said(report::strain_summary(*found) + ".", remarks);
@@ -191,8 +186,9 @@ Findings find_displacements(const Files& files, const ToolValues& values, const 
   out.plots = {{Said::tr("displacements"), plots}};
   out.tables = {{Said::tr("points"), rows_of(report::strain_table(*found))}, {Said::tr("remarks"), remark_rows(remarks)}};
   const auto csv = [found] {
-    std::string text;
-    report::write_displacements(*found, *report::open_gauges(found->task), [&](const std::string& block) { text += block; }, {});
+    std::string text = report::displacements_title(*found);
+    tasks::find_displacements(*found, *tasks::open_gauges(found->task),
+                              [&](const Eigen::MatrixXd& block) { text += report::displacements_csv(block); });
     return text;
   };
   out.outputs = {{"html", [found, plots] { return report::strain_page(*found, plots); }},
@@ -201,14 +197,14 @@ Findings find_displacements(const Files& files, const ToolValues& values, const 
   return out;
 }
 
-Findings find_late_channels(const Files& files, const ToolValues& values, const Worker::Watch&) {
-  report::AlignTask task;
+Findings find_late_channels(const Files& files, const ToolValues& values, const Worker::Watch& watch) {
+  tasks::AlignTask task;
   task.file = files.front();
   task.reference = chosen_column(values, "--reference");
   task.frequency_hz = required(positive_of(values, "--frequency"), "--frequency", "give the frequency of the motion in Hz");
   task.harmonics = whole_of(values, "--harmonics", task.harmonics, 1, 50);
   task.rate_hz = positive_of(values, "--rate");
-  const auto found = std::make_shared<const report::AlignReport>(report::align_report(task));
+  const auto found = std::make_shared<const tasks::AlignResult>(tasks::run_align(task, control_of(watch)));
   Findings out;
   const std::vector<std::string> remarks = report::align_remarks(*found);
   out.said = said(report::align_summary(*found), remarks);

@@ -2,12 +2,12 @@
 
 #include "gui/look/said.hpp"
 #include "gui/work/control_of.hpp"
-#include "report/response/read_response_scene.hpp"
 #include "report/response/response_page.hpp"
 #include "report/response/response_plots.hpp"
 #include "report/response/response_tables.hpp"
 #include "report/response/response_text.hpp"
-#include "report/response/run_response.hpp"
+#include "tasks/response/read_response_scene.hpp"
+#include "tasks/response/run_response.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -15,24 +15,24 @@ namespace {
 constexpr std::size_t most_rows = 2000, most_of_curve = 500;  // rows of tables
 
 struct Responded {
-  report::ResponseScene scene;
-  report::ResponseRun run;
+  tasks::ResponseScene scene;
+  tasks::ResponseResult run;
 };
 
-std::vector<PlotMenu::Named> plots_of(const report::ResponseRun& run) {
-  return {{Said::tr("response"), report::level_plots(run)},   {Said::tr("peaks over force"), report::backbone_plots(run)},
+std::vector<PlotMenu::Named> plots_of(const tasks::ResponseResult& run) {
+  return {{Said::tr("response"), report::level_plots(run)},     {Said::tr("peaks over force"), report::backbone_plots(run)},
           {Said::tr("harmonics"), report::harmonic_plots(run)}, {Said::tr("loop"), report::loop_plots(run)},
           {Said::tr("curve"), report::curve_plots(run)},        {Said::tr("equivalent joints"), report::equivalent_plots(run)},
           {Said::tr("motion"), report::transient_plots(run)}};
 }
 
-std::vector<TableMenu::Named> tables_of(const report::ResponseScene& scene, const report::ResponseRun& run) {
+std::vector<TableMenu::Named> tables_of(const tasks::ResponseScene& scene, const tasks::ResponseResult& run) {
   std::vector<TableMenu::Named> out;
   std::size_t points = 0;
-  for (const report::LevelResponse& level : run.levels) points += level.points.size();
+  for (const tasks::LevelResponse& level : run.levels) points += level.points.size();
   if (!run.levels.empty()) out.emplace_back(Said::tr("peaks"), rows_of(report::peaks_table(run)));
   if (points > 0 && points <= most_rows) out.emplace_back(Said::tr("all points"), rows_of(report::points_table(run)));
-  for (const report::CurveRun& curve : run.curves) {
+  for (const tasks::CurveRun& curve : run.curves) {
     out.emplace_back(q(curve.name + report::curve_remark(curve)), rows_of(report::curve_table(curve, run, most_of_curve)));
   }
   if (!run.equivalents.empty()) out.emplace_back(Said::tr("equivalent joints"), rows_of(report::equivalents_table(run)));
@@ -43,7 +43,7 @@ std::vector<TableMenu::Named> tables_of(const report::ResponseScene& scene, cons
 
 Findings findings_of(const std::shared_ptr<const Responded>& all) {
   Findings out;
-  out.is_bad = !report::all_converged(all->run);
+  out.is_bad = !tasks::all_converged(all->run);
   out.said = out.is_bad ? Said::tr("Not everything was found; what is missing is left out of tables and plots.")
                         : Said::tr("Everything that was asked for was found.");
   out.plots = plots_of(all->run);
@@ -55,11 +55,11 @@ Findings findings_of(const std::shared_ptr<const Responded>& all) {
 }
 
 SceneTask read_responses(const std::string& text, const std::filesystem::path& file) {
-  const report::ResponseScene scene = report::parse_response_scene(text, file);
+  const tasks::ResponseScene scene = tasks::parse_response_scene(text, file);
   SceneTask task;
-  for (const ident::NamedFile& named : report::files_of(scene)) task.inputs.push_back(named.path);
+  for (const ident::NamedFile& named : tasks::files_of(scene)) task.inputs.push_back(named.path);
   const auto run = [scene](const Worker::Watch& watch, std::size_t) {
-    return findings_of(std::make_shared<const Responded>(Responded{scene, report::run_response(scene, control_of(watch))}));
+    return findings_of(std::make_shared<const Responded>(Responded{scene, tasks::run_response(scene, control_of(watch))}));
   };
   task.run = {run};
   return task;
@@ -77,9 +77,9 @@ SceneKind response_kind() {
                 QStringLiteral("jointid response"),
                 {}}};
   kind.plots = Said::tr("Responses over frequency and force, loops, motions");
-  kind.plot_hint =
-      Said::tr("With a scene of a structure with friction joints, [structure] or [data] parts, [[joints]], [force] and [response], "
-               "its FRFs at all force levels stand here, peaks over the level, harmonics, loops of the joints, and motions.");
+  kind.plot_hint = Said::tr(
+      "With a scene of a structure with friction joints, [structure] or [data] parts, [[joints]], [force] and [response], "
+      "its FRFs at all force levels stand here, peaks over the level, harmonics, loops of the joints, and motions.");
   kind.tables = Said::tr("Peaks, points, curves and remarks");
   kind.is_of = [](const std::string& text) { return has_table(text, "response"); };
   kind.read = read_responses;

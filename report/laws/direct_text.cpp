@@ -8,7 +8,7 @@
 
 #include "base/complex.hpp"
 #include "friction/curve/equivalent.hpp"
-#include "report/laws/direct_bins.hpp"
+#include "laws/task/direct_bins.hpp"
 #include "report/laws/state_json.hpp"
 #include "response/fourier/harmonics.hpp"
 
@@ -29,7 +29,7 @@ Table direct_table(const std::vector<response::DirectStep>& steps, std::size_t j
   std::vector<Column> columns = {{"|Q₁| m"}, {"k_e N/m"}, {"±"}, {"d_e N/m"}, {"±"}, {"states"}};
   if (law != nullptr) columns.insert(columns.end(), {{"law k_e"}, {"law d_e"}});
   Table table(columns);
-  for (const DirectBin& bin : direct_bins(steps, at(joint), most_bins)) {
+  for (const laws::DirectBin& bin : laws::direct_bins(steps, at(joint), most_bins)) {
     std::vector<std::string> cells = {number(bin.motion),
                                       number(bin.equivalent.real(), bin.deviation.real()),
                                       fmt::format("{:.2g}", bin.deviation.real()),

@@ -10,18 +10,19 @@ namespace {
 
 std::vector<double> list(const Eigen::VectorXd& numbers) { return {numbers.begin(), numbers.end()}; }
 
-Json motion_json(const OscillateRun& run) {
-  const SampledMotion& motion = *run.motion;
+Json motion_json(const tasks::OscillateResult& run) {
+  const tasks::SampledMotion& motion = *run.motion;
   Json out = {{"status", word(motion.status)},
               {"samples", motion.samples.rows()},
               {"events", motion.events},
               {"section_points", motion.section.rows()},
               {"stick_share", value(motion.stick_share)}};
-  for (const SampledColumn& column : motion.columns) out["columns"].push_back({{"name", column.name}, {"unit", column.unit}});
+  for (const tasks::SampledColumn& column : motion.columns)
+    out["columns"].push_back({{"name", column.name}, {"unit", column.unit}});
   return out;
 }
 
-Json modes_json(const SeenModes& modes) {
+Json modes_json(const tasks::SeenModes& modes) {
   Json out = {{"fractions_of_sigma_squared", values(list(modes.fractions.value))},
               {"standard_errors", values(list(modes.fractions.error))},
               {"fractions_of_sigma", values(list(modes.pod.sigma_fractions()))},
@@ -32,7 +33,7 @@ Json modes_json(const SeenModes& modes) {
   return out;
 }
 
-Json orbit_json(const OscillateRun& run) {
+Json orbit_json(const tasks::OscillateResult& run) {
   const oscillation::PeriodicOrbit& orbit = *run.orbit;
   Json out = {{"converged", orbit.converged}};
   if (!orbit.converged) return out;
@@ -51,21 +52,21 @@ Json exponents_json(const oscillation::Exponents& exponents) {
           {"standard_errors", values(exponents.standard_error)}};
 }
 
-Json sweep_json(const OscillateRun& run) {
-  Json out = {{"parameter", run.swept->parameter}, {"unit", swept_unit(run.swept->parameter)}, {"points", Json::array()}};
+Json sweep_json(const tasks::OscillateResult& run) {
+  Json out = {{"parameter", run.swept->parameter}, {"unit", tasks::swept_unit(run.swept->parameter)}, {"points", Json::array()}};
   for (const oscillation::SweepPoint& point : run.sweep)
     out["points"].push_back(
         {{"parameter", value(point.parameter)}, {"status", word(point.status)}, {"values", values(point.values)}});
   return out;
 }
 
-Json reduction_json(const ReductionTable& reduction) {
+Json reduction_json(const tasks::ReductionTable& reduction) {
   Json out = {{"judged", reduction.judged.name},
               {"unit", reduction.judged.unit},
               {"largest", value(reduction.largest_judged)},
               {"full_seconds", value(reduction.full_seconds)},
               {"models", Json::array()}};
-  for (const ReducedRow& row : reduction.rows) {
+  for (const tasks::ReducedRow& row : reduction.rows) {
     out["models"].push_back({{"basis", word(row.basis)},
                              {"order", row.order},
                              {"status", word(row.error.status)},
@@ -79,7 +80,7 @@ Json reduction_json(const ReductionTable& reduction) {
 
 }  // namespace
 
-std::string oscillate_json(const OscillateRun& run) {
+std::string oscillate_json(const tasks::OscillateResult& run) {
   const std::string failure = failure_of(run);
   Json out = {{"status", run.interrupted   ? "interrupted"
                          : failure.empty() ? "ok"
@@ -98,17 +99,17 @@ std::string oscillate_json(const OscillateRun& run) {
 
 namespace {
 
-std::string title(const SampledColumn& column) {
+std::string title(const tasks::SampledColumn& column) {
   return column.unit.empty() ? column.name : column.name + " [" + column.unit + "]";
 }
 
 }  // namespace
 
-std::string motion_csv(const OscillateRun& run) {
-  const SampledMotion& motion = *run.motion;
+std::string motion_csv(const tasks::OscillateResult& run) {
+  const tasks::SampledMotion& motion = *run.motion;
   std::vector<std::string> titles;
-  for (const SampledColumn& column : motion.columns) titles.push_back(title(column));
-  const Eigen::Index own = run.system.kind == SystemKind::cantilever ? motion.q.rows() : 0;
+  for (const tasks::SampledColumn& column : motion.columns) titles.push_back(title(column));
+  const Eigen::Index own = run.system.kind == tasks::SystemKind::cantilever ? motion.q.rows() : 0;
   for (Eigen::Index k = 0; k < own; ++k) titles.push_back("q" + std::to_string(k + 1) + " [m]");
   std::string text = csv_line(titles);
   for (Eigen::Index i = 0; i < motion.samples.rows(); ++i) {
@@ -120,7 +121,7 @@ std::string motion_csv(const OscillateRun& run) {
   return text;
 }
 
-std::string sweep_csv(const OscillateRun& run) {
+std::string sweep_csv(const tasks::OscillateResult& run) {
   const std::string parameter = run.swept ? run.swept->parameter : "parameter";
   std::string text = csv_line({parameter, "status", run.motion->columns[1].name});
   for (const oscillation::SweepPoint& point : run.sweep) {
@@ -131,8 +132,8 @@ std::string sweep_csv(const OscillateRun& run) {
   return text;
 }
 
-std::string events_csv(const OscillateRun& run) {
-  const SampledMotion& motion = *run.motion;
+std::string events_csv(const tasks::OscillateResult& run) {
+  const tasks::SampledMotion& motion = *run.motion;
   std::vector<std::string> titles;
   for (std::size_t k = 0; k < 2 * motion.seen; ++k) titles.push_back(title(motion.columns[k + 1]));
   std::string text = csv_line(titles);

@@ -11,14 +11,14 @@
 namespace jointid::report {
 namespace {
 
-StatusBanner banner_of(const OscillateRun& run) {
+StatusBanner banner_of(const tasks::OscillateResult& run) {
   const std::string failure = failure_of(run);
   if (run.interrupted) return status_banner("doubtful", "Interrupted: only what was found so far.", run.remarks);
   if (!failure.empty()) return status_banner("not_converged", failure, run.remarks);
   return status_banner("ok", "All that the scene asks for was found.", run.remarks);
 }
 
-void add_modes(const OscillateRun& run, ReportPage& page) {
+void add_modes(const tasks::OscillateResult& run, ReportPage& page) {
   page.section("Proper orthogonal modes");
   page.add(mode_plots(run));
   page.add(fractions_table(*run.modes), "Shares");
@@ -29,19 +29,19 @@ void add_modes(const OscillateRun& run, ReportPage& page) {
       true});
 }
 
-void add_orbit(const OscillateRun& run, ReportPage& page) {
+void add_orbit(const tasks::OscillateResult& run, ReportPage& page) {
   page.section("Periodic orbit");
   page.add(Text{orbit_line(run)});
   if (run.orbit->converged) page.add(multipliers_table(*run.orbit), "Multipliers");
 }
 
-void add_exponents(const OscillateRun& run, ReportPage& page) {
+void add_exponents(const tasks::OscillateResult& run, ReportPage& page) {
   page.section("Exponents of the model");
   page.add(exponents_table(*run.exponents, time_unit(run)));
   page.add(Text{"Tangents through the events, made orthonormal (Benettin); standard errors of batch means.", true});
 }
 
-void add_reduction(const OscillateRun& run, ReportPage& page) {
+void add_reduction(const tasks::OscillateResult& run, ReportPage& page) {
   page.section("Reduced models");
   page.add(reduction_plots(*run.reduction));
   page.add(reduction_table(*run.reduction));
@@ -53,7 +53,7 @@ void add_reduction(const OscillateRun& run, ReportPage& page) {
 
 }  // namespace
 
-std::string oscillate_report(const OscillateRun& run) {
+std::string oscillate_report(const tasks::OscillateResult& run) {
   ReportPage page(run.title.empty() ? "Stick–slip motion" : run.title, "jointid oscillate");
   page.status(banner_of(run));
   page.section("Motion");

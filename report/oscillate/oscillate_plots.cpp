@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t most_phase_planes = 16;
 constexpr Eigen::Index most_mode_shapes = 6;
 
-std::string label(const SampledColumn& column) {
+std::string label(const tasks::SampledColumn& column) {
   return column.unit.empty() ? column.name : column.name + " (" + column.unit + ")";
 }
 
@@ -33,7 +33,7 @@ PointGroup points_of(const std::string& name, const Eigen::Ref<const Eigen::Vect
 }
 
 /// A column over time, with its peaks.
-CurvePlot over_time(const SampledMotion& motion, std::size_t column) {
+CurvePlot over_time(const tasks::SampledMotion& motion, std::size_t column) {
   std::vector<double> time, y;
   for (Eigen::Index i = 0; i < motion.samples.rows(); ++i)
     time.push_back(motion.samples(i, 0)), y.push_back(motion.samples(i, at(column)));
@@ -49,8 +49,8 @@ CurvePlot over_time(const SampledMotion& motion, std::size_t column) {
 
 }  // namespace
 
-PlotGroup phase_plots(const OscillateRun& run) {
-  const SampledMotion& motion = *run.motion;
+PlotGroup phase_plots(const tasks::OscillateResult& run) {
+  const tasks::SampledMotion& motion = *run.motion;
   PlotGroup group{"seen at", {}};
   for (std::size_t k = 0; k < std::min(most_phase_planes, motion.seen); ++k) {
     const std::size_t x = 1 + k, v = 1 + motion.seen + k;
@@ -67,8 +67,8 @@ PlotGroup phase_plots(const OscillateRun& run) {
   return group;
 }
 
-PlotGroup contact_plots(const OscillateRun& run) {
-  const SampledMotion& motion = *run.motion;
+PlotGroup contact_plots(const tasks::OscillateResult& run) {
+  const tasks::SampledMotion& motion = *run.motion;
   const std::size_t velocity = 1 + 2 * motion.seen, force = velocity + 1;
   ScatterPlot law;
   law.title = "Friction over relative velocity";
@@ -78,9 +78,9 @@ PlotGroup contact_plots(const OscillateRun& run) {
   return {"", {{"", {law, over_time(motion, force)}}}};
 }
 
-PlotGroup mode_plots(const OscillateRun& run) {
+PlotGroup mode_plots(const tasks::OscillateResult& run) {
   const series::Pod& pod = run.modes->pod;
-  const bool beam = run.system.kind == SystemKind::cantilever;
+  const bool beam = run.system.kind == tasks::SystemKind::cantilever;
   CurvePlot plot;
   plot.title = "Proper orthogonal modes";
   plot.x = {beam ? "x (m)" : "coordinate", false};
@@ -97,12 +97,12 @@ PlotGroup mode_plots(const OscillateRun& run) {
   return {"", {{"", {plot}}}};
 }
 
-PlotGroup sweep_plot(const OscillateRun& run) {
+PlotGroup sweep_plot(const tasks::OscillateResult& run) {
   constexpr std::size_t most_values = 20'000;
   std::size_t values = 0;
   for (const oscillation::SweepPoint& point : run.sweep) values += point.values.size();
   const std::size_t step = std::max<std::size_t>(1, values / most_values);
-  const std::string unit = swept_unit(run.swept->parameter);
+  const std::string unit = tasks::swept_unit(run.swept->parameter);
   ScatterPlot plot;
   plot.title = "Bifurcation diagram";
   plot.x = {run.swept->parameter + (unit.empty() ? "" : " (" + unit + ")"), false};
@@ -115,10 +115,10 @@ PlotGroup sweep_plot(const OscillateRun& run) {
   return {"", {{"", {plot}}}};
 }
 
-PlotGroup reduction_plots(const ReductionTable& reduction) {
+PlotGroup reduction_plots(const tasks::ReductionTable& reduction) {
   std::set<std::size_t> orders;
-  std::map<BasisKind, std::map<std::size_t, const ReducedRow*>> rows;
-  for (const ReducedRow& row : reduction.rows) orders.insert(row.order), rows[row.basis][row.order] = &row;
+  std::map<tasks::BasisKind, std::map<std::size_t, const tasks::ReducedRow*>> rows;
+  for (const tasks::ReducedRow& row : reduction.rows) orders.insert(row.order), rows[row.basis][row.order] = &row;
   const auto plot = [&](const std::string& title, const std::string& unit, auto value) {
     CurvePlot out;
     out.title = title;

@@ -25,11 +25,12 @@ std::size_t distinct(std::vector<double> values) {
 
 }  // namespace
 
-std::string time_unit(const OscillateRun& run) {
-  return run.system.kind == SystemKind::cantilever || run.system.kind == SystemKind::matrices ? "s" : "unit of time";
+std::string time_unit(const tasks::OscillateResult& run) {
+  return run.system.kind == tasks::SystemKind::cantilever || run.system.kind == tasks::SystemKind::matrices ? "s"
+                                                                                                            : "unit of time";
 }
 
-Table fractions_table(const SeenModes& modes) {
+Table fractions_table(const tasks::SeenModes& modes) {
   Table table({{"modes"}, {"Σσ² %"}, {"std error"}, {"Σσ %"}});
   const Eigen::VectorXd sigmas = modes.pod.sigma_fractions();
   for (Eigen::Index k = 0; k < std::min(sigmas.size(), most_fractions); ++k) {
@@ -39,7 +40,7 @@ Table fractions_table(const SeenModes& modes) {
   return table;
 }
 
-Table shapes_table(const OscillateRun& run) {
+Table shapes_table(const tasks::OscillateResult& run) {
   const series::Pod& pod = run.modes->pod;
   const Eigen::Index count = std::min<Eigen::Index>(pod.modes.cols(), 6);
   std::vector<Column> columns = {{"", Align::left}, {"mean"}};
@@ -72,7 +73,7 @@ Table exponents_table(const oscillation::Exponents& exponents, const std::string
   return table;
 }
 
-Table reduction_table(const ReductionTable& reduction) {
+Table reduction_table(const tasks::ReductionTable& reduction) {
   const bool strain = reduction.judged.unit == "m/m";
   const double scale = strain ? 1e6 : 1.0;
   Table table({{"basis", Align::left},
@@ -84,7 +85,7 @@ Table reduction_table(const ReductionTable& reduction) {
                {"", Align::left}});
   table.add({"full model", "", "", "", fmt::format("of {:.4g}", scale * reduction.largest_judged),
              fmt::format("{:.2f}", 1e3 * reduction.full_seconds), ""});
-  for (const ReducedRow& row : reduction.rows) {
+  for (const tasks::ReducedRow& row : reduction.rows) {
     table.add({word(row.basis), fmt::format("{}", row.order), fmt::format("{:.3g}", 100.0 * row.error.motion),
                fmt::format("{:.3g}", 100.0 * row.error.energy), fmt::format("{:.3g}", scale * row.error.observed(0)),
                fmt::format("{:.2f}", 1e3 * row.error.seconds),
@@ -93,14 +94,14 @@ Table reduction_table(const ReductionTable& reduction) {
   return table;
 }
 
-std::string motion_line(const OscillateRun& run) {
-  const SampledMotion& motion = *run.motion;
+std::string motion_line(const tasks::OscillateResult& run) {
+  const tasks::SampledMotion& motion = *run.motion;
   return fmt::format("{} samples, {} events, {} {} of the Poincaré section, sticking {:.1f} % of the time; status {}",
                      motion.samples.rows(), motion.events, motion.section.rows(),
                      run.system.is_driven() ? "cycles" : "break-aways", 100.0 * motion.stick_share, word(motion.status));
 }
 
-std::string orbit_line(const OscillateRun& run) {
+std::string orbit_line(const tasks::OscillateResult& run) {
   const oscillation::PeriodicOrbit& orbit = *run.orbit;
   if (!orbit.converged) return fmt::format("not found (residual {:.1e})", orbit.residual);
   const double largest = orbit.multipliers.empty() ? 0.0 : std::abs(orbit.multipliers.front());
@@ -108,7 +109,7 @@ std::string orbit_line(const OscillateRun& run) {
                      largest > 1.0 ? "unstable" : "stable");
 }
 
-std::string sweep_line(const OscillateRun& run) {
+std::string sweep_line(const tasks::OscillateResult& run) {
   std::size_t values = 0, single = 0, many = 0, none = 0;
   for (const oscillation::SweepPoint& point : run.sweep) {
     const std::size_t count = distinct(point.values);
@@ -122,7 +123,7 @@ std::string sweep_line(const OscillateRun& run) {
                      many, none);
 }
 
-std::string oscillate_text(const OscillateRun& run) {
+std::string oscillate_text(const tasks::OscillateResult& run) {
   std::string text = run.title.empty() ? "" : run.title + "\n";
   for (const std::string& remark : run.remarks) text += "note: " + remark + "\n";
   text += "motion: " + motion_line(run) + "\n";

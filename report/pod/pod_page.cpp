@@ -6,10 +6,11 @@
 #include "report/page/page.hpp"
 #include "report/page/status_banner.hpp"
 #include "report/pod/pod_plots.hpp"
+#include "report/pod/pod_report.hpp"
 
 namespace jointid::report {
 
-std::string pod_page(const PodReport& report) {
+std::string pod_page(const tasks::PodResult& report) {
   const series::Pod& pod = report.pod;
   ReportPage page("Proper orthogonal modes", "jointid pod");
   const std::vector<std::string> remarks = pod_remarks(report);

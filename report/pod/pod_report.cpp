@@ -3,12 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "base/complex.hpp"
-#include "base/error.hpp"
-#include "dense/eigen.hpp"
 #include "report/json_value.hpp"
 #include "report/text/table.hpp"
 
@@ -18,7 +14,7 @@ namespace {
 std::vector<double> listed(const Eigen::VectorXd& values) { return {values.begin(), values.end()}; }
 
 /// As many modes as the table of shapes shows: those of 99.99 %, six at most.
-std::size_t shown(const PodReport& report) { return std::min<std::size_t>(report.pod.modes_for(0.9999), 6); }
+std::size_t shown(const tasks::PodResult& report) { return std::min<std::size_t>(report.pod.modes_for(0.9999), 6); }
 
 Json matrix(const Eigen::MatrixXd& m) {
   std::vector<std::vector<double>> out;
@@ -26,45 +22,9 @@ Json matrix(const Eigen::MatrixXd& m) {
   return values(out);
 }
 
-/// The modes that the report compares with: of a file, or normal modes of K and M.
-Eigen::MatrixXd modes_to_compare(const PodTask& task, const Eigen::MatrixXd& mass, PodReport& report) {
-  if (!task.compare.empty()) {
-    report.compared = "the modes of --compare";
-    return read_pod_matrix(task.compare, report.names.size(), "--compare");
-  }
-  report.compared = "the normal modes of --stiffness and --mass";
-  const Eigen::MatrixXd stiffness = read_pod_matrix(task.stiffness, report.names.size(), "--stiffness");
-  if (stiffness.cols() != stiffness.rows() || !stiffness.isApprox(stiffness.transpose(), 1e-9))
-    throw InputError({ErrorKind::data, task.stiffness, "", "is not a symmetric matrix", "give the stiffness at the channels"});
-  const dense::SymmetricEigen normal = dense::symmetric_eigen(stiffness, mass);
-  for (const double square : normal.values) report.frequencies_hz.push_back(hertz(std::sqrt(std::max(square, 0.0))));
-  return normal.vectors;
-}
-
 }  // namespace
 
-PodReport make_pod_report(const PodTask& task, PodRecord record) {
-  series::PodOptions options;
-  options.remove_mean = !task.keep_mean;
-  if (!task.mass.empty()) options.mass = read_pod_matrix(task.mass, record.names.size(), "--mass");
-  PodReport report{std::move(record.names),
-                   std::move(record.units),
-                   record.cut,
-                   series::pod(record.triangle, options),
-                   !task.mass.empty(),
-                   task.keep_mean,
-                   "",
-                   {},
-                   {},
-                   {}};
-  if (task.compare.empty() && task.stiffness.empty()) return report;
-  const Eigen::MatrixXd modes = modes_to_compare(task, options.mass, report);
-  report.cosines = series::mode_cosines(report.pod.modes, modes, options.mass);
-  report.assurance = series::mode_assurance(report.pod.modes, modes);
-  return report;
-}
-
-std::string pod_summary(const PodReport& report) {
+std::string pod_summary(const tasks::PodResult& report) {
   return fmt::format("{} samples of {} channels; {} modes hold 99 %, {} hold 99.99 % of Σσ².", report.pod.samples,
                      report.names.size(), report.pod.modes_for(0.99), report.pod.modes_for(0.9999));
 }
@@ -79,7 +39,7 @@ Table pod_values_table(const series::Pod& pod) {
   return table;
 }
 
-Table pod_shapes_table(const PodReport& report) {
+Table pod_shapes_table(const tasks::PodResult& report) {
   std::vector<Column> columns = {{"channel", Align::left}, {"mean"}};
   for (std::size_t k = 0; k < shown(report); ++k) columns.push_back({fmt::format("mode {}", k + 1)});
   Table table(columns);
@@ -91,7 +51,7 @@ Table pod_shapes_table(const PodReport& report) {
   return table;
 }
 
-Table pod_comparison_table(const PodReport& report) {
+Table pod_comparison_table(const tasks::PodResult& report) {
   const bool hertz = !report.frequencies_hz.empty();
   Table table({{"mode"}, {"most alike"}, {hertz ? "Hz" : ""}, {report.weighted ? "M-cosine" : "cosine"}, {"MAC"}});
   auto pairs = series::matched_modes(report.cosines);
@@ -104,7 +64,7 @@ Table pod_comparison_table(const PodReport& report) {
   return table;
 }
 
-std::vector<std::string> pod_remarks(const PodReport& report) {
+std::vector<std::string> pod_remarks(const tasks::PodResult& report) {
   std::vector<std::string> out;
   const series::Pod& pod = report.pod;
   if (pod.missing > 0) out.push_back(fmt::format("{} samples with a missing channel are left out", pod.missing));
@@ -120,7 +80,7 @@ std::vector<std::string> pod_remarks(const PodReport& report) {
   return out;
 }
 
-std::string pod_text(const PodReport& report) {
+std::string pod_text(const tasks::PodResult& report) {
   const series::Pod& pod = report.pod;
   std::string text =
       fmt::format("{} samples of {} channels, {}, inner product {}\n", pod.samples, report.names.size(),
@@ -135,7 +95,7 @@ std::string pod_text(const PodReport& report) {
   return text;
 }
 
-std::string pod_json(const PodReport& report) {
+std::string pod_json(const tasks::PodResult& report) {
   const series::Pod& pod = report.pod;
   Json out = {{"status", "ok"},
               {"samples", pod.samples},
@@ -164,7 +124,7 @@ std::string pod_json(const PodReport& report) {
   return json_text(out);
 }
 
-std::string pod_csv(const PodReport& report) {
+std::string pod_csv(const tasks::PodResult& report) {
   std::vector<std::string> titles = {"channel", "unit", "mean"};
   for (Eigen::Index k = 0; k < report.pod.modes.cols(); ++k) titles.push_back(fmt::format("mode {}", k + 1));
   std::string text = csv_line(titles);

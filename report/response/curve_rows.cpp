@@ -24,8 +24,8 @@ void add_solution(const HarmonicSolution& at_point, const CurveRow& first, std::
   }
 }
 
-void add_places(const CurveRun& curve, const std::vector<HarmonicSolution>& solutions, const std::vector<double>& parameters,
-                CurveRow first, std::vector<CurveRow>& rows) {
+void add_places(const tasks::CurveRun& curve, const std::vector<HarmonicSolution>& solutions,
+                const std::vector<double>& parameters, CurveRow first, std::vector<CurveRow>& rows) {
   for (std::size_t i = 0; i < solutions.size(); ++i) {
     first.parameter = parameters[i];
     first.force = curve.curve.parameter ? curve.curve.force : parameters[i];
@@ -35,15 +35,15 @@ void add_places(const CurveRun& curve, const std::vector<HarmonicSolution>& solu
 
 }  // namespace
 
-std::vector<std::string> curve_names(const ResponseRun& run) {
+std::vector<std::string> curve_names(const tasks::ResponseResult& run) {
   std::vector<std::string> names = {"peaks over force N"};
-  for (const CurveRun& curve : run.curves) names.push_back(curve.name);
+  for (const tasks::CurveRun& curve : run.curves) names.push_back(curve.name);
   return names;
 }
 
-std::vector<CurveRow> curve_rows(const ResponseRun& run) {
+std::vector<CurveRow> curve_rows(const tasks::ResponseResult& run) {
   std::vector<CurveRow> rows;
-  for (const LevelResponse& level : run.levels) {
+  for (const tasks::LevelResponse& level : run.levels) {
     if (!level.peak) continue;
     CurveRow first = {.place = CurvePlace::peak, .parameter = level.level, .force = level.level, .x = {}};
     if (level.peak_mode) first.damping = level.peak_mode->ratio;
@@ -61,7 +61,7 @@ std::vector<CurveRow> curve_rows(const ResponseRun& run) {
   return rows;
 }
 
-std::string curves_csv(const ResponseRun& run) {
+std::string curves_csv(const tasks::ResponseResult& run) {
   const std::vector<std::string> names = curve_names(run);
   std::string text = csv_line({"curve", "place", "parameter", "force [N]", "frequency [Hz]", "harmonic", "dof", "re [m]",
                                "im [m]", "loss [J]", "damping"});

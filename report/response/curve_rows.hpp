@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "report/response/response_run.hpp"
+#include "tasks/response/response_result.hpp"
 
 namespace jointid::report {
 
@@ -28,11 +28,11 @@ struct CurveRow {
 };
 
 /// Names of the curves, by number.
-std::vector<std::string> curve_names(const ResponseRun& run);
+std::vector<std::string> curve_names(const tasks::ResponseResult& run);
 
-std::vector<CurveRow> curve_rows(const ResponseRun& run);
+std::vector<CurveRow> curve_rows(const tasks::ResponseResult& run);
 
 /// Curve by name, place in words, parameter, force, frequency, harmonic, response, re, im, loss, damping.
-std::string curves_csv(const ResponseRun& run);
+std::string curves_csv(const tasks::ResponseResult& run);
 
 }  // namespace jointid::report

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "base/complex.hpp"
-#include "report/response/curve_rows.hpp"
 #include "frf/hdf5/table_file.hpp"
+#include "report/response/curve_rows.hpp"
 
 namespace jointid::report {
 namespace {
@@ -34,7 +34,7 @@ class Rows {
   std::vector<double> numbers_;
 };
 
-void add_point(const LevelResponse& level, std::size_t i, Rows& rows) {
+void add_point(const tasks::LevelResponse& level, std::size_t i, Rows& rows) {
   const response::HarmonicSolution& point = level.points[i];
   for (Eigen::Index n = 0; n < point.response.rows(); ++n) {
     for (Eigen::Index dof = 0; dof < point.response.cols(); ++dof) {
@@ -50,7 +50,7 @@ void add_point(const LevelResponse& level, std::size_t i, Rows& rows) {
 
 }  // namespace
 
-void write_response_table(const std::filesystem::path& path, const ResponseRun& run) {
+void write_response_table(const std::filesystem::path& path, const tasks::ResponseResult& run) {
   Rows rows({{"force", "N"},
              {"frequency", "Hz"},
              {"harmonic", "1"},
@@ -60,7 +60,7 @@ void write_response_table(const std::filesystem::path& path, const ResponseRun& 
              {"std dev re", "m"},
              {"std dev im", "m"},
              {"left out", "m"}});
-  for (const LevelResponse& level : run.levels) {
+  for (const tasks::LevelResponse& level : run.levels) {
     for (std::size_t i = 0; i < level.points.size(); ++i) {
       if (level.points[i].converged) add_point(level, i, rows);
     }
@@ -68,7 +68,7 @@ void write_response_table(const std::filesystem::path& path, const ResponseRun& 
   rows.write(path, {{"dofs", fmt::format("{}", fmt::join(run.dofs, ","))}});
 }
 
-void write_curves_table(const std::filesystem::path& path, const ResponseRun& run) {
+void write_curves_table(const std::filesystem::path& path, const tasks::ResponseResult& run) {
   Rows rows({{"curve", "1"},
              {"place", "1"},
              {"parameter", "SI"},
@@ -89,14 +89,14 @@ void write_curves_table(const std::filesystem::path& path, const ResponseRun& ru
                     {"curves", fmt::format("{}", fmt::join(curve_names(run), ";"))}});
 }
 
-void write_history_table(const std::filesystem::path& path, const ResponseRun& run) {
+void write_history_table(const std::filesystem::path& path, const tasks::ResponseResult& run) {
   std::vector<frf::TableColumn> columns = {{"motion", "1"}, {"time", "s"}};
   for (const std::string& dof : run.dofs) columns.push_back({"x(" + dof + ")", "m"});
   for (const std::string& joint : run.marched)
     columns.insert(columns.end(), {{"q(" + joint + ")", "m"}, {"f(" + joint + ")", "N"}});
   Rows rows(std::move(columns));
   std::vector<std::string> names;
-  for (const TransientRun& each : run.transients) {
+  for (const tasks::TransientRun& each : run.transients) {
     names.push_back(each.name);
     for (std::size_t i = 0; i < each.motion.times.size(); ++i) {
       std::vector<double> row = {static_cast<double>(names.size()), each.motion.times[i]};

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "report/response/response_text.hpp"
 #include "base/complex.hpp"
 #include "report/json_value.hpp"
+#include "report/response/response_text.hpp"
 #include "report/text/table.hpp"
 
 namespace jointid::report {
@@ -18,7 +18,7 @@ Json harmonics_json(const Eigen::MatrixXcd& rows, Eigen::Index column) {
   return out;
 }
 
-Json point_json(const HarmonicSolution& point, const ResponseRun& run) {
+Json point_json(const HarmonicSolution& point, const tasks::ResponseResult& run) {
   Json out = {{"frequency", value(hertz(point.omega))}, {"converged", point.converged}};
   if (!point.converged) return out;
   out["harmonics"] = point.harmonics;
@@ -37,7 +37,7 @@ Json point_json(const HarmonicSolution& point, const ResponseRun& run) {
   return out;
 }
 
-Json stability_json(const PointStability& stability) {
+Json stability_json(const tasks::PointStability& stability) {
   Json out = {{"known", stability.known && !stability.another}};
   if (!stability.known) return out;
   out["stable"] = stability.stable;
@@ -55,7 +55,7 @@ Json column_json(const Eigen::MatrixXd& rows, Eigen::Index column) {
 }
 
 /// Harmonics as points have them, and the parameter.
-Json curve_json(const CurveRun& curve, const ResponseRun& run) {
+Json curve_json(const tasks::CurveRun& curve, const tasks::ResponseResult& run) {
   const auto list = [&](const std::vector<double>& parameters, const std::vector<HarmonicSolution>& points) {
     Json out = Json::array();
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -75,7 +75,7 @@ Json curve_json(const CurveRun& curve, const ResponseRun& run) {
           {"turning_points", list(found.turning_parameters, found.turning_points)}};
 }
 
-Json equivalent_json(const EquivalentRow& row) {
+Json equivalent_json(const tasks::EquivalentRow& row) {
   Json out = {{"amplitude", value(row.amplitude)}};
   for (const response::EquivalentJoint& joint : row.joints) {
     out["joints"].push_back({{"stiffness", value(joint.stiffness)}, {"damping", value(joint.damping)}});
@@ -88,7 +88,7 @@ Json equivalent_json(const EquivalentRow& row) {
   return out;
 }
 
-Json transient_json(const TransientRun& run) {
+Json transient_json(const tasks::TransientRun& run) {
   Json out = {{"name", run.name}, {"complete", run.motion.complete}, {"times", run.motion.times}, {"events", run.motion.events}};
   for (Eigen::Index i = 0; i < run.motion.x.cols(); ++i) out["responses"].push_back(column_json(run.motion.x, i));
   for (Eigen::Index j = 0; j < run.motion.q.cols(); ++j) {
@@ -99,14 +99,14 @@ Json transient_json(const TransientRun& run) {
 
 }  // namespace
 
-std::string response_json(const ResponseScene& scene, const ResponseRun& run) {
+std::string response_json(const tasks::ResponseScene& scene, const tasks::ResponseResult& run) {
   Json out = {{"status", all_converged(run) ? "ok" : "not_converged"},
               {"force_dof", scene.force_dof.name},
               {"dofs", run.dofs},
               {"joints", run.joints},
               {"levels", Json::array()},
               {"doubts", run.doubts}};
-  for (const LevelResponse& level : run.levels) {
+  for (const tasks::LevelResponse& level : run.levels) {
     Json one = {{"force", level.level}, {"complete", level.complete}, {"points", Json::array()}};
     for (std::size_t i = 0; i < level.points.size(); ++i) {
       Json point = point_json(level.points[i], run);
@@ -136,19 +136,18 @@ std::string response_json(const ResponseScene& scene, const ResponseRun& run) {
     for (const HarmonicSolution& turn : level.turning_points) one["turning_points"].push_back(point_json(turn, run));
     out["levels"].push_back(std::move(one));
   }
-  for (const CurveRun& curve : run.curves) out["curves"].push_back(curve_json(curve, run));
-  for (const EquivalentRow& row : run.equivalents) out["equivalents"].push_back(equivalent_json(row));
-  for (const TransientRun& transient : run.transients) out["transients"].push_back(transient_json(transient));
+  for (const tasks::CurveRun& curve : run.curves) out["curves"].push_back(curve_json(curve, run));
+  for (const tasks::EquivalentRow& row : run.equivalents) out["equivalents"].push_back(equivalent_json(row));
+  for (const tasks::TransientRun& transient : run.transients) out["transients"].push_back(transient_json(transient));
   return json_text(out);
 }
 
-std::string history_csv(const ResponseRun& run) {
+std::string history_csv(const tasks::ResponseResult& run) {
   std::vector<std::string> titles = {"motion", "time [s]"};
   for (const std::string& dof : run.dofs) titles.push_back("x(" + dof + ") [m]");
-  for (const std::string& joint : run.marched)
-    titles.insert(titles.end(), {"q(" + joint + ") [m]", "f(" + joint + ") [N]"});
+  for (const std::string& joint : run.marched) titles.insert(titles.end(), {"q(" + joint + ") [m]", "f(" + joint + ") [N]"});
   std::string text = csv_line(titles);
-  for (const TransientRun& each : run.transients) {
+  for (const tasks::TransientRun& each : run.transients) {
     const response::Transient& motion = each.motion;
     for (std::size_t i = 0; i < motion.times.size(); ++i) {
       std::vector<std::string> cells = {each.name, csv_number(motion.times[i])};
@@ -162,10 +161,10 @@ std::string history_csv(const ResponseRun& run) {
   return text;
 }
 
-std::string response_csv(const ResponseRun& run) {
+std::string response_csv(const tasks::ResponseResult& run) {
   std::string text = csv_line(
       {"force [N]", "frequency [Hz]", "harmonic", "dof", "re [m]", "im [m]", "std dev re [m]", "std dev im [m]", "left out [m]"});
-  for (const LevelResponse& level : run.levels) {
+  for (const tasks::LevelResponse& level : run.levels) {
     for (std::size_t i = 0; i < level.points.size(); ++i) {
       const HarmonicSolution& point = level.points[i];
       if (!point.converged) continue;

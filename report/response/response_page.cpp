@@ -12,7 +12,7 @@
 namespace jointid::report {
 namespace {
 
-void add_summary(const ResponseScene& scene, const ResponseRun& run, ReportPage& page) {
+void add_summary(const tasks::ResponseScene& scene, const tasks::ResponseResult& run, ReportPage& page) {
   const bool all = all_converged(run);
   page.status(status_banner(all ? "ok" : "not_converged",
                             all ? "Everything that was asked for was found."
@@ -20,7 +20,7 @@ void add_summary(const ResponseScene& scene, const ResponseRun& run, ReportPage&
                             response_remarks(scene, run)));
   page.section("Summary");
   std::size_t points = 0;
-  for (const LevelResponse& level : run.levels) points += level.points.size();
+  for (const tasks::LevelResponse& level : run.levels) points += level.points.size();
   Facts facts{
       {{"joints", fmt::format("{}", fmt::join(run.joints, ", "))}, {"responses", fmt::format("{}", fmt::join(run.dofs, ", "))}}};
   if (!run.levels.empty()) {
@@ -30,7 +30,7 @@ void add_summary(const ResponseScene& scene, const ResponseRun& run, ReportPage&
   page.add(facts);
 }
 
-void add_levels(const ResponseRun& run, ReportPage& page) {
+void add_levels(const tasks::ResponseResult& run, ReportPage& page) {
   if (run.levels.empty()) return;
   page.section("Response over frequency");
   page.add(level_plots(run));
@@ -46,11 +46,11 @@ void add_levels(const ResponseRun& run, ReportPage& page) {
   page.add(loop_plots(run));
 }
 
-void add_further(const ResponseRun& run, ReportPage& page) {
+void add_further(const tasks::ResponseResult& run, ReportPage& page) {
   if (!run.curves.empty()) {
     page.section("Curves");
     page.add(curve_plots(run));
-    for (const CurveRun& curve : run.curves) page.add(curve_table(curve, run, 20), curve.name + curve_remark(curve));
+    for (const tasks::CurveRun& curve : run.curves) page.add(curve_table(curve, run, 20), curve.name + curve_remark(curve));
   }
   if (!run.equivalents.empty()) {
     page.section("Equivalent joints");
@@ -66,7 +66,7 @@ void add_further(const ResponseRun& run, ReportPage& page) {
 
 }  // namespace
 
-std::string response_report(const ResponseScene& scene, const ResponseRun& run) {
+std::string response_report(const tasks::ResponseScene& scene, const tasks::ResponseResult& run) {
   ReportPage page(scene.title.empty() ? scene.file.filename().string() : scene.title, "jointid response");
   add_summary(scene, run, page);
   add_levels(run, page);

@@ -19,7 +19,7 @@ using Values = std::vector<double>;
 
 constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
 
-std::string level_name(const LevelResponse& level) { return fmt::format("{:.6g} N", level.level); }
+std::string level_name(const tasks::LevelResponse& level) { return fmt::format("{:.6g} N", level.level); }
 
 /// X_n of a response; NaN where the point has no answer or no such harmonic.
 Complex amplitude(const HarmonicSolution& point, int harmonic, Eigen::Index dof) {
@@ -28,13 +28,13 @@ Complex amplitude(const HarmonicSolution& point, int harmonic, Eigen::Index dof)
   return point.response(place - point.harmonics.begin(), dof);
 }
 
-int lowest_harmonic(const HarmonicSolution& point) { return point.harmonics[static_cast<std::size_t>(first_row(point))]; }
+int lowest_harmonic(const HarmonicSolution& point) { return point.harmonics[static_cast<std::size_t>(tasks::first_row(point))]; }
 
 Complex lowest(const HarmonicSolution& point, Eigen::Index dof) { return amplitude(point, lowest_harmonic(point), dof); }
 
 /// Whether all levels have the same ascending frequencies, as sweeps do and curves round turning points do not.
-bool is_sweep(const ResponseRun& run) {
-  return std::ranges::all_of(run.levels, [&](const LevelResponse& level) {
+bool is_sweep(const tasks::ResponseResult& run) {
+  return std::ranges::all_of(run.levels, [&](const tasks::LevelResponse& level) {
     return std::ranges::equal(level.points, run.levels.front().points, {}, &HarmonicSolution::omega, &HarmonicSolution::omega) &&
            std::ranges::is_sorted(level.points, {}, &HarmonicSolution::omega);
   });
@@ -49,9 +49,9 @@ CurvePlot over(const std::string& title, Axis x, Axis y, const Values& x_values,
 }
 
 template <class Value>
-std::vector<Series> series_of_levels(const ResponseRun& run, const Value& value) {
+std::vector<Series> series_of_levels(const tasks::ResponseResult& run, const Value& value) {
   std::vector<Series> series;
-  for (const LevelResponse& level : run.levels) {
+  for (const tasks::LevelResponse& level : run.levels) {
     Series one{level_name(level), {}, Style::line};
     for (const HarmonicSolution& point : level.points) one.y.push_back(value(level, point));
     series.push_back(std::move(one));
@@ -59,19 +59,19 @@ std::vector<Series> series_of_levels(const ResponseRun& run, const Value& value)
   return series;
 }
 
-Values frequencies(const LevelResponse& level) {
+Values frequencies(const tasks::LevelResponse& level) {
   Values hz;
   for (const HarmonicSolution& point : level.points) hz.push_back(hertz(point.omega));
   return hz;
 }
 
-Choice sweep_choice(const ResponseRun& run, std::size_t dof) {
+Choice sweep_choice(const tasks::ResponseResult& run, std::size_t dof) {
   const Values hz = frequencies(run.levels.front());
   const Axis x = {"frequency (Hz)", false};
-  const auto size = [&](const LevelResponse& level, const HarmonicSolution& point) {
+  const auto size = [&](const tasks::LevelResponse& level, const HarmonicSolution& point) {
     return std::abs(lowest(point, at(dof))) / level.level;
   };
-  const auto angle = [&](const LevelResponse&, const HarmonicSolution& point) {
+  const auto angle = [&](const tasks::LevelResponse&, const HarmonicSolution& point) {
     const Complex value = lowest(point, at(dof));
     return std::isnan(value.real()) ? not_there : std::arg(value) * 180.0 / std::numbers::pi;
   };
@@ -82,13 +82,14 @@ Choice sweep_choice(const ResponseRun& run, std::size_t dof) {
       {over("|X|/force at " + run.dofs[dof], x, {"|X|/force (m/N)", true}, hz, series_of_levels(run, size)), std::move(phase)}};
 }
 
-Choice arc_choice(const ResponseRun& run, std::size_t dof) {
+Choice arc_choice(const tasks::ResponseResult& run, std::size_t dof) {
   ScatterPlot plot{"|X|/force at " + run.dofs[dof], {"frequency (Hz)", false}, {"|X|/force (m/N)", true}, {}, {}};
   PointGroup turns{"turning points", {}};
-  for (const LevelResponse& level : run.levels) {
+  for (const tasks::LevelResponse& level : run.levels) {
     PointGroup group{level_name(level), {}};
     const auto add = [&](const HarmonicSolution& point, PointGroup& to) {
-      if (point.converged) to.points.push_back({hertz(point.omega), std::abs(lowest(point, at(dof))) / level.level, level_name(level)});
+      if (point.converged)
+        to.points.push_back({hertz(point.omega), std::abs(lowest(point, at(dof))) / level.level, level_name(level)});
     };
     for (const HarmonicSolution& point : level.points) add(point, group);
     for (const HarmonicSolution& point : level.turning_points) add(point, turns);
@@ -109,7 +110,7 @@ PointGroup loop_points(const std::string& name, const Eigen::VectorXd& q, const 
 
 }  // namespace
 
-PlotGroup level_plots(const ResponseRun& run) {
+PlotGroup level_plots(const tasks::ResponseResult& run) {
   PlotGroup group{"response", {}};
   if (run.levels.empty() || run.levels.front().points.size() < 2) return group;
   const bool sweep = is_sweep(run);
@@ -118,10 +119,10 @@ PlotGroup level_plots(const ResponseRun& run) {
   return group;
 }
 
-PlotGroup harmonic_plots(const ResponseRun& run) {
+PlotGroup harmonic_plots(const tasks::ResponseResult& run) {
   PlotGroup group{"level", {}};
   if (run.levels.empty() || run.levels.front().points.size() < 2 || !is_sweep(run)) return group;
-  for (const LevelResponse& level : run.levels) {
+  for (const tasks::LevelResponse& level : run.levels) {
     std::vector<int> numbers;
     for (const HarmonicSolution& point : level.points) {
       for (const int n : point.harmonics) {
@@ -146,15 +147,15 @@ PlotGroup harmonic_plots(const ResponseRun& run) {
   return group;
 }
 
-PlotGroup backbone_plots(const ResponseRun& run) {
-  std::vector<const LevelResponse*> levels;
-  for (const LevelResponse& level : run.levels) {
+PlotGroup backbone_plots(const tasks::ResponseResult& run) {
+  std::vector<const tasks::LevelResponse*> levels;
+  for (const tasks::LevelResponse& level : run.levels) {
     if (level.peak && level.peak_mode) levels.push_back(&level);
   }
   if (levels.size() < 2) return {"", {}};
-  std::ranges::sort(levels, {}, &LevelResponse::level);
+  std::ranges::sort(levels, {}, &tasks::LevelResponse::level);
   Values force, hz, damping;
-  for (const LevelResponse* level : levels) {
+  for (const tasks::LevelResponse* level : levels) {
     force.push_back(level->level);
     hz.push_back(hertz(level->peak->omega));
     damping.push_back(100.0 * level->peak_mode->ratio);
@@ -166,11 +167,11 @@ PlotGroup backbone_plots(const ResponseRun& run) {
              over("Damping of the peak", x, {"of critical (%)", false}, force, {{"damping", damping, Style::line}})}}}};
 }
 
-PlotGroup loop_plots(const ResponseRun& run) {
+PlotGroup loop_plots(const tasks::ResponseResult& run) {
   PlotGroup group{"joint", {}};
   for (std::size_t j = 0; j < run.joints.size(); ++j) {
     ScatterPlot plot = loop_plot("Loops of " + run.joints[j] + " at the peaks");
-    for (const LevelResponse& level : run.levels) {
+    for (const tasks::LevelResponse& level : run.levels) {
       if (j < level.loops.size())
         plot.groups.push_back(loop_points(level_name(level), level.loops[j].displacement, level.loops[j].force, 256));
     }
@@ -179,9 +180,9 @@ PlotGroup loop_plots(const ResponseRun& run) {
   return group;
 }
 
-PlotGroup curve_plots(const ResponseRun& run) {
+PlotGroup curve_plots(const tasks::ResponseResult& run) {
   PlotGroup group{"curve", {}};
-  for (const CurveRun& curve : run.curves) {
+  for (const tasks::CurveRun& curve : run.curves) {
     ScatterPlot plot{"|X| at " + run.dofs.front(), {curve.name, false}, {"|X| (m)", true}, {}, {}};
     const auto add = [&](const std::string& name, const Values& parameters, const std::vector<HarmonicSolution>& points) {
       PointGroup one{name, {}};
@@ -196,11 +197,11 @@ PlotGroup curve_plots(const ResponseRun& run) {
   return group;
 }
 
-PlotGroup equivalent_plots(const ResponseRun& run) {
+PlotGroup equivalent_plots(const tasks::ResponseResult& run) {
   if (run.equivalents.size() < 2) return {"", {}};
-  std::vector<const EquivalentRow*> rows;
-  for (const EquivalentRow& row : run.equivalents) rows.push_back(&row);
-  std::ranges::sort(rows, {}, &EquivalentRow::amplitude);
+  std::vector<const tasks::EquivalentRow*> rows;
+  for (const tasks::EquivalentRow& row : run.equivalents) rows.push_back(&row);
+  std::ranges::sort(rows, {}, &tasks::EquivalentRow::amplitude);
   Values amplitudes, hz;
   std::vector<Series> stiffness, damping;
   for (const std::string& joint : run.joints) {
@@ -208,7 +209,7 @@ PlotGroup equivalent_plots(const ResponseRun& run) {
     damping.push_back({joint, {}, Style::line});
   }
   bool any = false;
-  for (const EquivalentRow* row : rows) {
+  for (const tasks::EquivalentRow* row : rows) {
     amplitudes.push_back(row->amplitude);
     for (std::size_t j = 0; j < run.joints.size(); ++j) {
       stiffness[j].y.push_back(row->joints[j].stiffness);
@@ -225,9 +226,9 @@ PlotGroup equivalent_plots(const ResponseRun& run) {
   return {"", {std::move(choice)}};
 }
 
-PlotGroup transient_plots(const ResponseRun& run) {
+PlotGroup transient_plots(const tasks::ResponseResult& run) {
   PlotGroup group{"motion", {}};
-  for (const TransientRun& each : run.transients) {
+  for (const tasks::TransientRun& each : run.transients) {
     const response::Transient& motion = each.motion;
     Choice choice{each.name, {}};
     std::vector<Series> series;

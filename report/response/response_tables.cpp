@@ -1,11 +1,12 @@
 #include "report/response/response_tables.hpp"
-#include "base/complex.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "base/complex.hpp"
 
 namespace jointid::report {
 namespace {
@@ -22,24 +23,24 @@ double amplitude(const HarmonicSolution& solution, Eigen::Index row, Eigen::Inde
 }
 
 double phase(const HarmonicSolution& solution, Eigen::Index dof) {
-  return std::arg(solution.response(first_row(solution), dof)) * 180.0 / std::numbers::pi;
+  return std::arg(solution.response(tasks::first_row(solution), dof)) * 180.0 / std::numbers::pi;
 }
 
-bool any_deviation(const ResponseRun& run) {
-  return std::ranges::any_of(run.levels, [](const LevelResponse& level) { return !level.deviations.empty(); });
+bool any_deviation(const tasks::ResponseResult& run) {
+  return std::ranges::any_of(run.levels, [](const tasks::LevelResponse& level) { return !level.deviations.empty(); });
 }
 
-std::string multiplier_text(const std::optional<PointStability>& stability) {
+std::string multiplier_text(const std::optional<tasks::PointStability>& stability) {
   if (!stability || !stability->known || stability->another) return "–";
   return fmt::format("{:.4f}{}", stability->largest, stability->stable ? "" : " unstable");
 }
 
-void add_curve_point(const CurveRun& curve, double parameter, const HarmonicSolution& point, const std::string& remark,
+void add_curve_point(const tasks::CurveRun& curve, double parameter, const HarmonicSolution& point, const std::string& remark,
                      Table& table) {
   const double force = curve.curve.parameter ? curve.curve.force : parameter;
   std::vector<std::string> cells = {number(parameter)};
   for (Eigen::Index dof = 0; dof < point.response.cols(); ++dof) {
-    const double size = amplitude(point, first_row(point), dof);
+    const double size = amplitude(point, tasks::first_row(point), dof);
     cells.insert(cells.end(), {number(size), number(size / force)});
   }
   cells.insert(cells.end(), {number(point.loss.sum()), remark});
@@ -48,21 +49,21 @@ void add_curve_point(const CurveRun& curve, double parameter, const HarmonicSolu
 
 }  // namespace
 
-Table peaks_table(const ResponseRun& run) {
+Table peaks_table(const tasks::ResponseResult& run) {
   const bool known = any_deviation(run);
   std::vector<Column> columns = {{"force N"}, {"peak Hz"}, {"|X| m"}};
   if (known) columns.push_back({"std dev m"});
   columns.insert(columns.end(), {{"|X|/force m/N"}, {"damping %"}, {"loss J/period"}});
   const bool judged =
-      std::ranges::any_of(run.levels, [](const LevelResponse& level) { return level.peak_stability.has_value(); });
+      std::ranges::any_of(run.levels, [](const tasks::LevelResponse& level) { return level.peak_stability.has_value(); });
   if (judged) columns.push_back({"|μ|"});
   columns.insert(columns.end(), {{"harmonics", Align::left}, {"", Align::left}});
   Table table(columns);
-  for (const LevelResponse& level : run.levels) {
+  for (const tasks::LevelResponse& level : run.levels) {
     std::vector<std::string> cells = {number(level.level)};
     if (level.peak) {
       const HarmonicSolution& peak = *level.peak;
-      const double size = amplitude(peak, first_row(peak), 0);
+      const double size = amplitude(peak, tasks::first_row(peak), 0);
       cells.push_back(number(hertz(peak.omega)));
       cells.push_back(number(size, level.peak_deviation));
       if (known) cells.push_back(level.peak_deviation ? fmt::format("{:.2g}", *level.peak_deviation) : "–");
@@ -79,7 +80,7 @@ Table peaks_table(const ResponseRun& run) {
   return table;
 }
 
-Table points_table(const ResponseRun& run) {
+Table points_table(const tasks::ResponseResult& run) {
   const bool known = any_deviation(run);
   std::vector<Column> columns = {{"force N"}, {"Hz"}};
   for (const std::string& dof : run.dofs) {
@@ -88,18 +89,18 @@ Table points_table(const ResponseRun& run) {
     columns.push_back({"phase °"});
   }
   columns.push_back({"loss J/period"});
-  const bool judged = std::ranges::any_of(run.levels, [](const LevelResponse& level) { return !level.stability.empty(); });
+  const bool judged = std::ranges::any_of(run.levels, [](const tasks::LevelResponse& level) { return !level.stability.empty(); });
   if (judged) columns.push_back({"|μ|"});
   columns.insert(columns.end(), {{"harmonics", Align::left}, {"", Align::left}});
   Table table(columns);
-  for (const LevelResponse& level : run.levels) {
+  for (const tasks::LevelResponse& level : run.levels) {
     for (std::size_t i = 0; i < level.points.size(); ++i) {
       const HarmonicSolution& point = level.points[i];
       std::vector<std::string> cells = {number(level.level), number(hertz(point.omega))};
       if (point.converged) {
         for (std::size_t dof = 0; dof < run.dofs.size(); ++dof) {
-          cells.push_back(number(amplitude(point, first_row(point), at(dof))));
-          if (known) cells.push_back(fmt::format("{:.2g}", level.deviations[i].amplitude(first_row(point), at(dof))));
+          cells.push_back(number(amplitude(point, tasks::first_row(point), at(dof))));
+          if (known) cells.push_back(fmt::format("{:.2g}", level.deviations[i].amplitude(tasks::first_row(point), at(dof))));
           cells.push_back(fmt::format("{:.2f}", phase(point, at(dof))));
         }
         cells.push_back(number(point.loss.sum()));
@@ -115,7 +116,7 @@ Table points_table(const ResponseRun& run) {
   return table;
 }
 
-Table curve_table(const CurveRun& curve, const ResponseRun& run, std::size_t most) {
+Table curve_table(const tasks::CurveRun& curve, const tasks::ResponseResult& run, std::size_t most) {
   std::vector<Column> columns = {{curve.name}};
   for (const std::string& dof : run.dofs) columns.insert(columns.end(), {{"|X(" + dof + ")| m"}, {"|X|/force m/N"}});
   columns.insert(columns.end(), {{"loss J/period"}, {"", Align::left}});
@@ -131,19 +132,19 @@ Table curve_table(const CurveRun& curve, const ResponseRun& run, std::size_t mos
   return table;
 }
 
-std::string curve_remark(const CurveRun& curve) {
+std::string curve_remark(const tasks::CurveRun& curve) {
   const std::string force = curve.curve.parameter ? fmt::format(", {:.6g} N", curve.curve.force) : "";
   return fmt::format("{} at {:.6g} Hz", force, curve.curve.frequency_hz);
 }
 
-Table equivalents_table(const ResponseRun& run) {
+Table equivalents_table(const tasks::ResponseResult& run) {
   std::vector<Column> columns = {{"|Q| m"}};
   for (const std::string& joint : run.joints) columns.insert(columns.end(), {{"k_e(" + joint + ") N/m"}, {"d_e N/m"}});
   const bool modes =
-      std::ranges::any_of(run.equivalents, [](const EquivalentRow& row) { return row.mode || !row.problem.empty(); });
+      std::ranges::any_of(run.equivalents, [](const tasks::EquivalentRow& row) { return row.mode || !row.problem.empty(); });
   if (modes) columns.insert(columns.end(), {{"mode Hz"}, {"damping %"}, {"", Align::left}});
   Table table(columns);
-  for (const EquivalentRow& row : run.equivalents) {
+  for (const tasks::EquivalentRow& row : run.equivalents) {
     std::vector<std::string> cells = {number(row.amplitude)};
     for (const response::EquivalentJoint& joint : row.joints)
       cells.insert(cells.end(), {number(joint.stiffness), number(joint.damping)});
@@ -159,14 +160,13 @@ Table equivalents_table(const ResponseRun& run) {
   return table;
 }
 
-Table transients_table(const ResponseRun& run) {
+Table transients_table(const tasks::ResponseResult& run) {
   std::vector<Column> columns = {{"", Align::left}, {"until s"}};
   for (const std::string& dof : run.dofs) columns.push_back({"max |x(" + dof + ")| m"});
-  for (const std::string& joint : run.marched)
-    columns.insert(columns.end(), {{"max |q(" + joint + ")| m"}, {"max |f| N"}});
+  for (const std::string& joint : run.marched) columns.insert(columns.end(), {{"max |q(" + joint + ")| m"}, {"max |f| N"}});
   columns.push_back({"events"});
   Table table(columns);
-  for (const TransientRun& each : run.transients) {
+  for (const tasks::TransientRun& each : run.transients) {
     const response::Transient& motion = each.motion;
     std::vector<std::string> cells = {each.name, number(motion.times.back())};
     for (Eigen::Index i = 0; i < motion.x.cols(); ++i) cells.push_back(number(motion.x.col(i).cwiseAbs().maxCoeff()));

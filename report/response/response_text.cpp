@@ -14,12 +14,12 @@ namespace {
 using response::HarmonicSolution;
 
 /// Largest error bar of the lowest harmonics of all points, in parts of |X|.
-double largest_bar(const ResponseRun& run) {
+double largest_bar(const tasks::ResponseResult& run) {
   double largest = 0.0;
-  for (const LevelResponse& level : run.levels) {
+  for (const tasks::LevelResponse& level : run.levels) {
     for (std::size_t i = 0; i < level.left_out.size(); ++i) {
       if (level.left_out[i].size() == 0) continue;
-      const Eigen::Index row = first_row(level.points[i]);
+      const Eigen::Index row = tasks::first_row(level.points[i]);
       const Eigen::ArrayXd size = level.points[i].response.row(row).cwiseAbs().transpose();
       largest = std::max(largest, (level.left_out[i].row(row).transpose().array() / size.max(1e-300)).maxCoeff());
     }
@@ -28,11 +28,11 @@ double largest_bar(const ResponseRun& run) {
 }
 
 /// What is left out by the harmonics, the worst of all points.
-void add_truncation(const ResponseScene& scene, const ResponseRun& run, std::vector<std::string>& remarks) {
+void add_truncation(const tasks::ResponseScene& scene, const tasks::ResponseResult& run, std::vector<std::string>& remarks) {
   double next = 0.0;
   const response::DroppedHarmonic* worst = nullptr;
   double worst_hz = 0.0;
-  for (const LevelResponse& level : run.levels) {
+  for (const tasks::LevelResponse& level : run.levels) {
     for (const HarmonicSolution& point : level.points) {
       if (point.converged) next = std::max(next, point.next);
       for (const response::DroppedHarmonic& dropped : point.dropped) {
@@ -64,11 +64,11 @@ void add_truncation(const ResponseScene& scene, const ResponseRun& run, std::vec
 }
 
 /// What shooting found: the unstable, those with residual force, how far the harmonics are from the exact orbits.
-void add_stability(const ResponseRun& run, std::vector<std::string>& remarks) {
+void add_stability(const tasks::ResponseResult& run, std::vector<std::string>& remarks) {
   bool any_known = false;
   double difference = 0.0;
   std::vector<std::string> free;
-  const auto add = [&](const PointStability& stability, const HarmonicSolution& at, double level) {
+  const auto add = [&](const tasks::PointStability& stability, const HarmonicSolution& at, double level) {
     const std::string place = fmt::format("{:.6g} N, {:.6g} Hz", level, hertz(at.omega));
     if (!stability.known) {
       remarks.push_back(place + ": no exact orbit was found from the solution, its stability is not known");
@@ -84,7 +84,7 @@ void add_stability(const ResponseRun& run, std::vector<std::string>& remarks) {
       }
     }
   };
-  for (const LevelResponse& level : run.levels) {
+  for (const tasks::LevelResponse& level : run.levels) {
     if (level.peak_stability) add(*level.peak_stability, *level.peak, level.level);
     for (std::size_t i = 0; i < level.stability.size(); ++i) {
       if (level.points[i].converged && !(level.peak && level.points[i].omega == level.peak->omega)) {
@@ -105,8 +105,9 @@ void add_stability(const ResponseRun& run, std::vector<std::string>& remarks) {
 }
 
 /// Ends of curves and of transients that are not those asked for.
-void add_further_problems(const ResponseScene& scene, const ResponseRun& run, std::vector<std::string>& remarks) {
-  for (const CurveRun& curve : run.curves) {
+void add_further_problems(const tasks::ResponseScene& scene, const tasks::ResponseResult& run,
+                          std::vector<std::string>& remarks) {
+  for (const tasks::CurveRun& curve : run.curves) {
     for (std::size_t i = 0; i < curve.found.turning_points.size(); ++i) {
       remarks.push_back(fmt::format("the curve along {} turns back at {:.6g}", curve.name, curve.found.turning_parameters[i]));
     }
@@ -114,7 +115,7 @@ void add_further_problems(const ResponseScene& scene, const ResponseRun& run, st
       remarks.push_back(fmt::format("the curve along {} could not be followed to its end", curve.name));
     }
   }
-  for (const TransientRun& run_of : run.transients) {
+  for (const tasks::TransientRun& run_of : run.transients) {
     const response::Transient& motion = run_of.motion;
     if (!motion.complete) {
       remarks.push_back(fmt::format("{}: {}; the motion ends at {:.6g} s", run_of.name,
@@ -132,23 +133,24 @@ void add_further_problems(const ResponseScene& scene, const ResponseRun& run, st
 }
 
 /// A resonance that is narrower than the distance of the files' lines: its peak stands between them.
-void add_narrow_peak(const LevelResponse& level, std::vector<std::string>& remarks) {
+void add_narrow_peak(const tasks::LevelResponse& level, std::vector<std::string>& remarks) {
   if (!level.peak || !level.peak_mode || level.points.size() < 3) return;
   const double width = 2.0 * level.peak_mode->ratio * hertz(level.peak_mode->omega), at = level.peak->omega;
   if (width >= level.line_spacing_hz || at == level.points.front().omega || at == level.points.back().omega) return;
-  remarks.push_back(fmt::format("{:.6g} N: the peak at {:.6g} Hz is {:.2g} Hz wide where the lines of the files stand {:.2g} Hz apart: how "
-                                "high it is between them is not known; `modal_model = true` goes between lines",
-                                level.level, hertz(at), width, level.line_spacing_hz));
+  remarks.push_back(
+      fmt::format("{:.6g} N: the peak at {:.6g} Hz is {:.2g} Hz wide where the lines of the files stand {:.2g} Hz apart: how "
+                  "high it is between them is not known; `modal_model = true` goes between lines",
+                  level.level, hertz(at), width, level.line_spacing_hz));
 }
 
 constexpr double no_force = 1e-9;   ///< of the force on the structure: a joint with less does nothing
 constexpr double no_motion = 1e-6;  ///< of the largest |X|: a joint that moves less is where the structure does not open it
 
 /// Joints so loose that the parts respond as without them.
-void add_loose_joints(const ResponseRun& run, std::vector<std::string>& remarks) {
+void add_loose_joints(const tasks::ResponseResult& run, std::vector<std::string>& remarks) {
   for (std::size_t j = 0; j < run.joints.size(); ++j) {
     bool any = false, loose = true;
-    for (const LevelResponse& level : run.levels) {
+    for (const tasks::LevelResponse& level : run.levels) {
       for (const HarmonicSolution& point : level.points) {
         if (!point.converged) continue;
         any = true;
@@ -165,9 +167,9 @@ void add_loose_joints(const ResponseRun& run, std::vector<std::string>& remarks)
   }
 }
 
-void add_problems(const ResponseScene& scene, const ResponseRun& run, std::vector<std::string>& remarks) {
+void add_problems(const tasks::ResponseScene& scene, const tasks::ResponseResult& run, std::vector<std::string>& remarks) {
   add_loose_joints(run, remarks);
-  for (const LevelResponse& level : run.levels) {
+  for (const tasks::LevelResponse& level : run.levels) {
     add_narrow_peak(level, remarks);
     const auto lost = std::ranges::count(level.points, false, &HarmonicSolution::converged);
     if (lost > 0) {
@@ -182,7 +184,7 @@ void add_problems(const ResponseScene& scene, const ResponseRun& run, std::vecto
       remarks.push_back(fmt::format(
           "{:.6g} N: the curve turns back at {:.6g} Hz, |X| = {:.6g} m: between two such frequencies there are several "
           "responses",
-          level.level, hertz(turn.omega), std::abs(turn.response(first_row(turn), 0))));
+          level.level, hertz(turn.omega), std::abs(turn.response(tasks::first_row(turn), 0))));
     }
   }
   remarks.insert(remarks.end(), run.doubts.begin(), run.doubts.end());
@@ -190,7 +192,7 @@ void add_problems(const ResponseScene& scene, const ResponseRun& run, std::vecto
 
 }  // namespace
 
-std::vector<std::string> response_remarks(const ResponseScene& scene, const ResponseRun& run) {
+std::vector<std::string> response_remarks(const tasks::ResponseScene& scene, const tasks::ResponseResult& run) {
   std::vector<std::string> remarks;
   add_truncation(scene, run, remarks);
   add_stability(run, remarks);
@@ -199,16 +201,16 @@ std::vector<std::string> response_remarks(const ResponseScene& scene, const Resp
   return remarks;
 }
 
-std::string response_text(const ResponseScene& scene, const ResponseRun& run) {
+std::string response_text(const tasks::ResponseScene& scene, const tasks::ResponseResult& run) {
   std::string text = scene.title.empty() ? "" : scene.title + "\n";
   std::size_t points = 0;
-  for (const LevelResponse& level : run.levels) points += level.points.size();
+  for (const tasks::LevelResponse& level : run.levels) points += level.points.size();
   if (!run.levels.empty())
     text += fmt::format("response of {} to a force at {}, {} joint{}, {} point{}\n\n", run.dofs.front(), scene.force_dof.name,
                         run.joints.size(), run.joints.size() == 1 ? "" : "s", points, points == 1 ? "" : "s");
-  if (!run.levels.empty()) text += points <= most_told ? points_table(run).text() : peaks_table(run).text();
-  for (const CurveRun& curve : run.curves) {
-    text += fmt::format("\nalong {}{}\n", curve.name, curve_remark(curve)) + curve_table(curve, run, most_told / 2).text();
+  if (!run.levels.empty()) text += points <= tasks::most_told ? points_table(run).text() : peaks_table(run).text();
+  for (const tasks::CurveRun& curve : run.curves) {
+    text += fmt::format("\nalong {}{}\n", curve.name, curve_remark(curve)) + curve_table(curve, run, tasks::most_told / 2).text();
   }
   if (!run.equivalents.empty()) text += "\nequivalent joints\n" + equivalents_table(run).text();
   if (!run.transients.empty()) text += "\nfrom rest\n" + transients_table(run).text();

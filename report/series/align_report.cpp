@@ -7,43 +7,20 @@
 #include <nlohmann/json.hpp>
 
 #include "base/statistics.hpp"
-#include "frf/file/columns.hpp"
 #include "report/json_value.hpp"
 #include "report/page/page.hpp"
 #include "report/page/status_banner.hpp"
-#include "series/measurement/phase.hpp"
 
 namespace jointid::report {
 namespace {
 
-/// The place of a channel by name, whatever its case, or number from 1.
-std::size_t place_of(const records::SeriesRecord& record, const std::string& wanted) {
-  frf::Columns titles{record.file, {}};
-  for (const auto& [name, unit] : record.channels) titles.columns.push_back({name, unit, {}});
-  return static_cast<std::size_t>(&titles.column(wanted) - titles.columns.data());
-}
-
-/// Root mean square without the mean, of the samples that are there.
-double rms_of(const std::vector<double>& samples) {
-  double sum = 0.0, squares = 0.0, count = 0.0;
-  for (const double x : samples) {
-    if (!std::isfinite(x)) continue;
-    sum += x, squares += x * x, ++count;
-  }
-  return count > 0.0 ? std::sqrt(std::max(0.0, squares / count - sum / count * (sum / count))) : 0.0;
-}
-
-double degrees(const AlignReport& report, const LateChannel& channel) { return 360.0 * report.task.frequency_hz * channel.delay; }
-
-std::vector<double> aligned(const AlignReport& report, std::size_t channel) {
-  const double delay = report.channels[channel].delay;
-  const std::vector<double>& measured = report.record.samples[channel];
-  return delay == 0.0 ? measured : series::advanced(measured, 1.0 / report.record.rate_hz, delay);
+double degrees(const tasks::AlignResult& report, const tasks::LateChannel& channel) {
+  return 360.0 * report.task.frequency_hz * channel.delay;
 }
 
 /// Three periods in the middle of every channel over its amplitude.
 template <class Samples>
-CurvePlot periods_plot(const AlignReport& report, const std::string& title, const Samples& samples_of) {
+CurvePlot periods_plot(const tasks::AlignResult& report, const std::string& title, const Samples& samples_of) {
   constexpr double periods = 3.0;
   constexpr std::size_t most_channels = 12, least_samples = 2;
   const std::size_t there = report.record.samples.front().size();
@@ -65,25 +42,10 @@ CurvePlot periods_plot(const AlignReport& report, const std::string& title, cons
 
 }  // namespace
 
-AlignReport align_report(const AlignTask& task) {
-  AlignReport out{task, records::read_series(task.file, {{}, task.rate_hz, 0}), {}};
-  const std::size_t reference = place_of(out.record, task.reference);
-  std::vector<series::Harmonics> fitted;
-  for (const std::vector<double>& x : out.record.samples)
-    fitted.push_back(series::fit_harmonics(x, 1.0 / out.record.rate_hz, task.frequency_hz, task.harmonics));
-  for (std::size_t k = 0; k < fitted.size(); ++k) {
-    const double rms = rms_of(out.record.samples[k]);
-    out.channels.push_back({out.record.channels[k].name, fitted[k].amplitude.front(),
-                            series::delay_between(fitted[reference], fitted[k], task.frequency_hz),
-                            rms > 0.0 ? fitted[k].rest / rms : 0.0});
-  }
-  return out;
-}
-
-std::vector<std::string> align_remarks(const AlignReport& report) {
+std::vector<std::string> align_remarks(const tasks::AlignResult& report) {
   constexpr double much = 0.5;
   std::vector<std::string> out;
-  for (const LateChannel& channel : report.channels) {
+  for (const tasks::LateChannel& channel : report.channels) {
     if (channel.amplitude == 0.0) {
       out.push_back(channel.name + " does not move at this frequency");
     } else if (!(channel.rest <= much)) {
@@ -94,28 +56,28 @@ std::vector<std::string> align_remarks(const AlignReport& report) {
   return out;
 }
 
-Table delays_table(const AlignReport& report) {
+Table delays_table(const tasks::AlignResult& report) {
   Table table({{"channel", Align::left}, {"amplitude"}, {"late by s"}, {"degrees"}});
-  for (const LateChannel& each : report.channels)
+  for (const tasks::LateChannel& each : report.channels)
     table.add({each.name, number(each.amplitude), number(each.delay), fmt::format("{:.3f}", degrees(report, each))});
   return table;
 }
 
-PlotGroup align_plots(const AlignReport& report) {
+PlotGroup align_plots(const tasks::AlignResult& report) {
   const auto measured = [&](std::size_t k) -> const std::vector<double>& { return report.record.samples[k]; };
   return {"", {{"", {periods_plot(report, "As measured", measured), periods_plot(report, "Aligned", [&](std::size_t k) {
                        return aligned(report, k);
                      })}}}};
 }
 
-std::string align_summary(const AlignReport& report) {
-  const LateChannel& most =
-      *std::ranges::max_element(report.channels, {}, [](const LateChannel& each) { return std::abs(each.delay); });
+std::string align_summary(const tasks::AlignResult& report) {
+  const tasks::LateChannel& most =
+      *std::ranges::max_element(report.channels, {}, [](const tasks::LateChannel& each) { return std::abs(each.delay); });
   return fmt::format("{} is {} s {} against {}, the most of {} channels.", most.name, number(std::abs(most.delay)),
                      most.delay < 0.0 ? "early" : "late", report.task.reference, report.channels.size());
 }
 
-std::string align_text(const AlignReport& report) {
+std::string align_text(const tasks::AlignResult& report) {
   std::string text;
   for (const std::string& remark : align_remarks(report)) text += "note: " + remark + "\n";
   return text +
@@ -126,13 +88,13 @@ std::string align_text(const AlignReport& report) {
          delays_table(report).text();
 }
 
-std::string align_json(const AlignReport& report) {
+std::string align_json(const tasks::AlignResult& report) {
   Json out = {{"status", "ok"},
               {"reference", report.task.reference},
               {"frequency_hz", value(report.task.frequency_hz)},
               {"channels", Json::array()},
               {"remarks", align_remarks(report)}};
-  for (const LateChannel& each : report.channels) {
+  for (const tasks::LateChannel& each : report.channels) {
     out["channels"].push_back({{"name", each.name},
                                {"amplitude", value(each.amplitude)},
                                {"delay_s", value(each.delay)},
@@ -142,7 +104,7 @@ std::string align_json(const AlignReport& report) {
   return json_text(out);
 }
 
-std::string align_csv(const AlignReport& report) {
+std::string align_csv(const tasks::AlignResult& report) {
   std::vector<std::string> row = {"time [s]"};
   std::vector<std::vector<double>> channels;
   for (std::size_t k = 0; k < report.channels.size(); ++k) {
@@ -159,7 +121,7 @@ std::string align_csv(const AlignReport& report) {
   return text;
 }
 
-std::string align_page(const AlignReport& report) {
+std::string align_page(const tasks::AlignResult& report) {
   ReportPage page(report.record.file, "jointid series align");
   const std::vector<std::string> remarks = align_remarks(report);
   page.status(status_banner(remarks.empty() ? "ok" : "doubtful", align_summary(report), remarks));

@@ -6,39 +6,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "base/error.hpp"
-#include "records/file/read_series.hpp"
 #include "report/json_value.hpp"
 #include "report/page/limits.hpp"
 #include "report/page/page.hpp"
 #include "report/page/status_banner.hpp"
-#include "series/measurement/phase.hpp"
 
 namespace jointid::report {
 
-ContactReport contact_report(const ContactTask& task) {
-  if (task.normal.empty() == (task.load == 0.0))
-    throw InputError({ErrorKind::usage, "", "--normal", "or --load says the normal load, one of them",
-                      "give a column, or a constant load in N"});
-  records::SeriesOptions options{{task.velocity, task.force}, task.rate_hz, 0};
-  if (!task.normal.empty()) options.channels.push_back(task.normal);
-  options.without_times = task.force_delay == 0.0;
-  records::SeriesRecord record = records::read_series(task.file, options);
-  if (task.force_delay != 0.0) record.samples[1] = series::advanced(record.samples[1], 1.0 / record.rate_hz, task.force_delay);
-  ContactReport out{record.file, {}, {}, {}, 0, {}};
-  for (std::size_t i = 0; i < record.samples[0].size(); ++i) {
-    const bool there = std::ranges::all_of(record.samples, [i](const auto& channel) { return std::isfinite(channel[i]); });
-    out.missing += there ? 0 : 1;
-    if (!there) continue;
-    out.velocity.push_back(record.samples[0][i]);
-    out.force.push_back(record.samples[1][i]);
-    out.normal.push_back(task.load > 0.0 ? task.load : record.samples[2][i]);
-  }
-  out.law = series::friction_law({out.velocity, out.force, out.normal}, {task.stick_speed, 0.0});
-  return out;
-}
-
-Table contact_table(const ContactReport& report) {
+Table contact_table(const tasks::ContactResult& report) {
   const series::FrictionLaw& law = report.law;
   const auto pm = [](double value, double error) { return fmt::format("{} ± {:.1g}", number(value, error), error); };
   Table table({{"", Align::left}, {"", Align::left}});
@@ -56,14 +31,14 @@ Table contact_table(const ContactReport& report) {
   return table;
 }
 
-std::vector<std::string> contact_remarks(const ContactReport& report) {
+std::vector<std::string> contact_remarks(const tasks::ContactResult& report) {
   std::vector<std::string> out;
   if (report.missing > 0) out.push_back(fmt::format("{} samples with a missing channel are left out", report.missing));
   if (!report.law.remark.empty()) out.push_back(report.law.remark);
   return out;
 }
 
-std::string contact_json(const ContactReport& report) {
+std::string contact_json(const tasks::ContactResult& report) {
   const series::FrictionLaw& law = report.law;
   Json out = {{"status", "ok"},
               {"slip_samples", law.slip_samples},
@@ -82,14 +57,14 @@ std::string contact_json(const ContactReport& report) {
   return json_text(out);
 }
 
-std::string contact_csv(const ContactReport& report) {
+std::string contact_csv(const tasks::ContactResult& report) {
   std::string text = csv_line({"relative velocity [m/s]", "friction coefficient"});
   for (std::size_t i = 0; i < report.velocity.size(); ++i)
     text += csv_line({csv_number(report.velocity[i]), csv_number(report.force[i] / report.normal[i])});
   return text;
 }
 
-PlotGroup contact_law_plots(const ContactReport& report) {
+PlotGroup contact_law_plots(const tasks::ContactResult& report) {
   const series::FrictionLaw& law = report.law;
   ScatterPlot plot;
   plot.title = "Friction coefficient over relative velocity";
@@ -109,17 +84,17 @@ PlotGroup contact_law_plots(const ContactReport& report) {
   return {"", {{"", {plot}}}};
 }
 
-std::string contact_summary(const ContactReport& report) {
+std::string contact_summary(const tasks::ContactResult& report) {
   return report.law.falls ? "A law that falls with speed." : "A constant coefficient.";
 }
 
-std::string contact_text(const ContactReport& report) {
+std::string contact_text(const tasks::ContactResult& report) {
   std::string text;
   for (const std::string& remark : contact_remarks(report)) text += "note: " + remark + "\n";
   return text + "μ(V) = μ_K + (μ_S − μ_K) exp(−αV)\n" + contact_table(report).text();
 }
 
-std::string contact_page(const ContactReport& report) {
+std::string contact_page(const tasks::ContactResult& report) {
   ReportPage page(report.file, "jointid series friction");
   const std::vector<std::string> remarks = contact_remarks(report);
   page.status(status_banner(remarks.empty() ? "ok" : "doubtful", contact_summary(report), remarks));

@@ -9,7 +9,7 @@
 namespace jointid::report {
 namespace {
 
-CurvePlot information_plot(const DelayReport& report) {
+CurvePlot information_plot(const tasks::DelayResult& report) {
   CurvePlot plot;
   plot.title = "Mutual information";
   plot.x = {"lag (s)", false};
@@ -21,7 +21,7 @@ CurvePlot information_plot(const DelayReport& report) {
   return plot;
 }
 
-CurvePlot neighbours_plot(const DelayReport& report) {
+CurvePlot neighbours_plot(const tasks::DelayResult& report) {
   CurvePlot plot;
   plot.title = "False neighbours";
   plot.x = {"dimension", false};
@@ -35,7 +35,7 @@ CurvePlot neighbours_plot(const DelayReport& report) {
   return plot;
 }
 
-CurvePlot correlation_plot(const DelayReport& report) {
+CurvePlot correlation_plot(const tasks::DelayResult& report) {
   CurvePlot plot;
   plot.title = "Correlation sum";
   plot.x = {"radius", true};
@@ -62,19 +62,19 @@ CurvePlot divergence_plot(const std::string& title, const series::RecordExponent
 
 }  // namespace
 
-PlotGroup delay_plots(const DelayReport& report) {
+PlotGroup delay_plots(const tasks::DelayResult& report) {
   return {"", {{"", {information_plot(report), neighbours_plot(report), correlation_plot(report)}}}};
 }
 
-PlotGroup divergence_plots(const DelayReport& report) {
+PlotGroup divergence_plots(const tasks::DelayResult& report) {
   return {"", {{"", {divergence_plot("Rosenstein", report.rosenstein), divergence_plot("Kantz", report.kantz)}}}};
 }
 
-std::string delay_summary(const DelayReport& report) {
+std::string delay_summary(const tasks::DelayResult& report) {
   return fmt::format("{} samples at {:g} Hz.", report.samples, report.rate_hz);
 }
 
-std::string delay_page(const DelayReport& report) {
+std::string delay_page(const tasks::DelayResult& report) {
   ReportPage page(report.file + ", " + report.channel, "jointid series delay");
   page.status(status_banner(report.remarks.empty() ? "ok" : "doubtful", delay_summary(report), report.remarks));
   page.section("Answers");

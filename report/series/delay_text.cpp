@@ -25,7 +25,7 @@ void add_curve(std::string& text, const std::string& name, const std::vector<dou
 
 }  // namespace
 
-Table neighbours_table(const DelayReport& report) {
+Table neighbours_table(const tasks::DelayResult& report) {
   Table table({{"dimension"}, {"points"}, {"false by ratio %"}, {"by size %"}, {"either %"}});
   for (const series::FalseNeighbours& row : report.neighbours) {
     table.add({fmt::format("{}", row.dimension), fmt::format("{}", row.points), fmt::format("{:.2f}", 100.0 * row.ratio),
@@ -34,7 +34,7 @@ Table neighbours_table(const DelayReport& report) {
   return table;
 }
 
-Table answers_table(const DelayReport& report) {
+Table answers_table(const tasks::DelayResult& report) {
   Table table({{"", Align::left}, {"", Align::left}});
   const series::Embedding& embedding = report.embedding;
   table.add(
@@ -50,7 +50,7 @@ Table answers_table(const DelayReport& report) {
   return table;
 }
 
-Table recurrences_table(const DelayReport& report) {
+Table recurrences_table(const tasks::DelayResult& report) {
   Table table({{"period samples"}, {"period s"}, {"how often"}, {"closest"}, {"at sample"}});
   for (const series::RecurrentPeriod& each : report.recurrences) {
     table.add({fmt::format("{}", each.best.period), number(static_cast<double>(each.best.period) / report.rate_hz),
@@ -59,7 +59,7 @@ Table recurrences_table(const DelayReport& report) {
   return table;
 }
 
-std::string delay_text(const DelayReport& report) {
+std::string delay_text(const tasks::DelayResult& report) {
   std::string text =
       fmt::format("{}, channel {}: {} samples at {} Hz\n", report.file, report.channel, report.samples, number(report.rate_hz));
   for (const std::string& remark : report.remarks) text += "note: " + remark + "\n";
@@ -69,7 +69,7 @@ std::string delay_text(const DelayReport& report) {
   return text;
 }
 
-std::string delay_json(const DelayReport& report) {
+std::string delay_json(const tasks::DelayResult& report) {
   Json out = {{"status", "ok"},
               {"file", report.file},
               {"channel", report.channel},
@@ -107,7 +107,7 @@ std::string delay_json(const DelayReport& report) {
   return json_text(out);
 }
 
-std::string delay_csv(const DelayReport& report) {
+std::string delay_csv(const tasks::DelayResult& report) {
   std::string text = csv_line({"curve", "x", "y"});
   std::vector<double> lag;
   for (std::size_t k = 0; k < report.information.bits.size(); ++k) lag.push_back(static_cast<double>(k) / report.rate_hz);

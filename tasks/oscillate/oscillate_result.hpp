@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "oscillation/orbit/return_map.hpp"
+#include "oscillation/orbit/sweep.hpp"
+#include "series/pod/fraction_error.hpp"
+#include "tasks/oscillate/sampled_motion.hpp"
+
+namespace jointid::tasks {
+
+/// Proper orthogonal modes of the displacements seen.
+struct SeenModes {
+  series::Pod pod;
+  series::Fractions fractions;  ///< of Σσ², with jackknife errors
+};
+
+/// A model on fewer coordinates.
+struct ReducedRow {
+  BasisKind basis = BasisKind::pod;
+  std::size_t order = 0;              ///< coordinates
+  oscillation::ReductionError error;  ///< against the full model
+};
+struct ReductionTable {
+  SeenForm judged;
+  double full_seconds = 0.0;    ///< run time of the full model
+  double largest_judged = 0.0;  ///< largest |judged form| of the full model, in its unit
+  std::vector<ReducedRow> rows;
+};
+
+/// All that run_oscillate() found, as far as it came. SI units; a chain without units has its own unit of time. Parts that the
+/// scene does not ask for are empty.
+struct OscillateResult {
+  std::string title;
+  SystemSpec system;
+  std::shared_ptr<const SampledMotion> motion;  ///< never null
+  std::optional<SeenModes> modes;               ///< none of a motion that stands still or did not end well
+  std::optional<oscillation::PeriodicOrbit> orbit;
+  std::optional<oscillation::Exponents> exponents;  ///< of Lyapunov, nats a second
+  std::optional<SweepSection> swept;
+  std::vector<oscillation::SweepPoint> sweep;  ///< ascending in the parameter
+  std::optional<ReductionTable> reduction;
+  std::vector<std::string> remarks;
+  bool interrupted = false;
+};
+
+/// What is wrong with it: empty where all that was asked is there.
+std::string failure_of(const OscillateResult& run);
+
+}  // namespace jointid::tasks

@@ -1,0 +1,20 @@
+#include "tasks/response/response_result.hpp"
+
+#include <algorithm>
+
+namespace jointid::tasks {
+
+using response::HarmonicSolution;
+
+Eigen::Index first_row(const HarmonicSolution& solution) { return solution.harmonics.front() == 0 ? 1 : 0; }
+
+bool all_converged(const ResponseResult& run) {
+  const auto level = [](const LevelResponse& each) {
+    return each.complete && std::ranges::all_of(each.points, &HarmonicSolution::converged);
+  };
+  return std::ranges::all_of(run.levels, level) &&
+         std::ranges::all_of(run.curves, [](const CurveRun& each) { return each.found.end == response::CurveEnd::reached; }) &&
+         std::ranges::all_of(run.transients, [](const TransientRun& each) { return each.motion.complete; });
+}
+
+}  // namespace jointid::tasks

@@ -1,0 +1,34 @@
+#include "tasks/response/run_response.hpp"
+
+#include "tasks/response/further_runs.hpp"
+#include "tasks/response/level_runs.hpp"
+
+namespace jointid::tasks {
+namespace {
+
+ResponseResult run(const ResponseScene& scene, const Prepared& prepared, const ident::Control& control) {
+  ResponseResult result;
+  result.doubts = prepared.doubts;
+  for (const SceneJoint& joint : scene.joints) result.joints.push_back(joint.joint.name);
+  for (const SceneDof& dof : scene.responses) result.dofs.push_back(dof.name);
+  if (!scene.levels.empty()) {
+    const response::HarmonicBalance balance(prepared.structure, joints_of(scene), scene.force, scene.harmonics);
+    run_levels(balance, scene, prepared, control, result);
+    run_curves(balance, scene, control, result);
+  }
+  run_equivalents(scene, prepared, result);
+  run_transients(scene, prepared, control, result);
+  return result;
+}
+
+}  // namespace
+
+ResponseResult run_response(const ResponseScene& scene, const ident::Control& control) {
+  return run(scene, prepare(scene, control), control);
+}
+
+ResponseResult run_response(const ResponseScene& scene, std::vector<frf::FrfSet> parts, const ident::Control& control) {
+  return run(scene, prepare(scene, std::move(parts), control), control);
+}
+
+}  // namespace jointid::tasks
