@@ -29,6 +29,16 @@ Eigen::VectorXd bias_of(const TriedErrors& tried, Eigen::Index joint) {
   return out;
 }
 
+/// How uncertain that is: the files apart.
+Eigen::MatrixXd bias_scatter_of(const TriedErrors& tried, Eigen::Index joint) {
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(joint, joint);
+  for (std::size_t f = 0; f < tried.files.size(); ++f) {
+    const Eigen::VectorXd each = tried.shared.bias_deviation(f) * tried.files[f].answer.head(joint);
+    out += each * each.transpose();
+  }
+  return out;
+}
+
 double largest_bias(const TriedErrors& tried) {
   double out = 0.0;
   for (std::size_t f = 0; f < tried.files.size(); ++f) out = std::max(out, tried.shared.bias(f));
@@ -64,7 +74,7 @@ void tell_shared_errors(const Plan& plan, const TriedErrors& tried, const Eigen:
   intervals.add_shared(tried.shared, information);
   const Eigen::VectorXd bias = bias_of(tried, at(plan.columns->size()));
   const double part = largest_part(bias, intervals);
-  intervals.add_bias(bias);
+  intervals.add_bias(bias, bias_scatter_of(tried, bias.size()));
   add_note(0,
            "errors of FRFs of one hit are alike, as noise of the force's signal makes them: intervals have it, and a bias of H1 up to " +
                percent(largest_bias(tried)) + ", and are up to " + digits(intervals.cost() / before, "%.2g") + " times as wide",

@@ -1,6 +1,7 @@
 #include "ident/likelihood/errors/intervals.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
@@ -11,7 +12,7 @@
 namespace jointid::ident {
 
 Intervals::Intervals(Eigen::MatrixXd covariance)
-    : first_(covariance.diagonal().cwiseSqrt()), quantile_(normal_95) {
+    : first_(covariance.diagonal().cwiseSqrt()), width_(Eigen::VectorXd::Zero(covariance.rows())), quantile_(normal_95) {
   cases_.push_back({Eigen::VectorXd::Zero(covariance.rows()), std::move(covariance)});
 }
 
@@ -32,10 +33,16 @@ void Intervals::add_shared(const SharedErrors& shared, const Eigen::MatrixXd& in
   for (Case& each : cases_) each.covariance += more;
 }
 
-void Intervals::add_bias(const Eigen::VectorXd& shift) {
+void Intervals::add_bias(const Eigen::VectorXd& shift, const Eigen::MatrixXd& scatter) {
   const std::size_t count = cases_.size();
-  for (std::size_t i = 0; i < count; ++i) cases_.push_back({cases_[i].shift + shift.head(first_.size()), cases_[i].covariance});
+  const Eigen::VectorXd own = shift.head(first_.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    cases_.push_back({cases_[i].shift + own, cases_[i].covariance + scatter.topLeftCorner(first_.size(), first_.size())});
+  }
+  width_ += own.cwiseAbs();
 }
+
+void Intervals::add_bias(const Eigen::VectorXd& shift) { add_bias(shift, Eigen::MatrixXd::Zero(first_.size(), first_.size())); }
 
 void Intervals::include_misfit(const Jackknife& jackknife, double inflation) {
   const Eigen::VectorXd now = covariance().diagonal().cwiseSqrt();
@@ -44,17 +51,37 @@ void Intervals::include_misfit(const Jackknife& jackknife, double inflation) {
     factor[u] = std::max({1.0, inflation, std::sqrt(jackknife.variance[u]) / now[u]});
   }
   for (Case& each : cases_) each.covariance = factor.asDiagonal() * each.covariance * factor.asDiagonal();
-  const boost::math::students_t_distribution<double> t(static_cast<double>(jackknife.blocks) - 1.0);
-  quantile_ = boost::math::quantile(t, 0.975);
+  freedom_ = static_cast<double>(jackknife.blocks) - 1.0;
+  quantile_ = boost::math::quantile(boost::math::students_t_distribution<double>(freedom_), 0.975);
   add_bias(jackknife.step);
 }
 
 const Eigen::MatrixXd& Intervals::covariance() const { return cases_.front().covariance; }
 
+double Intervals::probability(double deviations) const {
+  return freedom_ > 0.0 ? boost::math::cdf(boost::math::students_t_distribution<double>(freedom_), deviations)
+                        : boost::math::cdf(boost::math::normal_distribution<double>(), deviations);
+}
+
+/// By bisection between the quantiles of two ends and of one.
+double Intervals::quantile(Eigen::Index unknown) const {
+  constexpr double covered = 0.95;
+  double deviation = 0.0;
+  for (const Case& each : cases_) deviation = std::max(deviation, std::sqrt(each.covariance(unknown, unknown)));
+  if (!(width_[unknown] > 1e-3 * deviation)) return quantile_;
+  double low = 0.0, high = quantile_;
+  while (high - low > 1e-9 * quantile_) {
+    const double middle = 0.5 * (low + high);
+    (probability(middle + width_[unknown] / deviation) - probability(-middle) < covered ? low : high) = middle;
+  }
+  return high;
+}
+
 std::array<double, 2> Intervals::ends(Eigen::Index unknown) const {
   std::array<double, 2> out = {0.0, 0.0};
+  const double quantile = this->quantile(unknown);
   for (const Case& each : cases_) {
-    const double half = quantile_ * std::sqrt(each.covariance(unknown, unknown));
+    const double half = quantile * std::sqrt(each.covariance(unknown, unknown));
     out = {std::min(out[0], each.shift[unknown] - half), std::max(out[1], each.shift[unknown] + half)};
   }
   return out;

@@ -6,7 +6,8 @@ namespace jointid::ident {
 
 /// The 95 % intervals of the joint's scaled unknowns: first those of the noise that variances tell, then what else may be in the data.
 /// An interval holds all that is within the quantile of the standard deviations of each of several cases: the estimate as it is, and
-/// as it would be without an error that the data leave open.
+/// as it would be without an error that the data leave open. Of a bias between none and all, wide beside the deviation σ, the truth can
+/// lie beyond one end only: the quantile c is that of Φ(c + width/σ) − Φ(−c) = 0.95 (Imbens & Manski 2004), 1.96 to 1.64.
 class Intervals {
  public:
   explicit Intervals(Eigen::MatrixXd covariance);
@@ -19,7 +20,8 @@ class Intervals {
   /// variances.
   void add_shared(const SharedErrors& shared, const Eigen::MatrixXd& information);
 
-  /// An error between none and all of this.
+  /// An error between none and all of this, which is uncertain by `scatter`.
+  void add_bias(const Eigen::VectorXd& shift, const Eigen::MatrixXd& scatter);
   void add_bias(const Eigen::VectorXd& shift);
 
   /// As large as misfit makes them: variances `inflation`² times, or what the jackknife says, with the quantile of Student's t; and the
@@ -41,9 +43,13 @@ class Intervals {
     Eigen::MatrixXd covariance;
   };
   std::array<double, 2> ends(Eigen::Index unknown) const;
+  double probability(double deviations) const;
+  double quantile(Eigen::Index unknown) const;
 
   std::vector<Case> cases_;
   Eigen::VectorXd first_;  ///< standard deviations in the beginning
+  Eigen::VectorXd width_;  ///< of all biases
+  double freedom_ = 0.0;   ///< of Student's t; 0: normal
   double quantile_;
 };
 
