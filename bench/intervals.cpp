@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <string>
@@ -17,6 +18,7 @@
 #include "problems/case/catalogue.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/problem.hpp"
+#include "problems/structure/beam.hpp"
 
 namespace {
 
@@ -44,23 +46,65 @@ ident::Scene likelihood_scene(const problems::Problem& problem) {
   return scene;
 }
 
+/// Two steel beams and a lap joint of three bolts: springs with a loss factor, hammer test.
+problems::Case lap() {
+  using namespace problems;
+  constexpr BeamSection steel = {.width = 0.04, .thickness = 0.008, .youngs_modulus = 2.07e11, .density = 7850.0};
+  constexpr std::array<double, 3> bolts = {6e6, 9e6, 5e6};
+  constexpr double loss = 0.03;
+  const auto dofs = [](const std::vector<std::int64_t>& nodes) {
+    std::vector<frf::Dof> out;
+    for (const std::int64_t node : nodes) out.push_back({.node = node, .direction = frf::Direction::y});
+    return out;
+  };
+  Case out;
+  out.name = "lap";
+  out.substructures = {beam(steel, {.first_node = 1, .x = {0.0, 0.1, 0.2, 0.3, 0.37, 0.44, 0.47, 0.5}}),
+                       beam(steel, {.first_node = 101, .x = {0.44, 0.47, 0.5, 0.6, 0.72, 0.84, 0.96}})};
+  for (Structure& part : out.substructures) part.add_proportional_damping(0.004);
+  out.joint_dofs = dofs({6, 7, 8, 101, 102, 103});
+  std::vector<restrictions::Spring> pairs;
+  std::vector<double> stiffness, damping;
+  for (std::size_t b = 0; b < bolts.size(); ++b) {
+    pairs.push_back({out.joint_dofs[b], out.joint_dofs[b + bolts.size()]});
+    stiffness.push_back(bolts[b]);
+    damping.push_back(loss * bolts[b]);
+  }
+  out.joint = {springs(Kind::stiffness, out.joint_dofs, pairs, stiffness),
+               springs(Kind::hysteretic_damping, out.joint_dofs, pairs, damping)};
+  out.assembly = assembled(out.substructures, out.joint_dofs, out.joint);
+  out.measured_substructures = dofs({1, 2, 3, 4, 6, 7, 8, 101, 102, 103, 104, 105, 106, 107});
+  out.measured_assembly = out.measured_substructures;
+  out.axis = {.start_hz = 20.0, .step_hz = 16.0, .lines = 74};
+  out.noise = frf::NoiseModel{.kind = frf::NoiseKind::hammer, .averages = 5};
+  out.hammer = HammerCoherence{};
+  out.quantity = frf::Quantity::accelerance;
+  return out;
+}
+
+problems::Case definition_of(const std::string& name) {
+  if (name == "lap") return lap();
+  const std::vector<problems::Case> all = problems::all_cases();
+  return *std::ranges::find(all, name, &problems::Case::name);
+}
+
 /// A problem whose noise, where it is no hammer test, has this level.
-problems::Problem noisy(const std::string& name, double level = 0.01) {
-  problems::Problem out = problems::make(name);
+problems::Problem noisy(const problems::Case& definition, double level = 0.01) {
+  problems::Problem out = problems::build(definition);
   auto& noise = std::get<frf::NoiseModel>(out.noise);
   if (noise.kind != frf::NoiseKind::hammer) noise.level = level;
   return out;
 }
 
 Situation clean(const std::string& name, double level) {
-  problems::Problem problem = noisy(name, level);
+  problems::Problem problem = noisy(definition_of(name), level);
   return {fmt::format("{} clean, {:g}", name, level), problem, likelihood_scene(problem),
           [problem](std::uint64_t seed) { return problems::polluted(problem, seed, 0); }};
 }
 
 /// All FRFs of the assembly 1 % too large or, every other seed, too small.
 Situation gain(const std::string& name, double off) {
-  problems::Problem problem = noisy(name);
+  problems::Problem problem = noisy(definition_of(name));
   return {fmt::format("{} gain {:g}", name, off), problem, likelihood_scene(problem), [problem, off](std::uint64_t seed) {
             Measurement out = problems::polluted(problem, seed, 0);
             for (Complex& value : out.assembly.values) value *= seed % 2 == 0 ? 1.0 + off : 1.0 - off;
@@ -109,7 +153,7 @@ frf::FrfSet hit(const frf::FrfSet& exact, double hammer, const RandomStream& str
 }
 
 Situation hammer(const std::string& name, double level) {
-  problems::Problem problem = noisy(name);
+  problems::Problem problem = noisy(definition_of(name));
   ident::Scene scene = likelihood_scene(problem);
   scene.noise.reset();
   return {fmt::format("{} hammer {:g}", name, level), problem, scene, [problem, level](std::uint64_t seed) {
@@ -127,24 +171,22 @@ problems::Matrix rows_of(const std::vector<double>& values, std::size_t size, do
   return out;
 }
 
-/// The natural frequencies of the parts were this much lower when the assembly was measured.
-Situation temperature(const std::string& name, double shift) {
-  const std::vector<problems::Case> all = problems::all_cases();
-  problems::Case definition = *std::ranges::find(all, name, &problems::Case::name);
+/// The natural frequencies of the parts, or of the last one alone, were this much lower when the assembly was measured.
+Situation temperature(const std::string& name, double shift, bool of_one = false) {
+  problems::Case definition = definition_of(name);
   for (const problems::Structure& part : definition.substructures) {
+    if (of_one && &part != &definition.substructures.back()) continue;
     definition.assembly.add(problems::Kind::stiffness, part.dofs(),
                             rows_of(part.matrix(problems::Kind::stiffness), part.size(), -2.0 * shift));
   }
-  problems::Problem problem = problems::build(definition);
-  auto& noise = std::get<frf::NoiseModel>(problem.noise);
-  if (noise.kind != frf::NoiseKind::hammer) noise.level = 0.01;
-  return {fmt::format("{} temperature {:g}", name, shift), problem, likelihood_scene(problem),
+  problems::Problem problem = noisy(definition);
+  return {fmt::format("{} temperature {:g}{}", name, shift, of_one ? " of one part" : ""), problem, likelihood_scene(problem),
           [problem](std::uint64_t seed) { return problems::polluted(problem, seed, 0); }};
 }
 
 /// Sensors and hits off their places, drawn anew for every file and seed.
 Situation places(const std::string& name, double off) {
-  problems::Problem problem = noisy(name);
+  problems::Problem problem = noisy(definition_of(name));
   const ident::Scene scene = likelihood_scene(problem);
   std::get<frf::NoiseModel>(problem.noise).position_errors = off;
   return {fmt::format("{} places {:g} m", name, off), problem, scene,

@@ -407,6 +407,18 @@ struct Widened {
   double likely = 0.0;
 };
 
+/// A stretch of frequencies at three standard deviations or more; nullptr: none is seen.
+const FileGain* seen_stretch(const TriedErrors& tried) {
+  constexpr double seen = 3.0;
+  const FileGain* const stretch = tried.stretch();
+  return stretch != nullptr && std::abs(stretch->score) >= seen ? stretch : nullptr;
+}
+
+/// What a stretch takes off χ².
+double explained(const TriedErrors& tried, const FileGain* stretch) {
+  return stretch != nullptr ? std::pow(stretch->score * tried.inflation, 2) : 0.0;
+}
+
 Widened widened(const Plan& plan, const Fitted& all, const Eigen::MatrixXd& information, Solution& out) {
   const ChiSquare& chi_square = all.chi_square;
   const std::size_t joint = plan.columns->size();
@@ -417,16 +429,19 @@ Widened widened(const Plan& plan, const Fitted& all, const Eigen::MatrixXd& info
   if (!tried.files.empty() && !tried.is_calibration_stated) to.intervals.add_gain(tried.files.front());
   note_calibration(to.intervals.cost(), all.without, tried, out);
   tell_shared_errors(plan, tried, information, to.intervals, out);
-  if (tried.stretch) tell_stretch(*tried.stretch, to.intervals, out);
+  const FileGain* const stretch = seen_stretch(tried);
+  if (stretch != nullptr) tell_stretch(plan, all.fit, *stretch, to.intervals, out);
   if (!all.without && !tried.is_calibration_stated) tell_unexplained_gain(tried, to.intervals, out);
-  const Eigen::Index size = at(all.fit.theta.size());
-  const auto jackknife =
-      tried.blocks->jackknife({tried.scores.information.topLeftCorner(size, size), tried.scores.gradient.head(size)});
-  const bool exceeds = all.ratio > to.likely;
-  if (!jackknife || !(exceeds || (jackknife->tells_more() && !tried.shared.are_seen()))) return to;
-  to.intervals.include_misfit(*jackknife, exceeds ? tried.inflation : 1.0);
-  to.includes_misfit = exceeds;
-  if (!exceeds) tell_scatter(*jackknife, out);
+  to.includes_misfit = all.ratio > to.likely;
+  const double freedom = std::max(1.0, chi_square.degrees_of_freedom), left = all.ratio - explained(tried, stretch) / freedom;
+  const auto jackknife = tried.jackknife(all.fit.theta.size(), stretch);
+  const bool exceeds = left > to.likely;
+  if (!jackknife || !(exceeds || (jackknife->tells_more() && !tried.shared.are_seen()))) {
+    to.includes_misfit = to.includes_misfit && !exceeds;
+    return to;
+  }
+  to.intervals.include_misfit(*jackknife, exceeds ? std::sqrt(std::max(1.0, left)) : 1.0);
+  if (!to.includes_misfit) tell_scatter(*jackknife, out);
   return to;
 }
 

@@ -154,7 +154,7 @@ Jackknife jackknife_of(const std::function<double(std::size_t)>& error) {
     blocks.add(line);
     whole.add(line);
   }
-  return blocks.jackknife(whole).value();
+  return blocks.jackknife(whole, Eigen::VectorXd()).value();
 }
 
 TEST(BlockJackknife, OfIndependentErrorsTellsTheVarianceOfTheMean) {

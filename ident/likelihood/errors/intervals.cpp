@@ -33,16 +33,19 @@ void Intervals::add_shared(const SharedErrors& shared, const Eigen::MatrixXd& in
   for (Case& each : cases_) each.covariance += more;
 }
 
-void Intervals::add_bias(const Eigen::VectorXd& shift, const Eigen::MatrixXd& scatter) {
+void Intervals::add_bias(const std::vector<Eigen::VectorXd>& shifts, const Eigen::MatrixXd& scatter) {
   const std::size_t count = cases_.size();
-  const Eigen::VectorXd own = shift.head(first_.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    cases_.push_back({cases_[i].shift + own, cases_[i].covariance + scatter.topLeftCorner(first_.size(), first_.size())});
+  Eigen::VectorXd low = Eigen::VectorXd::Zero(first_.size()), high = low;
+  for (const Eigen::VectorXd& shift : shifts) {
+    for (std::size_t i = 0; i < count; ++i) {
+      cases_.push_back({cases_[i].shift + shift, cases_[i].covariance});
+      if (scatter.size() > 0) cases_.back().covariance += scatter;
+    }
+    low = low.cwiseMin(shift);
+    high = high.cwiseMax(shift);
   }
-  width_ += own.cwiseAbs();
+  width_ += high - low;
 }
-
-void Intervals::add_bias(const Eigen::VectorXd& shift) { add_bias(shift, Eigen::MatrixXd::Zero(first_.size(), first_.size())); }
 
 void Intervals::include_misfit(const Jackknife& jackknife, double inflation) {
   const Eigen::VectorXd now = covariance().diagonal().cwiseSqrt();
@@ -53,7 +56,7 @@ void Intervals::include_misfit(const Jackknife& jackknife, double inflation) {
   for (Case& each : cases_) each.covariance = factor.asDiagonal() * each.covariance * factor.asDiagonal();
   freedom_ = static_cast<double>(jackknife.blocks) - 1.0;
   quantile_ = boost::math::quantile(boost::math::students_t_distribution<double>(freedom_), 0.975);
-  add_bias(jackknife.step);
+  add_bias({jackknife.step.head(first_.size())}, {});
 }
 
 const Eigen::MatrixXd& Intervals::covariance() const { return cases_.front().covariance; }

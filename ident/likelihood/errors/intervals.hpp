@@ -20,9 +20,8 @@ class Intervals {
   /// variances.
   void add_shared(const SharedErrors& shared, const Eigen::MatrixXd& information);
 
-  /// An error between none and all of this, which is uncertain by `scatter`.
-  void add_bias(const Eigen::VectorXd& shift, const Eigen::MatrixXd& scatter);
-  void add_bias(const Eigen::VectorXd& shift);
+  /// An error between none and one of these, all of which are uncertain by `scatter` (empty: they are not).
+  void add_bias(const std::vector<Eigen::VectorXd>& shifts, const Eigen::MatrixXd& scatter);
 
   /// As large as misfit makes them: variances `inflation`² times, or what the jackknife says, with the quantile of Student's t; and the
   /// step that is left.
