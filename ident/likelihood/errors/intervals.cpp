@@ -12,7 +12,8 @@
 namespace jointid::ident {
 
 Intervals::Intervals(Eigen::MatrixXd covariance)
-    : first_(covariance.diagonal().cwiseSqrt()), width_(Eigen::VectorXd::Zero(covariance.rows())), quantile_(normal_95) {
+    : first_(covariance.diagonal().cwiseSqrt()), width_(Eigen::VectorXd::Zero(covariance.rows())),
+      quantile_(Eigen::VectorXd::Constant(covariance.rows(), normal_95)) {
   cases_.push_back({Eigen::VectorXd::Zero(covariance.rows()), std::move(covariance)});
 }
 
@@ -48,36 +49,35 @@ void Intervals::add_bias(const std::vector<Eigen::VectorXd>& shifts, const Eigen
 }
 
 void Intervals::include_misfit(const Jackknife& jackknife, double inflation) {
+  const boost::math::students_t_distribution<double> student(static_cast<double>(jackknife.blocks) - 1.0);
+  const double t = boost::math::quantile(student, 0.975);
   const Eigen::VectorXd now = covariance().diagonal().cwiseSqrt();
   Eigen::VectorXd factor(first_.size());
   for (Eigen::Index u = 0; u < first_.size(); ++u) {
-    factor[u] = std::max({1.0, inflation, std::sqrt(jackknife.variance[u]) / now[u]});
+    const double scattered = std::sqrt(jackknife.variance[u]) / now[u];
+    factor[u] = std::max({1.0, inflation, scattered});
+    quantile_[u] = std::max(normal_95, t * scattered / factor[u]);
   }
   for (Case& each : cases_) each.covariance = factor.asDiagonal() * each.covariance * factor.asDiagonal();
-  freedom_ = static_cast<double>(jackknife.blocks) - 1.0;
-  quantile_ = boost::math::quantile(boost::math::students_t_distribution<double>(freedom_), 0.975);
   add_bias({jackknife.step.head(first_.size())}, {});
 }
 
 const Eigen::MatrixXd& Intervals::covariance() const { return cases_.front().covariance; }
 
-double Intervals::probability(double deviations) const {
-  return freedom_ > 0.0 ? boost::math::cdf(boost::math::students_t_distribution<double>(freedom_), deviations)
-                        : boost::math::cdf(boost::math::normal_distribution<double>(), deviations);
-}
-
 /// By bisection between the quantiles of two ends and of one.
 double Intervals::quantile(Eigen::Index unknown) const {
   constexpr double covered = 0.95;
+  const boost::math::normal_distribution<double> normal;
   double deviation = 0.0;
   for (const Case& each : cases_) deviation = std::max(deviation, std::sqrt(each.covariance(unknown, unknown)));
-  if (!(width_[unknown] > 1e-3 * deviation)) return quantile_;
-  double low = 0.0, high = quantile_;
-  while (high - low > 1e-9 * quantile_) {
+  const double wide = quantile_[unknown] / normal_95, width = width_[unknown] / (wide * deviation);
+  if (!(width > 1e-3)) return quantile_[unknown];
+  double low = 0.0, high = normal_95;
+  while (high - low > 1e-9) {
     const double middle = 0.5 * (low + high);
-    (probability(middle + width_[unknown] / deviation) - probability(-middle) < covered ? low : high) = middle;
+    (boost::math::cdf(normal, middle + width) - boost::math::cdf(normal, -middle) < covered ? low : high) = middle;
   }
-  return high;
+  return wide * high;
 }
 
 std::array<double, 2> Intervals::ends(Eigen::Index unknown) const {
@@ -90,7 +90,7 @@ std::array<double, 2> Intervals::ends(Eigen::Index unknown) const {
   return out;
 }
 
-Eigen::VectorXd Intervals::half_widths() const { return quantile_ * covariance().diagonal().cwiseSqrt(); }
+Eigen::VectorXd Intervals::half_widths() const { return quantile_.cwiseProduct(covariance().diagonal().cwiseSqrt()); }
 
 double Intervals::cost() const {
   double cost = 1.0;
@@ -112,7 +112,7 @@ void Intervals::state(const Plan& plan, Solution& out) const {
     const auto [low, high] = ends(c);
     estimate.std_error = std::sqrt(own(c, c)) * unit;
     if (cases_.size() == 1) {
-      const double half = quantile_ * *estimate.std_error;
+      const double half = quantile_[c] * *estimate.std_error;
       estimate.ci95 = {estimate.value - half, estimate.value + half};
     } else {
       estimate.ci95 = {estimate.value + low * unit, estimate.value + high * unit};

@@ -23,8 +23,8 @@ class Intervals {
   /// An error between none and one of these, all of which are uncertain by `scatter` (empty: they are not).
   void add_bias(const std::vector<Eigen::VectorXd>& shifts, const Eigen::MatrixXd& scatter);
 
-  /// As large as misfit makes them: variances `inflation`² times, or what the jackknife says, with the quantile of Student's t; and the
-  /// step that is left.
+  /// As large as misfit makes them: deviations `inflation` times as large, or what the jackknife says with the quantile of Student's t,
+  /// whichever is wider; and the step that is left.
   void include_misfit(const Jackknife& jackknife, double inflation);
 
   /// Of the estimate as it is: of noise, shared errors and misfit, without what calibration costs.
@@ -42,14 +42,12 @@ class Intervals {
     Eigen::MatrixXd covariance;
   };
   std::array<double, 2> ends(Eigen::Index unknown) const;
-  double probability(double deviations) const;
   double quantile(Eigen::Index unknown) const;
 
   std::vector<Case> cases_;
   Eigen::VectorXd first_;  ///< standard deviations in the beginning
   Eigen::VectorXd width_;  ///< of all biases
-  double freedom_ = 0.0;   ///< of Student's t; 0: normal
-  double quantile_;
+  Eigen::VectorXd quantile_;
 };
 
 }  // namespace jointid::ident
