@@ -421,14 +421,15 @@ double ratio_without(const Plan& plan, const Fitted& all, const FileGain* stretc
   double excess = 0.0;
   for (std::size_t i = 0; i < all.fit.line_weight.size(); ++i) {
     const double weight = all.fit.line_weight[i], by_line = all.chi_square.by_line[i];
-    if (weight > 0.0 && std::isfinite(by_line)) excess += weight * (by_line - 1.0) * observations.lines()[i].redundancy(observations.layout());
+    if (!(weight > 0.0 && std::isfinite(by_line))) continue;
+    excess += weight * (by_line - 1.0) * observations.lines()[i].redundancy(observations.layout());
   }
   const double explained = std::pow(stretch->score * all.tried->inflation, 2);
   return explained >= excess ? std::min(all.ratio, 1.0) : 1.0 + (all.ratio - 1.0) * (1.0 - explained / excess);
 }
 
-/// Where there is misfit, what a stretch does not explain of it is looked for at two standard deviations, not at five.
-constexpr double still_there = 0.4;
+/// Where there is misfit, what a stretch does not explain of it is looked for at one standard deviation, not at five.
+constexpr double still_there = 0.2;
 
 Widened widened(const Plan& plan, const Fitted& all, const Eigen::MatrixXd& information, Solution& out) {
   const ChiSquare& chi_square = all.chi_square;

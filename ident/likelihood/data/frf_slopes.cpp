@@ -42,7 +42,10 @@ void FrfSlopes::find_denominator(std::size_t coordinates, const Eigen::MatrixXd&
       const Element element{r, s};
       if (!take(element, values)) continue;
       double variance = 0.0;
-      for (const Symmetric<Measured>* line : lines_) variance += line->at(element.row, element.column).variance.real() + line->at(element.row, element.column).variance.imag();
+      for (const Symmetric<Measured>* line : lines_) {
+        const Complex both = line->at(element.row, element.column).variance;
+        variance += both.real() + both.imag();
+      }
       if (!(variance > 0.0)) continue;
       for (Eigen::Index j = 0; j <= degree; ++j) columns.col(j) = place_.array().pow(static_cast<double>(j)) * values.array();
       const Eigen::MatrixXcd off = across.cast<Complex>() * columns / std::sqrt(variance);

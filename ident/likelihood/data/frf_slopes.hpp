@@ -7,15 +7,16 @@
 
 namespace jointid::ident {
 
-/// Derivatives of the FRFs of a system on a line by the frequency. Its FRFs have poles in common: through 2d + 1 neighbouring lines, five or
-/// three of them, each is a polynomial of degree d over one denominator of degree d for all, which least squares weighed by the errors
-/// find. That holds between lines that are wider than resonances.
+/// Derivatives of the FRFs of a system on a line by the frequency. Its FRFs have poles in common: through 2d + 1 neighbouring lines, five
+/// or three of them, each is a polynomial of degree d over one denominator of degree d for all, which least squares weighed by the
+/// errors find. Lines may be farther apart than resonances are wide.
 class FrfSlopes {
  public:
   static constexpr std::size_t most_lines = 5;
 
   /// `frequency` of the lines, an odd number of them, and their FRFs between `coordinates`; `own`: where the derivatives are.
-  FrfSlopes(std::size_t coordinates, const std::vector<double>& frequency, std::vector<const Symmetric<Measured>*> lines, std::size_t own);
+  FrfSlopes(std::size_t coordinates, const std::vector<double>& frequency, std::vector<const Symmetric<Measured>*> lines,
+            std::size_t own);
 
   /// By the unit of `frequency`; NaN where the FRF is not known on all lines.
   Complex of(Element element) const;

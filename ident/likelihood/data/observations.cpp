@@ -259,5 +259,3 @@ void Observations::reweigh_differences(const Raw& raw, const BothSystems<Complex
 }
 
 }  // namespace jointid::ident
-
-#include "ident/likelihood/data/frf_slopes.cpp"

@@ -21,7 +21,11 @@ Scores without(const Scores& all, const Eigen::VectorXd& taken) {
 }  // namespace
 
 BlockScores::BlockScores(std::size_t lines, std::size_t unknowns, std::size_t first, std::size_t more)
-    : lines_(lines), unknowns_(unknowns), first_(first), more_(more), blocks_(std::clamp<std::size_t>(lines / least_lines, 1, most_blocks)) {}
+    : lines_(lines),
+      unknowns_(unknowns),
+      first_(first),
+      more_(more),
+      blocks_(std::clamp<std::size_t>(lines / least_lines, 1, most_blocks)) {}
 
 Scores& BlockScores::block(std::size_t b) {
   if (blocks_[b].gradient.size() == 0) blocks_[b] = Scores::none(unknowns_ + more_);

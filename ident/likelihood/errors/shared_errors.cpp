@@ -160,4 +160,3 @@ SharedErrors SharedErrorSums::result() const {
 }
 
 }  // namespace jointid::ident
-#include "ident/likelihood/errors/shared_variances.cpp"

@@ -78,7 +78,9 @@ std::optional<TriedErrors> try_errors(const Plan& plan, const LikelihoodEstimato
   const LikelihoodPlan& own = *likelihood_plan(plan);
   const std::size_t known = fit.theta.size(), summed = known + out.trials.shared_by_lines();
   const SystematicLines lines(out.trials.plan, *plan.substructures, *plan.assembly, own.observations->layout().coordinates);
-  const Sums none{Scores::none(summed), SharedErrorSums(out.trials, fit.line_weight.size(), known), BlockScores(fit.line_weight.size(), known, known + out.trials.first_stretch(), out.trials.stretches)};
+  const std::size_t count = fit.line_weight.size();
+  const Sums none{Scores::none(summed), SharedErrorSums(out.trials, count, known),
+                  BlockScores(count, known, known + out.trials.first_stretch(), out.trials.stretches)};
   std::vector<Sums> runs(most_runs, none);
   score_lines(plan, estimator, fit, lines, control, [&](std::size_t run, const ScoredLine& line) { runs[run].add(line); });
   Sums all = total(std::move(runs), own.observations->shares());
