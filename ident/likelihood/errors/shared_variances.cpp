@@ -100,7 +100,7 @@ SharedVariances::Found SharedVariances::estimate(const Eigen::VectorXd& most) co
     out.variance(there) = next;
     const Eigen::MatrixXd inverse = dense::solve_symmetric(matrix, Eigen::MatrixXd::Identity(size, size));
     out.covariance(there, there) = inverse * scatter * inverse.transpose();
-    const bool done = ((within - used).cwiseAbs().array() <= settled * most(there).array()).all();
+    const bool done = ((within - used).cwiseAbs().array() <= settled * (within + settled * most(there)).array()).all();
     used = within;
     if (done) break;
   }
