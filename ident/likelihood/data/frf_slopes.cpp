@@ -1,5 +1,6 @@
 #include "ident/likelihood/data/frf_slopes.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "base/eigen.hpp"
@@ -21,7 +22,7 @@ FrfSlopes::FrfSlopes(std::size_t coordinates, const std::vector<double>& frequen
   find_denominator(coordinates, Eigen::MatrixXd::Identity(count, count) - powers * inverse);
 }
 
-bool FrfSlopes::take(Element element, Eigen::VectorXcd& values) const {
+bool FrfSlopes::take(Element element, Values& values) const {
   values.resize(place_.size());
   for (std::size_t k = 0; k < lines_.size(); ++k) {
     const Measured& m = lines_[k]->at(element.row, element.column);
@@ -32,11 +33,12 @@ bool FrfSlopes::take(Element element, Eigen::VectorXcd& values) const {
 }
 
 /// q = 1 + Σ c_j w^j so that q H is nearly a polynomial: `across` takes what is one off.
-void FrfSlopes::find_denominator(std::size_t coordinates, const Eigen::MatrixXd& across) {
+void FrfSlopes::find_denominator(std::size_t coordinates, const Square& across) {
   const Eigen::Index count = place_.size(), degree = (count - 1) / 2;
   Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Identity(degree, degree);
-  Eigen::VectorXcd right = Eigen::VectorXcd::Zero(degree), values;
-  Eigen::MatrixXcd columns(count, degree + 1);
+  Eigen::VectorXcd right = Eigen::VectorXcd::Zero(degree);
+  Values values;
+  std::array<Values, most> off;  // of w^j H
   for (std::size_t r = 0; r < coordinates; ++r) {
     for (std::size_t s = 0; s <= r; ++s) {
       const Element element{r, s};
@@ -47,23 +49,33 @@ void FrfSlopes::find_denominator(std::size_t coordinates, const Eigen::MatrixXd&
         variance += both.real() + both.imag();
       }
       if (!(variance > 0.0)) continue;
-      for (Eigen::Index j = 0; j <= degree; ++j) columns.col(j) = place_.array().pow(static_cast<double>(j)) * values.array();
-      const Eigen::MatrixXcd off = across.cast<Complex>() * columns / std::sqrt(variance);
-      matrix += off.rightCols(degree).adjoint() * off.rightCols(degree);
-      right -= off.rightCols(degree).adjoint() * off.col(0);
+      for (Eigen::Index j = 0; j <= degree; ++j) {
+        off[static_cast<std::size_t>(j)] = across.lazyProduct(values);
+        values.array() *= place_.array();
+      }
+      for (Eigen::Index j = 1; j <= degree; ++j) {
+        const Values& own = off[static_cast<std::size_t>(j)];
+        for (Eigen::Index l = 1; l <= degree; ++l) matrix(j - 1, l - 1) += own.dot(off[static_cast<std::size_t>(l)]) / variance;
+        right[j - 1] -= own.dot(off[0]) / variance;
+      }
     }
   }
   const Eigen::VectorXcd c = dense::solve_positive(matrix, right);
-  denominator_ = Eigen::VectorXcd::Ones(count);
-  for (Eigen::Index j = 1; j <= degree; ++j) denominator_.array() += c[j - 1] * place_.array().pow(static_cast<double>(j)).cast<Complex>();
+  Numbers power = Numbers::Ones(count);
+  denominator_ = Values::Ones(count);
+  for (Eigen::Index j = 0; j < degree; ++j) {
+    power.array() *= place_.array();
+    denominator_ += c[j] * power;
+  }
   rate_ = c[0];
 }
 
 Complex FrfSlopes::of(Element element) const {
-  Eigen::VectorXcd values;
+  Values values;
   if (!take(element, values)) return nan;
-  const Eigen::Vector2cd of = numerator_.cast<Complex>() * denominator_.cwiseProduct(values);
-  return (of[1] - rate_ * of[0]) / unit_;
+  values = values.cwiseProduct(denominator_);
+  const Complex value = numerator_.row(0) * values, derivative = numerator_.row(1) * values;
+  return (derivative - rate_ * value) / unit_;
 }
 
 }  // namespace jointid::ident

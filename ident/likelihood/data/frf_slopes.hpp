@@ -22,15 +22,21 @@ class FrfSlopes {
   Complex of(Element element) const;
 
  private:
-  bool take(Element element, Eigen::VectorXcd& values) const;
-  void find_denominator(std::size_t coordinates, const Eigen::MatrixXd& across);
+  static constexpr int most = static_cast<int>(most_lines);
+  using Numbers = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1>;
+  using Values = Eigen::Matrix<Complex, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1>;
+  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, most>;
+
+  bool take(Element element, Values& values) const;
+  void find_denominator(std::size_t coordinates, const Square& across);
 
   std::vector<const Symmetric<Measured>*> lines_;
-  Eigen::VectorXd place_;        ///< of the lines, 0: own
-  Eigen::VectorXcd denominator_;  ///< on the lines
-  Complex rate_;                 ///< its derivative at own, where it is 1
-  Eigen::MatrixXd numerator_;    ///< [2, lines]: value and derivative at own of the polynomial through numbers on the lines
-  double unit_ = 1.0;            ///< of place_, in that of the frequency
+  Numbers place_;       ///< of the lines, 0: own
+  Values denominator_;  ///< on the lines
+  Complex rate_;        ///< its derivative at own, where it is 1
+  Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, most> numerator_;  ///< [2, lines]: value and derivative at own of the
+                                                                                  ///< polynomial through numbers on the lines
+  double unit_ = 1.0;  ///< of place_, in that of the frequency
 };
 
 }  // namespace jointid::ident
