@@ -99,12 +99,13 @@ void tell_shared_errors(const Plan& plan, const TriedErrors& tried, const Eigen:
 }
 
 void tell_stretch(const Plan& plan, const LikelihoodFit& fit, const FileGain& stretch, Intervals& intervals, Solution& out) {
-  constexpr double told = 4.5;
+  constexpr double told = 4.5, told_if_wide = 3.5;
   const Eigen::VectorXd answer = stretch.answer.head(at(plan.columns->size()));
   std::vector<Eigen::VectorXd> shifts = {stretch.gain * answer};
   if (stretch.file.of_assembly) shifts.push_back(shifts.front() + stretch.gain * of_a_free_joint(plan, fit));
+  const bool is_wide = largest_part(shifts.front(), intervals) > 1.0;
   intervals.add_bias(shifts, stretch.error * stretch.error * answer * answer.transpose());
-  if (!(std::abs(stretch.score) >= told)) return;
+  if (!(std::abs(stretch.score) >= (is_wide ? told_if_wide : told))) return;
   tell(out, Status::doubtful,
        (stretch.file.of_assembly ? "The assembly fits the parts" : stretch.file.name + " fits the other files") +
            " better with frequencies " + digits(100.0 * std::abs(stretch.gain), "%.2g") + " % " +

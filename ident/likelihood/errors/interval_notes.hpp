@@ -19,7 +19,8 @@ void tell_shared_errors(const Plan& plan, const TriedErrors& tried, const Eigen:
 /// Status doubtful: blocks of lines scatter by more than their errors. Nothing where χ² says so already.
 void tell_scatter(const Jackknife& jackknife, Solution& out);
 
-/// Takes a stretch of a file's frequencies into the intervals, from none to all of it; status doubtful from 4.5 standard deviations on.
+/// Takes a stretch of a file's frequencies into the intervals, from none to all of it; status doubtful from 4.5 standard deviations on,
+/// from 3.5 where it moves an unknown by more than half the width of its interval.
 /// Of the assembly's the joint itself may be free: all K and D are then as much stiffer or softer as the frequencies' squares.
 void tell_stretch(const Plan& plan, const LikelihoodFit& fit, const FileGain& stretch, Intervals& intervals, Solution& out);
 
