@@ -268,10 +268,10 @@ Figures measured(const Situation& situation, std::size_t seeds, bool verbose) {
     }
   }
   const auto n = static_cast<double>(seeds);
-  fmt::print("| {} | {} | {:.3f} ± {:.3f} | {:.2f} / {:.2f} | {:.3f} / {:.3f} | {:.2f} | {} |", situation.name, seeds, out.coverage(),
-             out.deviation(), out.widths / static_cast<double>(std::max<std::size_t>(1, out.compared)), out.largest_width, out.chi_square / n,
-             out.largest_chi_square, std::sqrt(out.squares / static_cast<double>(std::max<std::size_t>(1, out.intervals))),
-             out.ok_and_far);
+  fmt::print("| {} | {} | {:.3f} ± {:.3f} | {:.2f} / {:.2f} | {:.3f} / {:.3f} | {:.2f} | {} |", situation.name, seeds,
+             out.coverage(), out.deviation(), out.widths / static_cast<double>(std::max<std::size_t>(1, out.compared)),
+             out.largest_width, out.chi_square / n, out.largest_chi_square,
+             std::sqrt(out.squares / static_cast<double>(std::max<std::size_t>(1, out.intervals))), out.ok_and_far);
   for (const auto& [status, count] : out.statuses) fmt::print(" {} {}", count, status);
   fmt::print(" {} of {} |\n", out.intervals, out.unknowns);
   std::fflush(stdout);
