@@ -10,7 +10,7 @@
 #include "ident/check/agreement.hpp"
 #include "ident/check/check.hpp"
 #include "ident/check/inquiry.hpp"
-#include "ident/check/noise_laws.hpp"
+#include "ident/variance/noise_laws.hpp"
 #include "ident/check/reference_groups.hpp"
 #include "ident/check/repeated_numbers.hpp"
 #include "ident/check/rest.hpp"
