@@ -18,7 +18,7 @@
 namespace jointid::ident {
 namespace {
 
-constexpr std::size_t fitted_frfs = 2500, least_lines = 32, most_lines = 96;
+constexpr std::size_t fitted_frfs = 2500, least_fitted = 32, most_fitted = 96;
 constexpr double moment = 0.4;          ///< s of the reference machine
 constexpr double least_misfit = 1.005;  ///< χ² over degrees of freedom
 
@@ -48,9 +48,9 @@ bool knows_variances(const Plan& plan) {
 /// As many lines as are fitted within a moment, by counted operations, so that the same is found on every machine.
 std::size_t affordable_lines(const Plan& plan) {
   const double seconds = expected_seconds(plan.cost, 1);
-  if (!(seconds > 0.0)) return least_lines;
+  if (!(seconds > 0.0)) return least_fitted;
   const double lines = moment * static_cast<double>(plan.lines.size()) / seconds;
-  return static_cast<std::size_t>(std::clamp(lines, static_cast<double>(least_lines), static_cast<double>(most_lines)));
+  return static_cast<std::size_t>(std::clamp(lines, static_cast<double>(least_fitted), static_cast<double>(most_fitted)));
 }
 
 /// Some lines, evenly spread; null where the scene is too large, or variances are not known.
@@ -66,13 +66,13 @@ std::unique_ptr<Plan> small_plan(Scene scene) {
   return make_plan(scene);
 }
 
-Suspect misfit(const Plan& plan, double ratio, const ChiSquare& chi_square) {
+Suspect no_joint_explains(const Plan& plan, double ratio, const ChiSquare& chi_square) {
   return {.kind = SuspectKind::nonlinear,
           .file = "",
           .dofs = {},
           .evidence = "each file agrees with itself, but no joint of this scene explains the FRFs: they are off by " +
-                      digits(std::sqrt(ratio)) + " times their standard errors (χ² over degrees of freedom " + digits(ratio, "%.3g") + ")" +
-                      worst_band(plan.lines, chi_square.by_line) + ". " + other_causes(plan.scene),
+                      digits(std::sqrt(ratio)) + " times their standard errors (χ² over degrees of freedom " +
+                      digits(ratio, "%.3g") + ")" + worst_band(plan.lines, chi_square.by_line) + ". " + other_causes(plan.scene),
           .confidence = 0.6,
           .remedy = ""};
 }
@@ -80,7 +80,8 @@ Suspect misfit(const Plan& plan, double ratio, const ChiSquare& chi_square) {
 /// Lines that the fit sets aside, beyond what chance makes of the worst.
 std::optional<Suspect> set_aside(const Plan& plan, const ChiSquare& chi_square) {
   constexpr double far = 6.0;  // χ² over its expectation
-  const auto tested = static_cast<double>(std::ranges::count_if(chi_square.by_line, [](double each) { return !std::isnan(each); }));
+  const auto tested =
+      static_cast<double>(std::ranges::count_if(chi_square.by_line, [](double each) { return !std::isnan(each); }));
   const double freedom = std::max(1.0, chi_square.degrees_of_freedom / std::max(1.0, tested));
   const double limit = std::max(far, chi_square_quantile(freedom, 5.0) / freedom);
   std::string at, ranges;
@@ -95,14 +96,15 @@ std::optional<Suspect> set_aside(const Plan& plan, const ChiSquare& chi_square) 
     ++count;
   }
   if (count == 0 || 3 * count > chi_square.by_line.size()) return std::nullopt;
-  return Suspect{.kind = SuspectKind::outlier,
-                 .file = "",
-                 .dofs = {},
-                 .evidence = std::to_string(count) + " of " + std::to_string(chi_square.by_line.size()) + " lines, at " + at +
-                             (count > 6 ? " and more" : "") + " Hz, are off by up to " + digits(std::sqrt(worst)) +
-                             " times their standard errors, and a fit sets them aside: a dropout, an overload, or no excitation there",
-                 .confidence = 0.7,
-                 .remedy = "[frequency]\nexclude = [" + ranges + "]"};
+  return Suspect{
+      .kind = SuspectKind::outlier,
+      .file = "",
+      .dofs = {},
+      .evidence = std::to_string(count) + " of " + std::to_string(chi_square.by_line.size()) + " lines, at " + at +
+                  (count > 6 ? " and more" : "") + " Hz, are off by up to " + digits(std::sqrt(worst)) +
+                  " times their standard errors, and a fit sets them aside: a dropout, an overload, or no excitation there",
+      .confidence = 0.7,
+      .remedy = "[frequency]\nexclude = [" + ranges + "]"};
 }
 
 /// Of a file that was opened, as the scene names it.
@@ -111,34 +113,46 @@ std::string name_in(const Scene& scene, const std::string& file) {
   return text.empty() || text.starts_with("..") ? file : text;
 }
 
-std::vector<Suspect> fit_suspects(const Scene& scene, const Control& control) {
+/// Empty where nothing was fitted.
+std::optional<std::vector<Suspect>> suspects_of_fit(const Scene& scene, const Control& control) {
   try {
     const auto plan = small_plan(likelihood_of(scene));
-    if (!plan) return {};
+    if (!plan) return std::nullopt;
     const Solution fit = solve(*plan, {.threads = control.threads, .progress = {}, .interrupted = control.interrupted});
-    if (!fit.fit.chi_square || !(is_usable(fit.status) || fit.status == Status::poor_fit)) return {};
+    if (!fit.fit.chi_square || !(is_usable(fit.status) || fit.status == Status::poor_fit)) return std::nullopt;
     const ChiSquare& chi_square = *fit.fit.chi_square;
     const double ratio = chi_square.value / std::max(1.0, chi_square.degrees_of_freedom);
     std::vector<Suspect> found;
+    if (auto lines = set_aside(*plan, chi_square)) found.push_back(std::move(*lines));
+    if (ratio > std::max(chi_square.likely, least_misfit)) {
+      found.push_back(no_joint_explains(*plan, ratio, chi_square));
+      return found;
+    }
     for (Suspect suspect : fit.suspects) {
       suspect.file = suspect.file.empty() ? "" : name_in(scene, suspect.file);
       found.push_back(std::move(suspect));
     }
-    if (auto lines = set_aside(*plan, chi_square)) found.push_back(std::move(*lines));
-    if (ratio > std::max(chi_square.likely, least_misfit)) found.push_back(misfit(*plan, ratio, chi_square));
     return found;
   } catch (const InputError&) {
-    return {};  // solve says so
+    return std::nullopt;  // solve says so
   }
+}
+
+/// A gain of a whole file that forces at the joint call for, whatever they are: the joint of the scene tells that better.
+bool is_gain_of_file(const Suspect& suspect) {
+  return suspect.kind == SuspectKind::gain && suspect.dofs.empty() && suspect.confidence < 0.8;
 }
 
 }  // namespace
 
 CheckResult check_whole(const Scene& scene, const Control& control) {
   CheckResult result = check_scene(scene, control);
-  if (!result.suspects.empty()) return result;
-  result.suspects = fit_suspects(scene, control);
-  if (!result.suspects.empty()) result.verdict = Verdict::suspicious;
+  if (!std::ranges::all_of(result.suspects, is_gain_of_file)) return result;
+  auto fitted = suspects_of_fit(scene, control);
+  if (!fitted) return result;
+  const bool confirmed = std::ranges::any_of(*fitted, is_gain_of_file) && !result.suspects.empty();
+  if (!confirmed) result.suspects = std::move(*fitted);
+  result.verdict = result.suspects.empty() ? Verdict::clean : Verdict::suspicious;
   return result;
 }
 

@@ -12,9 +12,9 @@
 namespace jointid::ident {
 namespace {
 
-constexpr std::size_t most_values = 1'000'000;
+constexpr std::size_t most_searched = 1'000'000;
 constexpr std::size_t neighbours = 3;
-constexpr double absurd = 1e6;  ///< times the neighbour lines
+constexpr double absurd_factor = 1e6;  ///< times the neighbour lines
 
 std::vector<std::size_t> counted(std::size_t first, std::size_t last) {
   std::vector<std::size_t> all;
@@ -38,7 +38,8 @@ struct WatchedFile {
   /// Lines of the file that the plan uses, in order.
   std::vector<std::size_t> lines() const {
     std::vector<std::size_t> out;
-    for (const Line& line : plan.lines) out.push_back(system.source_line(source, of_assembly ? line.assembly : line.substructures));
+    for (const Line& line : plan.lines)
+      out.push_back(system.source_line(source, of_assembly ? line.assembly : line.substructures));
     std::ranges::sort(out);
     return out;
   }
@@ -53,10 +54,10 @@ struct WatchedFile {
   std::string name(const frf::WildValue& value, double hz) const {
     const frf::FrfHeader& of = header();
     const double factor = std::sqrt(std::max(frf::squared_factor(of.quantity, hz), 1e-300));
-    const std::string which =
-        value.response == frf::npos
-            ? "all FRFs"
-            : "the " + frf::name(of.quantity) + " of " + of.response[value.response].name() + " over " + of.reference[value.reference].name();
+    const std::string which = value.response == frf::npos
+                                  ? "all FRFs"
+                                  : "the " + frf::name(of.quantity) + " of " + of.response[value.response].name() + " over " +
+                                        of.reference[value.reference].name();
     return which + " in " + Path(of.file).filename().string() + " at " + digits(hz, "%.6g") + " Hz " +
            (value.response == frf::npos ? "are" : "is") + " " + digits(std::abs(value.value) / factor, "%.3g") + ", " +
            digits(value.factor, "%.2g") + " times the size of the neighbour lines";
@@ -88,10 +89,10 @@ struct WatchedFile {
     for (std::size_t l = value.line; l <= value.last_line; ++l) {
       if (!std::ranges::binary_search(used, first + l)) continue;
       any = true;
-      if (value.factor > absurd) found.absurd_hz.push_back(hz[l]);
+      if (value.factor > absurd_factor) found.absurd_hz.push_back(hz[l]);
     }
     if (!any) return;
-    (value.factor > absurd ? found.absurd : found.named).push_back(name(value, hz[value.line]));
+    (value.factor > absurd_factor ? found.absurd : found.named).push_back(name(value, hz[value.line]));
   }
 };
 
@@ -111,7 +112,7 @@ WildLines find_wild_lines(const Plan& plan, const Control& control) {
   const std::vector<WatchedFile> files = files_of(plan);
   std::size_t values = 0;
   for (const WatchedFile& file : files) values += file.header().entries() * file.header().lines();
-  if (values > most_values || plan.lines.empty()) return found;
+  if (values > most_searched || plan.lines.empty()) return found;
   for (const WatchedFile& file : files) {
     stop_if(control.interrupted);
     if (file.header().entries() > 0 && file.header().entries() <= frf::most_judged_frfs) file.find(found);

@@ -10,11 +10,12 @@
 namespace jointid::ident {
 namespace {
 
-constexpr double confidence = 0.75;
+constexpr double dropout_confidence = 0.75;
 
 using Lines = std::map<std::size_t, double>;
 
-/// Lines that contradict the others, which agree. A group of references that differs does so at resonances most of all: no dropouts.
+/// Lines that contradict the others, which agree. A group of references that differs does so at resonances most of all: no
+/// dropouts.
 std::vector<std::size_t> contradicting_lines(const Agreement& test, bool has_groups) {
   if (!(test.freedom > 0.0) || is_one_number(test)) return {};
   std::vector<std::size_t> lines = test.outlying_lines();
@@ -95,14 +96,15 @@ std::vector<Suspect> Dropouts::suspects() const {
   for (const auto& [f, lines] : lines_) {
     const CheckedFile& file = files_[f];
     const double worst = std::ranges::max_element(lines, {}, [](const auto& each) { return each.second; })->second;
-    found.push_back({.kind = SuspectKind::outlier,
-                     .file = file.name,
-                     .dofs = {},
-                     .evidence = std::to_string(lines.size()) + " of " + std::to_string(file.frfs.size()) + " lines, at " +
-                                 frequencies(file, lines) + " Hz, are off by up to " + digits(std::sqrt(worst)) +
-                                 " times what noise makes of the others, which agree: a dropout, an overload, or no excitation there",
-                     .confidence = confidence,
-                     .remedy = ranges(file, lines)});
+    found.push_back(
+        {.kind = SuspectKind::outlier,
+         .file = file.name,
+         .dofs = {},
+         .evidence = std::to_string(lines.size()) + " of " + std::to_string(file.frfs.size()) + " lines, at " +
+                     frequencies(file, lines) + " Hz, are off by up to " + digits(std::sqrt(worst)) +
+                     " times what noise makes of the others, which agree: a dropout, an overload, or no excitation there",
+         .confidence = dropout_confidence,
+         .remedy = ranges(file, lines)});
   }
   return found;
 }

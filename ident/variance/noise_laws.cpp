@@ -14,7 +14,7 @@
 namespace jointid::ident {
 namespace {
 
-constexpr std::size_t usual_lines = 32, least_lines = 8;
+constexpr std::size_t usual_law_lines = 32, least_law_lines = 8;
 constexpr double most_records = 1e6;  ///< numbers read
 
 std::vector<std::size_t> indices_up_to(std::size_t count) {
@@ -121,7 +121,7 @@ std::shared_ptr<const NoiseLaws> recorded_laws(frf::FrfSource& source, const std
   const auto affordable = static_cast<std::size_t>(most_records / static_cast<double>(entries));
   std::vector<std::size_t> lines;
   std::vector<Complex> some;
-  for (const std::size_t l : spread_lines(source_lines.size(), std::clamp(affordable, least_lines, usual_lines))) {
+  for (const std::size_t l : spread_lines(source_lines.size(), std::clamp(affordable, least_law_lines, usual_law_lines))) {
     lines.push_back(source_lines[l]);
     const auto line = values.subspan(l * entries, entries);
     some.insert(some.end(), line.begin(), line.end());
