@@ -10,7 +10,7 @@
 #include "ident/likelihood/data/frf_slopes.hpp"
 #include "ident/likelihood/errors/intervals.hpp"
 #include "ident/likelihood/errors/shared_variances.hpp"
-#include "likelihood_case.hpp"
+#include "tests/ident/likelihood_case.hpp"
 #include "problems/case/catalogue.hpp"
 
 namespace jointid::ident {

@@ -1,4 +1,4 @@
-#include "ident/check/noise_laws.hpp"
+#include "ident/variance/noise_laws.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace jointid::ident {
 namespace {
 
-constexpr std::size_t usual_lines = 32, least_lines = 8;
+constexpr std::size_t usual_law_lines = 32, least_law_lines = 8;
 constexpr double most_records = 1e6;  ///< numbers read
 
 std::vector<std::size_t> indices_up_to(std::size_t count) {
@@ -58,21 +58,38 @@ std::vector<double> error_squares(frf::FrfSource& source, const frf::Block& bloc
 
 }  // namespace
 
-std::pair<double, double> fit_noise_law(const std::vector<NoiseSample>& samples) {
-  if (samples.size() < 3) return {nan, nan};
+namespace {
+
+constexpr double dropout = 30.0;  ///< times its expectation: an error that is of another law than those of the other lines
+
+/// The medians of error over square and over factor, or the ratios of the sums where half of the errors are zero.
+std::pair<double, double> first_law(const std::vector<NoiseSample>& samples) {
+  std::vector<double> of_squares, of_factors;
   double v = 0.0, x = 0.0, y = 0.0;
   for (const auto& [error, square, factor] : samples) {
     v += error;
     x += square;
     y += factor;
+    if (square > 0.0) of_squares.push_back(error / square);
+    if (factor > 0.0) of_factors.push_back(error / factor);
   }
-  if (!(v > 0.0 && x > 0.0 && y > 0.0)) return {0.0, 0.0};
-  double a = 0.5 * v / x, b = 0.5 * v / y;
+  if (of_squares.empty() || of_factors.empty()) return {0.0, 0.0};
+  const std::pair<double, double> medians{median(of_squares), median(of_factors)};
+  return medians.first > 0.0 && medians.second > 0.0 ? medians : std::pair{v / x, v / y};
+}
+
+}  // namespace
+
+std::pair<double, double> fit_noise_law(const std::vector<NoiseSample>& samples) {
+  if (samples.size() < 3) return {nan, nan};
+  const auto [of_squares, of_factors] = first_law(samples);
+  double a = 0.5 * of_squares, b = 0.5 * of_factors;
+  if (!(a > 0.0 && b > 0.0)) return {0.0, 0.0};
   for (int iteration = 0; iteration < 6; ++iteration) {
     double xx = 0.0, xy = 0.0, yy = 0.0, xv = 0.0, yv = 0.0;
     for (const auto& [error, square, factor] : samples) {
       const double expected = a * square + b * factor;
-      if (!(expected > 0.0)) continue;
+      if (!(expected > 0.0) || error > dropout * expected) continue;
       const double weight = 1.0 / (expected * expected);
       xx += weight * square * square;
       xy += weight * square * factor;
@@ -104,7 +121,7 @@ std::shared_ptr<const NoiseLaws> recorded_laws(frf::FrfSource& source, const std
   const auto affordable = static_cast<std::size_t>(most_records / static_cast<double>(entries));
   std::vector<std::size_t> lines;
   std::vector<Complex> some;
-  for (const std::size_t l : spread_lines(source_lines.size(), std::clamp(affordable, least_lines, usual_lines))) {
+  for (const std::size_t l : spread_lines(source_lines.size(), std::clamp(affordable, least_law_lines, usual_law_lines))) {
     lines.push_back(source_lines[l]);
     const auto line = values.subspan(l * entries, entries);
     some.insert(some.end(), line.begin(), line.end());
