@@ -7,7 +7,7 @@
 
 #include "base/eigen.hpp"
 #include "base/text.hpp"
-#include "ident/likelihood/findings/gain_scores.hpp"
+#include "ident/likelihood/errors/gain_scores.hpp"
 
 namespace jointid::ident {
 namespace {
