@@ -1,4 +1,4 @@
-#include "cli/options/open_options.hpp"
+#include "frf/file/open_as_one.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,14 @@
 #include "base/error.hpp"
 #include "tests/test_folder.hpp"
 
-namespace jointid::cli {
+namespace jointid::frf {
 namespace {
+
+std::vector<Dof> parse_dofs(const std::vector<std::string>& texts) {
+  std::vector<Dof> dofs;
+  for (const std::string& text : texts) dofs.push_back(Dof::parse(text));
+  return dofs;
+}
 
 class OpenAsOne : public testing::Test {
  protected:
@@ -25,10 +31,10 @@ class OpenAsOne : public testing::Test {
 /// Files of one FRF each whose labels are all alike, as analysers export them.
 TEST_F(OpenAsOne, TheDofsGivenAreThoseOfTheFilesInTurn) {
   const std::vector<std::filesystem::path> files = {exported("a.txt", "5"), exported("b.txt", "7")};
-  frf::OpenOptions options;
+  OpenOptions options;
   options.response = parse_dofs({"4:-X"});
   options.reference = parse_dofs({"1:+X", "3:+X"});
-  const frf::FrfSet set = frf::load(*open_as_one(files, options));
+  const FrfSet set = load(*open_as_one(files, options));
   EXPECT_EQ(set.header.response, options.response);
   EXPECT_EQ(set.header.reference, options.reference);
   EXPECT_EQ(set.values[set.index(0, 0, 0)], Complex(5.0, 0.0));
@@ -38,7 +44,7 @@ TEST_F(OpenAsOne, TheDofsGivenAreThoseOfTheFilesInTurn) {
 }
 
 TEST(OptionsOfFile, AreAllOfThemUnlessThereIsOneForEach) {
-  frf::OpenOptions options;
+  OpenOptions options;
   options.response = parse_dofs({"1:+X", "2:+X", "3:+X"});
   options.reference = parse_dofs({"4:+X", "5:+X"});
   EXPECT_EQ(options_of_file(options, 1, 2).response, options.response);
@@ -47,4 +53,4 @@ TEST(OptionsOfFile, AreAllOfThemUnlessThereIsOneForEach) {
 }
 
 }  // namespace
-}  // namespace jointid::cli
+}  // namespace jointid::frf
