@@ -1,4 +1,4 @@
-#include "report/loading_curve/loading_curve_data.hpp"
+#include "tasks/loading_curve/loading_curve_data.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include "records/file/stated_unit.hpp"
 #include "records/file/time_title.hpp"
 
-namespace jointid::report {
+namespace jointid::tasks {
 namespace {
 
 using friction::Curve;
@@ -242,4 +242,4 @@ class Reader {
 
 LoadingCurveData read_curves(const LoadingCurveTask& task) { return Reader(task).read(); }
 
-}  // namespace jointid::report
+}  // namespace jointid::tasks

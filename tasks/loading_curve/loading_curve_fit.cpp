@@ -1,4 +1,4 @@
-#include "report/loading_curve/loading_curve_fit.hpp"
+#include "tasks/loading_curve/loading_curve_fit.hpp"
 
 #include <algorithm>
 #include <span>
@@ -10,7 +10,7 @@
 #include "friction/fit/fit_start.hpp"
 #include "friction/law/laws.hpp"
 
-namespace jointid::report {
+namespace jointid::tasks {
 namespace {
 
 using friction::Fit;
@@ -54,23 +54,20 @@ class Fitting {
  public:
   Fitting(const LoadingCurveTask& task, const FittingWatch& watch) : task_(task), options_(options(task)), watch_(watch) {}
 
-  LoadingCurveReport run() {
-    LoadingCurveReport report;
-    report.title = comma_list(task_.files, [](const auto& file) { return file.filename().string(); });
-    report.data = read_curves(task_);
-    const bool several_loops = report.data.loops && report.data.curves.size() > 1;
+  LoadingCurveResult run(LoadingCurveResult result) {
+    const bool several_loops = result.data.loops && result.data.curves.size() > 1;
     if (several_loops && options_.friction_coefficient) {
       throw InputError({ErrorKind::usage, "", "--friction-coefficient", "is for loading curves, not for loops",
                         "leave it out: with --normal-load the coefficient of every limit is printed"});
     }
     for (const std::string& law : laws(task_)) {
-      report.fits.push_back(together(report.data.curves, law, several_loops));
-      best_first(report.fits);
-      if (watch_.so_far) watch_.so_far(report);
+      result.fits.push_back(together(result.data.curves, law, several_loops));
+      best_first(result.fits);
+      if (watch_.so_far) watch_.so_far(result);
     }
-    if (!several_loops) return report;
-    for (const Fit& fit : report.fits) report.of_loops.push_back(one_by_one(report.data.curves, fit.law));
-    return report;
+    if (!several_loops) return result;
+    for (const Fit& fit : result.fits) result.of_loops.push_back(one_by_one(result.data.curves, fit.law));
+    return result;
   }
 
  private:
@@ -105,14 +102,32 @@ class Fitting {
   const FittingWatch& watch_;
 };
 
-}  // namespace
-
-LoadingCurveReport fit_loading_curves(const LoadingCurveTask& task, const FittingWatch& watch) {
+/// Turns what the library throws about options into an error of the task.
+template <class Act>
+auto with_usage_errors(Act&& act) {
   try {
-    return Fitting(task, watch).run();
+    return act();
   } catch (const std::invalid_argument& error) {
     throw InputError({ErrorKind::usage, "", "loading-curve", error.what(), "change the options"});
   }
 }
 
-}  // namespace jointid::report
+}  // namespace
+
+LoadingCurveResult fit_loading_curves(const LoadingCurveTask& task, const FittingWatch& watch) {
+  return with_usage_errors([&] {
+    Fitting fitting(task, watch);
+    return fitting.run(
+        {comma_list(task.files, [](const auto& file) { return file.filename().string(); }), read_curves(task), {}, {}});
+  });
+}
+
+LoadingCurveResult fit_loading_curves(LoadingCurveData data, const LoadingCurveTask& task, const FittingWatch& watch) {
+  if (data.curves.empty()) throw InputError({ErrorKind::usage, "", "loading-curve", "there is no curve", "give one or more"});
+  return with_usage_errors([&] {
+    std::ranges::for_each(data.curves, friction::validate);
+    return Fitting(task, watch).run({"", std::move(data), {}, {}});
+  });
+}
+
+}  // namespace jointid::tasks

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace jointid::report {
+namespace jointid::tasks {
 
 /// What is to be fitted to which columns of which files, in the words of `jointid loading-curve`.
 struct LoadingCurveTask {
@@ -31,4 +31,4 @@ struct LoadingCurveTask {
 /// Throws InputError (usage) for a task that cannot be carried out, as far as it can be seen without the data.
 void check(const LoadingCurveTask& task);
 
-}  // namespace jointid::report
+}  // namespace jointid::tasks

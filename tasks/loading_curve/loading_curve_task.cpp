@@ -1,4 +1,4 @@
-#include "report/loading_curve/loading_curve_task.hpp"
+#include "tasks/loading_curve/loading_curve_task.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "base/text.hpp"
 #include "friction/fit/fit_start.hpp"
 
-namespace jointid::report {
+namespace jointid::tasks {
 namespace {
 
 [[noreturn]] void fail(const char* option, std::string problem, std::string remedy) {
@@ -74,4 +74,4 @@ void check(const LoadingCurveTask& task) {
   check_numbers(task);
 }
 
-}  // namespace jointid::report
+}  // namespace jointid::tasks
