@@ -1,4 +1,4 @@
-#include "cli/modalfit/modalfit_page.hpp"
+#include "report/modalfit/modal_page.hpp"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "cli/modalfit/modalfit_text.hpp"
 #include "report/frf_curves.hpp"
-#include "report/modalfit/modal_run.hpp"
 #include "report/modalfit/modal_text.hpp"
 #include "report/modalfit/stabilisation.hpp"
 #include "report/page/contents.hpp"
@@ -17,32 +15,34 @@
 #include "report/page/page.hpp"
 #include "report/page/solve_plots.hpp"
 #include "report/page/status_banner.hpp"
+#include "tasks/modalfit/modal_run.hpp"
+#include "tasks/solution_details.hpp"
 
-namespace jointid::cli {
+namespace jointid::report {
 namespace {
 
 constexpr std::size_t most_rows = 50;
 
 /// Errors away from antiresonances of what the page shows as the model.
-report::HeatMap error_overview(const report::ModalRun& run) {
+HeatMap error_overview(const tasks::ModalRun& run) {
   std::vector<double> rms_db;
   for (const modalfit::SynthesisError& error : run.symmetric ? run.of_model : run.of_fit) rms_db.push_back(error.rms_db_away);
-  return report::error_map("rms error in dB away from antiresonances, responses down, references across", run.fit.response,
-                           run.fit.reference, rms_db);
+  return error_map("rms error in dB away from antiresonances, responses down, references across", run.fit.response,
+                   run.fit.reference, rms_db);
 }
 
 /// The FRFs that are drawn: the first, then those that are met worst.
-std::vector<std::size_t> drawn_entries(const report::ModalRun& run, const std::vector<double>& rms_db) {
+std::vector<std::size_t> drawn_entries(const tasks::ModalRun& run, const std::vector<double>& rms_db) {
   std::vector<std::size_t> out;
   const auto add = [&](std::size_t e, std::size_t most) {
     if (out.size() < most && run.of_fit[e].lines > 0 && std::ranges::find(out, e) == out.end()) out.push_back(e);
   };
-  for (std::size_t e = 0; e < run.band.entries(); ++e) add(e, report::most_frfs - report::worst_frfs_drawn);
-  for (const std::size_t e : report::worst_first(rms_db)) add(e, report::most_frfs);
+  for (std::size_t e = 0; e < run.band.entries(); ++e) add(e, most_frfs - worst_frfs_drawn);
+  for (const std::size_t e : tasks::worst_first(rms_db)) add(e, most_frfs);
   return out;
 }
 
-tasks::Regenerated overlay_data(const report::ModalRun& run, const std::vector<std::size_t>& chosen) {
+tasks::Regenerated overlay_data(const tasks::ModalRun& run, const std::vector<std::size_t>& chosen) {
   tasks::Regenerated out;
   out.frequency_hz = run.band.frequency_hz;
   const std::size_t columns = run.fit.reference.size(), entries = run.band.entries();
@@ -60,7 +60,7 @@ tasks::Regenerated overlay_data(const report::ModalRun& run, const std::vector<s
 }
 
 /// Its message stands in the banner already.
-std::vector<std::string> modalfit_remarks(const report::ModalRun& run) {
+std::vector<std::string> modalfit_remarks(const tasks::ModalRun& run) {
   std::vector<std::string> out = notes(run);
   std::erase(out, run.fit.message);
   return out;
@@ -68,35 +68,34 @@ std::vector<std::string> modalfit_remarks(const report::ModalRun& run) {
 
 }  // namespace
 
-std::string modalfit_report(const report::ModalRun& run) {
-  report::ReportPage page(run.files, "jointid modalfit");
-  const report::HeatMap errors = error_overview(run);
-  page.status(report::status_banner(modalfit::name(run.fit.status), run.fit.message, modalfit_remarks(run)));
+std::string modal_page(const tasks::ModalRun& run) {
+  ReportPage page(run.files, "jointid modalfit");
+  const HeatMap errors = error_overview(run);
+  page.status(status_banner(modalfit::name(run.fit.status), run.fit.message, modalfit_remarks(run)));
   page.section("Summary");
-  report::Facts facts{{{"status", modalfit::name(run.fit.status)},
-                       {"model", report::model_text(run.fit.kind)},
-                       {"FRFs", fmt::format("{} × {}, {} lines", run.band.responses, run.band.references, run.band.lines())},
-                       {"noise", run.fit.known_noise ? "of the files" : "estimated from neighbouring lines"},
-                       {"fit of each FRF", report::synthesis_text(run.of_fit)}}};
-  if (run.symmetric) facts.rows.emplace_back("symmetric model", report::synthesis_text(run.of_model));
+  Facts facts{{{"status", modalfit::name(run.fit.status)},
+               {"model", model_text(run.fit.kind)},
+               {"FRFs", fmt::format("{} × {}, {} lines", run.band.responses, run.band.references, run.band.lines())},
+               {"noise", run.fit.known_noise ? "of the files" : "estimated from neighbouring lines"},
+               {"fit of each FRF", synthesis_text(run.of_fit)}}};
+  if (run.symmetric) facts.rows.emplace_back("symmetric model", synthesis_text(run.of_model));
   page.add(facts);
   page.section("Modes");
   page.add(modes_table(run));
-  page.add(report::Text{
-      "Significance: how much worse the fit would be without the mode, over what noise reaches once in a thousand million. "
-      "Rank-one "
-      "misfit: mean square of what keeps the residues from one reciprocal shape, over their variances.",
-      true});
+  page.add(
+      Text{"Significance: how much worse the fit would be without the mode, over what noise reaches once in a thousand million. "
+           "Rank-one "
+           "misfit: mean square of what keeps the residues from one reciprocal shape, over their variances.",
+           true});
   if (!run.fit.stabilisation.empty()) {
     page.section("Stabilisation diagram");
-    page.add(report::PlotGroup{"diagram",
-                               {{"stabilisation", {stabilisation_diagram(run, run.fit.stabilisation, report::most_points)}}}});
+    page.add(PlotGroup{"diagram", {{"stabilisation", {stabilisation_diagram(run, run.fit.stabilisation, most_points)}}}});
   }
   page.section("FRFs");
   const std::vector<std::size_t> chosen = drawn_entries(run, errors.values);
-  page.add(report::frf_overlay(overlay_data(run, chosen), std::nullopt, report::most_points));
-  if (const std::string cut = report::drawn_text(chosen.size(), report::worst_first(errors.values).size()); !cut.empty())
-    page.add(report::Text{cut, true});
+  page.add(frf_overlay(overlay_data(run, chosen), std::nullopt, most_points));
+  if (const std::string cut = drawn_text(chosen.size(), tasks::worst_first(errors.values).size()); !cut.empty())
+    page.add(Text{cut, true});
   page.section("Errors of all FRFs");
   page.add(errors);
   page.add(synthesis_table(run, run.band.entries()), "Synthesis error, worst first", {most_rows, "--json writes all of them"});
@@ -107,4 +106,4 @@ std::string modalfit_report(const report::ModalRun& run) {
   return page.html();
 }
 
-}  // namespace jointid::cli
+}  // namespace jointid::report

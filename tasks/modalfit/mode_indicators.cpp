@@ -1,4 +1,4 @@
-#include "report/mode_indicators.hpp"
+#include "tasks/modalfit/mode_indicators.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "base/eigen.hpp"
 #include "dense/svd.hpp"
 
-namespace jointid::report {
+namespace jointid::tasks {
 namespace {
 
 constexpr std::size_t most_references = 12;
@@ -48,4 +48,4 @@ std::vector<std::vector<double>> mode_indicators(const FrfMatrix& frfs, const st
   return out;
 }
 
-}  // namespace jointid::report
+}  // namespace jointid::tasks

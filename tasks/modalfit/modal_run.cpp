@@ -1,4 +1,4 @@
-#include "report/modalfit/modal_run.hpp"
+#include "tasks/modalfit/modal_run.hpp"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,15 @@
 #include "base/complex.hpp"
 #include "base/control.hpp"
 #include "base/stopwatch.hpp"
+#include "base/text.hpp"
+#include "frf/file/open_as_one.hpp"
 #include "frf/file/write.hpp"
+#include "frf/set/merged_set.hpp"
+#include "ident/plan/data_source.hpp"
 #include "modalfit/band/basis.hpp"
 #include "modalfit/model/appearance.hpp"
 
-namespace jointid::report {
+namespace jointid::tasks {
 namespace {
 
 constexpr double most_regenerated_bytes = 16e9;
@@ -55,7 +59,8 @@ frf::Uff55Mode uff_mode(const ModalRun& run, const Shapes& all, std::size_t r) {
   const modalfit::Pole& pole = run.fit.modes[r].pole;
   const bool hysteretic = run.fit.kind.damping == modalfit::Damping::hysteretic;
   frf::Uff55Mode mode;
-  mode.id = {"mode " + std::to_string(r + 1), "jointid modalfit", run.symmetric ? "NONE" : "shape of arbitrary scale", "NONE", "NONE"};
+  mode.id = {"mode " + std::to_string(r + 1), "jointid modalfit", run.symmetric ? "NONE" : "shape of arbitrary scale", "NONE",
+             "NONE"};
   mode.number = static_cast<int>(r + 1);
   mode.is_complex = !run.fit.kind.real_modes;
   mode.frequency_hz = pole.frequency_hz;
@@ -74,7 +79,8 @@ frf::Uff55Mode uff_mode(const ModalRun& run, const Shapes& all, std::size_t r) {
 
 /// FRFs between all coordinates grow with their square: of a scanning vibrometer they are hundreds of gigabytes.
 void require_room(const frf::FrfHeader& header) {
-  const double size = static_cast<double>(header.lines()) * static_cast<double>(header.entries()) * 2.0 * sizeof(std::complex<double>);
+  const double size =
+      static_cast<double>(header.lines()) * static_cast<double>(header.entries()) * 2.0 * sizeof(std::complex<double>);
   if (size <= most_regenerated_bytes) return;
   frf::fail(header, "--regenerate",
             fmt::format("{0} × {0} FRFs on {1} lines take {2:.0f} GB", header.response.size(), header.lines(), size / 1e9),
@@ -103,6 +109,24 @@ ModalRun run_modal(const std::string& name, const frf::FrfSet& set, const modalf
     modalfit::explain(run.fit, run.band, options);
   run.fit_s = seconds_since(start);
   return run;
+}
+
+ModalRun run_modal_files(const std::vector<std::filesystem::path>& files, const frf::OpenOptions& open,
+                         const modalfit::FitOptions& options) {
+  const auto start = Clock::now();
+  const frf::FrfSet set = frf::load(*frf::open_as_one(files, open));
+  const double read_s = seconds_since(start);
+  ModalRun run = run_modal(comma_list(files, [](const auto& file) { return file.filename().string(); }), set, options);
+  run.read_s = read_s;
+  return run;
+}
+
+frf::FrfSet load_structure(const std::vector<ident::DataFile>& files) {
+  const auto sources = ident::open_all(files);
+  if (sources.size() == 1) return frf::load(*sources.front());
+  std::vector<frf::FrfSet> sets;
+  for (const auto& source : sources) sets.push_back(frf::load_with_covariance(*source));
+  return frf::merged(std::move(sets));
 }
 
 Shapes shapes(const ModalRun& run) {
@@ -140,4 +164,4 @@ void write_shapes(const ModalRun& run, const std::filesystem::path& path) {
   frf::write_uff55(uff_modes(run), run.header.nodes, path);
 }
 
-}  // namespace jointid::report
+}  // namespace jointid::tasks

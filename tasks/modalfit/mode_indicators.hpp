@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-namespace jointid::report {
+namespace jointid::tasks {
 
 /// Complex mode indicator functions (Shih et al. 1988): the first `count` singular values of the matrix of receptances, largest
 /// first, one row per value over `lines`; a value that is 0 is NaN, as it has no place on a logarithmic axis. A mode is a peak of
@@ -19,4 +19,4 @@ struct FrfMatrix {
 std::vector<std::vector<double>> mode_indicators(const FrfMatrix& frfs, const std::vector<std::size_t>& lines, std::size_t count,
                                                  const std::function<bool()>& interrupted = {});
 
-}  // namespace jointid::report
+}  // namespace jointid::tasks
