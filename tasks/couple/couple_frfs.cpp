@@ -1,4 +1,4 @@
-#include "report/couple/couple_frfs.hpp"
+#include "tasks/couple/couple_frfs.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,14 +7,14 @@
 #include "base/statistics.hpp"
 #include "frf/hdf5/hdf5_file.hpp"
 
-namespace jointid::report {
+namespace jointid::tasks {
 namespace {
 
 using ComplexValues = std::vector<std::complex<double>>;
 using Entry = std::array<std::size_t, 2>;  ///< indices of response and reference
 
 constexpr std::size_t lines_at_once = 64;
-constexpr double same_line = 1e-6;  ///< of the frequency
+constexpr double same_frequency = 1e-6;  ///< of the frequency
 
 /// Point FRFs, then the others row by row.
 std::vector<Entry> choose(const frf::FrfHeader& header, std::size_t most) {
@@ -66,25 +66,28 @@ std::vector<ComplexValues> read_entries(const frf::FrfHeader& header, const std:
 std::vector<std::size_t> lines_at(const std::vector<double>& axis, const std::vector<double>& frequency_hz) {
   std::vector<std::size_t> out;
   for (const double f : frequency_hz) {
-    const auto at = std::ranges::lower_bound(axis, f * (1.0 - same_line));
-    out.push_back(at != axis.end() && *at <= f * (1.0 + same_line) ? static_cast<std::size_t>(at - axis.begin()) : frf::npos);
+    const auto at = std::ranges::lower_bound(axis, f * (1.0 - same_frequency));
+    out.push_back(at != axis.end() && *at <= f * (1.0 + same_frequency) ? static_cast<std::size_t>(at - axis.begin())
+                                                                        : frf::npos);
   }
   return out;
 }
 
 std::vector<ComplexValues> read_values(frf::FrfSource& source, const std::vector<Entry>& entries) {
-  return read_entries(source.header(), entries, [&](const frf::Block& block, ComplexValues& values) { source.read(block, values); });
+  return read_entries(source.header(), entries,
+                      [&](const frf::Block& block, ComplexValues& values) { source.read(block, values); });
 }
 
 }  // namespace
 
-std::vector<PredictedFrf> read_predicted(const tasks::CoupleResult& result, std::size_t most) {
+std::vector<PredictedFrf> read_predicted(const CoupleResult& result, std::size_t most) {
   const auto source = frf::open_hdf5(result.result.path);
   const frf::FrfHeader& header = source->header();
   const std::vector<Entry> entries = choose(header, most);
   std::vector<ComplexValues> values = read_values(*source, entries), variances, with_all;
   if (header.noise == frf::NoiseRecord::variance) {
-    variances = read_entries(header, entries, [&](const frf::Block& block, ComplexValues& to) { source->read_variance(block, to); });
+    variances =
+        read_entries(header, entries, [&](const frf::Block& block, ComplexValues& to) { source->read_variance(block, to); });
   }
   if (result.with_all) with_all = read_values(*frf::open_hdf5(result.with_all->path), entries);
   std::vector<PredictedFrf> out;
@@ -103,7 +106,8 @@ void compare_with(frf::FrfSource& measured, const std::vector<double>& frequency
     const std::size_t response = frf::find_coordinate(header.response, frf.response),
                       reference = frf::find_coordinate(header.reference, frf.reference);
     if (response == frf::npos || reference == frf::npos) continue;
-    const double sign = frf.response.sign * frf.reference.sign * header.response[response].sign * header.reference[reference].sign;
+    const double sign =
+        frf.response.sign * frf.reference.sign * header.response[response].sign * header.reference[reference].sign;
     const ComplexValues all = read_values(measured, {{response, reference}}).front();
     frf.measured.assign(frequency_hz.size(), {nan, nan});
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -124,4 +128,4 @@ double error_db(const PredictedFrf& frf) {
   return count == 0 ? nan : std::sqrt(sum / static_cast<double>(count));
 }
 
-}  // namespace jointid::report
+}  // namespace jointid::tasks
