@@ -4,9 +4,9 @@
 
 #include "tasks/equivalent.hpp"
 
-namespace jointid::cli {
+namespace jointid::report {
 
 /// One HTML page: stiffness and damping over displacement, the table.
 std::string equivalent_page(const ident::EquivalentScene& scene, const std::vector<tasks::LevelJoint>& levels);
 
-}  // namespace jointid::cli
+}  // namespace jointid::report
