@@ -1,21 +1,20 @@
-#include "cli/frf/frf_run.hpp"
+#include "tasks/frf/run_frf.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "base/control.hpp"
 #include "base/error.hpp"
-#include "cli/text/interrupt.hpp"
-#include "cli/text/progress.hpp"
 
-namespace jointid::cli {
+namespace jointid::tasks {
 namespace {
 
 /// The DOF of the force of file k, where the user says it.
-void set_reference(const FrfArguments& arguments, std::size_t k, records::Record& record) {
-  if (arguments.references.empty()) return;
-  record.channels[records::force_channel(record)].dof = arguments.references[arguments.references.size() == 1 ? 0 : k];
+void set_reference(const FrfTask& task, std::size_t k, records::Record& record) {
+  if (task.references.empty()) return;
+  record.channels[records::force_channel(record)].dof = task.references[task.references.size() == 1 ? 0 : k];
 }
 
 /// What start times do to the FRFs, where they differ.
@@ -31,32 +30,43 @@ void note_delays(const records::Record& record, const std::string& file, FrfRun&
 
 }  // namespace
 
-FrfRun run_frf(const FrfArguments& arguments) {
-  const std::size_t files = arguments.files.size();
-  if (arguments.references.size() > 1 && arguments.references.size() != files) {
+records::FrfOptions estimate_options(const FrfTask& task) {
+  records::FrfOptions options = task.options;
+  options.hammer.block_s = task.block_s;
+  if (!task.shaker) return options;
+  if (!task.block_s)
+    throw InputError({ErrorKind::usage, {}, "--shaker", "says no length of the segments", "give --block SECONDS"});
+  options.segments = task.segments;
+  options.segments->block_s = *task.block_s;
+  return options;
+}
+
+FrfRun run_frf(const FrfTask& task, const ident::Control& control) {
+  const std::size_t files = task.files.size();
+  if (files == 0) throw InputError({ErrorKind::usage, {}, "FILES", "there is none", "give files of time records"});
+  if (task.references.size() > 1 && task.references.size() != files) {
     throw InputError({ErrorKind::usage,
                       {},
                       "--reference",
-                      fmt::format("{} DOFs for {} files", arguments.references.size(), files),
+                      fmt::format("{} DOFs for {} files", task.references.size(), files),
                       "give one for all files, or one each"});
   }
-  FrfRun run{{}, {}, 1, estimate_options(arguments), {}, {}};
+  FrfRun run{{}, {}, 1, estimate_options(task), {}, {}};
   std::vector<records::Record> records;
-  Progress progress;
   for (std::size_t k = 0; k < files; ++k) {
-    progress.count("reading", k, files);
-    for (records::Record& record : records::read_records(arguments.files[k], arguments.read)) {
-      set_reference(arguments, k, record);
-      note_delays(record, arguments.files[k].filename().string(), run);
-      run.record_files.push_back(arguments.files[k].filename().string());
+    if (control.progress) control.progress("reading", k, files);
+    for (records::Record& record : records::read_records(task.files[k], task.read)) {
+      set_reference(task, k, record);
+      note_delays(record, task.files[k].filename().string(), run);
+      run.record_files.push_back(task.files[k].filename().string());
       run.rate_hz.push_back(record.rate_hz);
       records.push_back(std::move(record));
     }
-    stop_if(interrupted);
+    stop_if(control.interrupted);
   }
-  progress.show("estimating");
+  if (control.progress) control.progress("estimating", 0, 0);
   run.forces = records::force_channels(records.front()).size();
-  run.made = records::make_frfs(records, run.options, interrupted);
+  run.made = records::make_frfs(records, run.options, control.interrupted);
   return run;
 }
 
@@ -74,4 +84,4 @@ std::vector<double> coherences(const FrfRun& run, std::size_t r, std::size_t c) 
   return out;
 }
 
-}  // namespace jointid::cli
+}  // namespace jointid::tasks
