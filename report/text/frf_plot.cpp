@@ -1,4 +1,4 @@
-#include "cli/text/frf_plot.hpp"
+#include "report/text/frf_plot.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace jointid::cli {
+namespace jointid::report {
 namespace {
 
 constexpr std::size_t width = 72, height = 18;
@@ -80,4 +80,4 @@ std::string frf_plot(const tasks::Regenerated& regenerated, const tasks::Regener
   return out;
 }
 
-}  // namespace jointid::cli
+}  // namespace jointid::report

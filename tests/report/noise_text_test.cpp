@@ -1,8 +1,8 @@
-#include "cli/text/noise_text.hpp"
+#include "report/text/noise_text.hpp"
 
 #include <gtest/gtest.h>
 
-namespace jointid::cli {
+namespace jointid::report {
 namespace {
 
 TEST(NoiseText, NamesModelAndSize) {
@@ -24,4 +24,4 @@ TEST(NoiseText, NamesWhatIsAddedToIt) {
 }
 
 }  // namespace
-}  // namespace jointid::cli
+}  // namespace jointid::report

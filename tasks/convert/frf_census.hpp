@@ -1,14 +1,13 @@
 #pragma once
 
 #include <functional>
-#include <string>
 
 #include "frf/noise/wild_values.hpp"
 #include "frf/set/frf_source.hpp"
 
-namespace jointid::cli {
+namespace jointid::tasks {
 
-/// What one pass over the FRFs tells beyond the header.
+/// What one pass over the FRFs tells beyond the header: what `jointid info` finds.
 struct FrfCensus {
   std::size_t values = 0;     ///< lines × responses × references
   std::size_t missing = 0;    ///< values that are not measured (NaN)
@@ -20,10 +19,8 @@ struct FrfCensus {
   frf::WildValues wild{};     ///< values that are no number, infinite, or stand far out of their neighbours
 };
 
-/// Reads a source once, a few lines at a time, so that a file larger than the memory passes.
-FrfCensus take_census(frf::FrfSource& source, const std::function<bool()>& interrupted);
+/// Reads a source once, a few lines at a time, so that a file larger than the memory passes. Interrupted, what was
+/// found so far, marked so.
+FrfCensus take_census(frf::FrfSource& source, const std::function<bool()>& interrupted = {});
 
-/// Header and census for reading; the first of the values that stand out one by one.
-std::string summary_text(const frf::FrfHeader& header, const FrfCensus& census);
-
-}  // namespace jointid::cli
+}  // namespace jointid::tasks

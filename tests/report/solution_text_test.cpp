@@ -1,10 +1,10 @@
-#include "cli/solve/solution_text.hpp"
+#include "report/result/solution_text.hpp"
 
 #include <gmock/gmock.h>
 
 #include "solution_sample.hpp"
 
-namespace jointid::cli {
+namespace jointid::report {
 namespace {
 
 using testing::ContainsRegex;
@@ -81,4 +81,4 @@ TEST(UnknownsCsv, EmptyWhereNotComputed) {
 }
 
 }  // namespace
-}  // namespace jointid::cli
+}  // namespace jointid::report

@@ -1,8 +1,8 @@
-#include "cli/text/noise_text.hpp"
+#include "report/text/noise_text.hpp"
 
 #include <fmt/format.h>
 
-namespace jointid::cli {
+namespace jointid::report {
 
 std::string noise_text(const std::optional<ident::NoiseSection>& noise) {
   if (!noise) return "hammer, coherences and averages of the files";
@@ -24,4 +24,4 @@ std::string noise_text(const std::optional<ident::NoiseSection>& noise) {
   return text;
 }
 
-}  // namespace jointid::cli
+}  // namespace jointid::report

@@ -1,17 +1,15 @@
-#include "cli/text/frf_summary.hpp"
+#include "report/text/frf_summary.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include "cli/options/dof_list.hpp"
-#include "cli/text/line_pieces.hpp"
 #include "frf/set/line_scale.hpp"
+#include "report/text/dof_list.hpp"
 #include "report/text/table.hpp"
 
-namespace jointid::cli {
+namespace jointid::report {
 namespace {
 
 std::string lines_text(const std::vector<double>& hz) {
@@ -24,7 +22,7 @@ std::string lines_text(const std::vector<double>& hz) {
   return text + fmt::format(", step {:g} Hz", step);
 }
 
-std::string covariance_text(const FrfCensus& census) {
+std::string covariance_text(const tasks::FrfCensus& census) {
   if (!census.covariance) return {};
   const char* between = census.references ? "responses and between references" : "responses";
   if (census.factor.rank == 0) return fmt::format(", covariance between {}", between);
@@ -32,7 +30,7 @@ std::string covariance_text(const FrfCensus& census) {
                      census.factor.diagonal ? " plus a diagonal" : "");
 }
 
-std::string noise_text(const frf::FrfHeader& header, const FrfCensus& census) {
+std::string noise_text(const frf::FrfHeader& header, const tasks::FrfCensus& census) {
   switch (header.noise) {
     case frf::NoiseRecord::variance:
       return "variance of real and imaginary part" + covariance_text(census);
@@ -44,7 +42,7 @@ std::string noise_text(const frf::FrfHeader& header, const FrfCensus& census) {
   return "none";
 }
 
-std::string missing_text(const FrfCensus& census) {
+std::string missing_text(const tasks::FrfCensus& census) {
   if (census.missing == 0) return "none";
   const double percent = 100.0 * static_cast<double>(census.missing) / static_cast<double>(census.values);
   return fmt::format("{} of {} values ({:.3g} %)", census.missing, census.values, percent);
@@ -83,36 +81,8 @@ std::string wild_text(const frf::FrfHeader& header, const frf::WildValues& wild)
 
 }  // namespace
 
-FrfCensus take_census(frf::FrfSource& source, const std::function<bool()>& interrupted) {
-  const frf::FrfHeader& header = source.header();
-  std::vector<char> nonzero(header.entries(), 0);
-  std::vector<Complex> values;
-  FrfCensus census;
-  census.covariance = source.has_covariance();
-  census.references = source.has_reference_correlation();
-  census.factor = source.factor_shape();
-  std::optional<frf::WildSearch> wild;
-  if (header.entries() <= frf::most_judged_frfs) wild.emplace(header);
-  census.complete = for_each_piece(header, lines_per_piece(header), [&](const frf::Block& block) {
-    if (interrupted()) return false;
-    values.resize(block.size());
-    source.read(block, values);
-    if (wild) wild->add(values);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const bool missing = std::isnan(values[i].real()) || std::isnan(values[i].imag());
-      census.missing += missing ? 1 : 0;
-      if (!missing && values[i] != Complex(0.0)) nonzero[i % header.entries()] = 1;
-    }
-    census.values += values.size();
-    return true;
-  });
-  census.wild = wild ? wild->finish() : frf::WildValues{.found = {}, .more = 0, .looked = false};
-  census.zero_frfs = static_cast<std::size_t>(std::ranges::count(nonzero, char{0}));
-  return census;
-}
-
-std::string summary_text(const frf::FrfHeader& header, const FrfCensus& census) {
-  report::Table table({{"", report::Align::left}, {"", report::Align::left}});
+std::string summary_text(const frf::FrfHeader& header, const tasks::FrfCensus& census) {
+  Table table({{"", Align::left}, {"", Align::left}});
   table.add({"quantity", frf::name(header.quantity)});
   table.add({"lines", lines_text(header.frequency_hz)});
   table.add({"responses", dof_list(header.response)});
@@ -124,4 +94,4 @@ std::string summary_text(const frf::FrfHeader& header, const FrfCensus& census) 
   return table.text() + wild_text(header, census.wild);
 }
 
-}  // namespace jointid::cli
+}  // namespace jointid::report

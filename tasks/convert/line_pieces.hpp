@@ -5,7 +5,7 @@
 
 #include "frf/set/frf_source.hpp"
 
-namespace jointid::cli {
+namespace jointid::tasks {
 
 /// Goes through all FRFs of a source once, `lines_per_piece` lines at a time: calls `visit` with each block in order until
 /// it returns false. True when it got to the end.
@@ -15,4 +15,4 @@ bool for_each_piece(const frf::FrfHeader& header, std::size_t lines_per_piece,
 /// Lines whose FRF values take about 4 MB, at least one.
 std::size_t lines_per_piece(const frf::FrfHeader& header);
 
-}  // namespace jointid::cli
+}  // namespace jointid::tasks

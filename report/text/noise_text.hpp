@@ -5,9 +5,9 @@
 
 #include "ident/scene/scene.hpp"
 
-namespace jointid::cli {
+namespace jointid::report {
 
 /// The errors that trials put on the data: "uniform, level 0.05".
 std::string noise_text(const std::optional<ident::NoiseSection>& noise);
 
-}  // namespace jointid::cli
+}  // namespace jointid::report

@@ -4,7 +4,7 @@
 
 #include "ident/result/solution.hpp"
 
-namespace jointid::cli {
+namespace jointid::report {
 
 /// A solution made by hand: two DOFs, one determined unknown, one that the data do not fix, one non-finite figure.
 inline ident::Solution sample_solution() {
@@ -57,4 +57,4 @@ inline ident::Solution sample_constrained() {
   return solution;
 }
 
-}  // namespace jointid::cli
+}  // namespace jointid::report

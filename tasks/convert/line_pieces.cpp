@@ -1,9 +1,9 @@
-#include "cli/text/line_pieces.hpp"
+#include "tasks/convert/line_pieces.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-namespace jointid::cli {
+namespace jointid::tasks {
 namespace {
 
 std::vector<std::size_t> range(std::size_t first, std::size_t count) {
@@ -29,4 +29,4 @@ std::size_t lines_per_piece(const frf::FrfHeader& header) {
   return std::max<std::size_t>(1, (std::size_t{1} << 18) / std::max<std::size_t>(1, header.entries()));
 }
 
-}  // namespace jointid::cli
+}  // namespace jointid::tasks
