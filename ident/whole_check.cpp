@@ -4,14 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
 
 #include "base/error.hpp"
 #include "base/statistics.hpp"
 #include "base/text.hpp"
+#include "frf/set/frf_system.hpp"
 #include "ident/check/check.hpp"
 #include "ident/check/rest.hpp"
 #include "ident/identify.hpp"
 #include "ident/likelihood/findings/variance_sources.hpp"
+#include "ident/plan/data_source.hpp"
 #include "ident/scene/variance_origin.hpp"
 
 namespace jointid::ident {
@@ -43,21 +47,24 @@ bool knows_variances(const Plan& plan) {
   });
 }
 
+/// Plans a scene on its files, or on sets in memory.
+using MakePlan = std::function<std::unique_ptr<Plan>(const Scene& scene)>;
+
 /// Few lines, evenly spread; null where the scene is too large, or variances are not known.
-std::unique_ptr<Plan> small_plan(Scene scene) {
-  auto plan = make_plan(scene);
+std::unique_ptr<Plan> small_plan(Scene scene, const MakePlan& plan_of) {
+  auto plan = plan_of(scene);
   if (!knows_variances(*plan)) return nullptr;
   if (frfs_of(*plan->substructures) + frfs_of(*plan->assembly) > fitted_frfs || !plan->regenerated.empty()) return nullptr;
   if (plan->lines.size() <= fitted_lines) return plan;
   const double first = plan->lines.front().frequency_hz, last = plan->lines.back().frequency_hz;
   scene.frequency.range_hz = {first, last};
   scene.frequency.step_hz = (last - first) / static_cast<double>(fitted_lines - 1);
-  return make_plan(scene);
+  return plan_of(scene);
 }
 
-std::optional<Suspect> fit_suspect(const Scene& scene, const Control& control) {
+std::optional<Suspect> fit_suspect(const Scene& scene, const MakePlan& plan_of, const Control& control) {
   try {
-    const auto plan = small_plan(likelihood_of(scene));
+    const auto plan = small_plan(likelihood_of(scene), plan_of);
     if (!plan) return std::nullopt;
     const Solution fit = solve(*plan, {.threads = control.threads,
                                        .progress = {},
@@ -81,16 +88,40 @@ std::optional<Suspect> fit_suspect(const Scene& scene, const Control& control) {
   }
 }
 
-}  // namespace
-
-CheckResult check_whole(const Scene& scene, const Control& control) {
-  CheckResult result = check_scene(scene, control);
+/// Where data without a suspect are not explained by any joint of the scene, that is one.
+CheckResult with_fit(CheckResult result, const Scene& scene, const MakePlan& plan_of, const Control& control) {
   if (!result.suspects.empty()) return result;
-  if (auto suspect = fit_suspect(scene, control)) {
+  if (auto suspect = fit_suspect(scene, plan_of, control)) {
     result.suspects.push_back(std::move(*suspect));
     result.verdict = Verdict::suspicious;
   }
   return result;
+}
+
+/// A system of sets that outlive it.
+std::shared_ptr<frf::FrfSystem> system_of(const char* name, const std::vector<frf::FrfSet>& sets, frf::Composition composition,
+                                          const Scene& scene) {
+  Sources sources;
+  for (const frf::FrfSet& set : sets) {
+    frf::validate(set);
+    sources.push_back(frf::from_shared(std::shared_ptr<const frf::FrfSet>(std::shared_ptr<void>(), &set)));
+  }
+  return std::make_shared<frf::FrfSystem>(name, std::move(sources), composition, scene.data.reciprocity);
+}
+
+}  // namespace
+
+CheckResult check_whole(const Scene& scene, const Control& control) {
+  const auto plan_of = [](const Scene& each) { return make_plan(each); };
+  return with_fit(check_scene(scene, control), scene, plan_of, control);
+}
+
+CheckResult check_whole(const Scene& scene, const std::vector<frf::FrfSet>& substructures, const std::vector<frf::FrfSet>& assembly,
+                        const Control& control) {
+  const auto parts = [&] { return system_of("substructures", substructures, frf::Composition::uncoupled, scene); };
+  const auto whole = [&] { return system_of("assembly", assembly, frf::Composition::merged, scene); };
+  const auto plan_of = [&](const Scene& each) { return make_plan(each, parts(), whole()); };
+  return with_fit(check_systems(scene, parts(), whole(), control), scene, plan_of, control);
 }
 
 }  // namespace jointid::ident

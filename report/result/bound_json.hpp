@@ -4,9 +4,9 @@
 
 #include "tasks/bound_report.hpp"
 
-namespace jointid::cli {
+namespace jointid::report {
 
 /// {"variances", "unknowns", "weakest", "without_coordinate", "without_lines", "with_more"}; null for what is infinite.
 nlohmann::ordered_json bound_json(const tasks::BoundReport& report);
 
-}  // namespace jointid::cli
+}  // namespace jointid::report

@@ -1,20 +1,20 @@
-#include "cli/solve/plan_text.hpp"
+#include "report/result/plan_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
-#include "cli/options/dof_list.hpp"
-#include "cli/solve/bound_json.hpp"
 #include "ident/admissible/constraint_phrases.hpp"
 #include "ident/likelihood/findings/variance_sources.hpp"
 #include "ident/plan/expected_time.hpp"
 #include "report/json_value.hpp"
+#include "report/result/bound_json.hpp"
+#include "report/text/dof_list.hpp"
 #include "report/text/table.hpp"
 #include "report/text/words.hpp"
 
-namespace jointid::cli {
+namespace jointid::report {
 namespace {
 
 std::vector<std::string> equation_names(const ident::Plan& plan) {
@@ -39,31 +39,31 @@ double megabytes(std::size_t bytes) { return static_cast<double>(bytes) / 1e6; }
 
 /// On all cores of this machine.
 std::string cost_text(const ident::Cost& cost) {
-  report::Table table({{"", report::Align::left}, {""}});
-  table.add({"FRFs to read, MB", report::number(megabytes(cost.bytes_read))});
+  Table table({{"", Align::left}, {""}});
+  table.add({"FRFs to read, MB", number(megabytes(cost.bytes_read))});
   table.add({"equations per line", fmt::format("{}", cost.equations_per_line)});
   if (const ident::Iteration& each = cost.iteration; each.expected > 0) {
-    table.add({"an iteration, Mflop", report::number(each.flops / 1e6)});
+    table.add({"an iteration, Mflop", number(each.flops / 1e6)});
     table.add({"iterations expected", fmt::format("{}", each.expected)});
-    table.add({"memory, MB", report::number(megabytes(each.memory_bytes))});
+    table.add({"memory, MB", number(megabytes(each.memory_bytes))});
     table.add({"time of the iterations expected, s", fmt::format("{:.2g}", ident::expected_seconds(cost))});
   } else {
     table.add({"rows per line after compression", fmt::format("{}", cost.compressed_rows_per_line)});
-    table.add({"assembling, Mflop", report::number(cost.assemble_flops / 1e6)});
-    table.add({"one dense QR of all equations, Mflop", report::number(cost.stacked_flops / 1e6)});
+    table.add({"assembling, Mflop", number(cost.assemble_flops / 1e6)});
+    table.add({"one dense QR of all equations, Mflop", number(cost.stacked_flops / 1e6)});
   }
   return "\ncost\n" + table.text();
 }
 
 std::string known_noise_text(const std::vector<ident::VarianceSource>& files) {
   if (files.empty()) return "";
-  report::Table table({{"", report::Align::left}, {"", report::Align::left}});
+  Table table({{"", Align::left}, {"", Align::left}});
   for (const auto& file : files) table.add({file.file, file.origin});
   return "\nvariances of the FRFs\n" + table.text();
 }
 
-report::Json variances_json(const std::vector<ident::VarianceSource>& files) {
-  report::Json all = report::Json::array();
+Json variances_json(const std::vector<ident::VarianceSource>& files) {
+  Json all = Json::array();
   for (const auto& file : files) all.push_back({{"file", file.file}, {"origin", file.origin}});
   return all;
 }
@@ -75,7 +75,7 @@ std::string phrases(const char* title, const std::vector<std::string>& list) {
   return text;
 }
 
-report::Json cost_json(const ident::Cost& cost) {
+Json cost_json(const ident::Cost& cost) {
   return {{"equations_per_line", cost.equations_per_line},
           {"compressed_rows_per_line", cost.compressed_rows_per_line},
           {"columns", cost.columns},
@@ -91,10 +91,10 @@ report::Json cost_json(const ident::Cost& cost) {
 }  // namespace
 
 std::string plan_text(const ident::Plan& plan) {
-  report::Table table({{"", report::Align::left}, {"", report::Align::left}});
+  Table table({{"", Align::left}, {"", Align::left}});
   const auto& identify = plan.scene.identify;
   if (!plan.chosen.empty()) table.add({"chosen", plan.chosen});
-  table.add({"method", report::method_text(identify.method, plan.equations, identify.weighting, identify.delta, plan.solver)});
+  table.add({"method", method_text(identify.method, plan.equations, identify.weighting, identify.delta, plan.solver)});
   table.add({"joint DOFs", dof_list(plan.coordinates.joint)});
   table.add({"other responses", dof_list(plan.coordinates.responses)});
   table.add({"other references", dof_list(plan.coordinates.references)});
@@ -103,26 +103,26 @@ std::string plan_text(const ident::Plan& plan) {
   table.add({"assembly FRFs", !plan.predicted_responses.empty() ? "regenerated and compared" : "not regenerated"});
   return (plan.scene.title.empty() ? "" : plan.scene.title + "\n") + table.text() +
          phrases("constraints", ident::constraint_phrases(plan)) + cost_text(plan.cost) +
-         known_noise_text(ident::variance_sources(plan)) + phrases("left out", plan.left_out) + phrases("warnings", plan.warnings) +
-         phrases("notes", plan.notes);
+         known_noise_text(ident::variance_sources(plan)) + phrases("left out", plan.left_out) +
+         phrases("warnings", plan.warnings) + phrases("notes", plan.notes);
 }
 
 std::string plan_json(const ident::Plan& plan, const std::optional<tasks::BoundReport>& bound) {
   const auto& identify = plan.scene.identify;
   const bool weighs = ident::weighs_equations(identify.method);
-  report::Json json = {{"title", plan.scene.title},
-                       {"method", ident::name(identify.method)},
-                       {"chosen", plan.chosen.empty() ? report::Json(nullptr) : report::Json(plan.chosen)},
-                       {"equations", equation_names(plan)},
-                       {"weighting", weighs ? report::Json(weighting::name(identify.weighting)) : report::Json(nullptr)},
-                       {"delta", weighs ? report::Json(identify.delta) : report::Json(nullptr)},
-                       {"solver", plan.solver},
-                       {"dofs", frf::names(plan.coordinates.joint)},
-                       {"responses", frf::names(plan.coordinates.responses)},
-                       {"references", frf::names(plan.coordinates.references)}};
-  json["frequency_hz"] = report::Json::array();
+  Json json = {{"title", plan.scene.title},
+               {"method", ident::name(identify.method)},
+               {"chosen", plan.chosen.empty() ? Json(nullptr) : Json(plan.chosen)},
+               {"equations", equation_names(plan)},
+               {"weighting", weighs ? Json(weighting::name(identify.weighting)) : Json(nullptr)},
+               {"delta", weighs ? Json(identify.delta) : Json(nullptr)},
+               {"solver", plan.solver},
+               {"dofs", frf::names(plan.coordinates.joint)},
+               {"responses", frf::names(plan.coordinates.responses)},
+               {"references", frf::names(plan.coordinates.references)}};
+  json["frequency_hz"] = Json::array();
   for (const auto& line : plan.lines) json["frequency_hz"].push_back(line.frequency_hz);
-  json["unknowns"] = report::Json::array();
+  json["unknowns"] = Json::array();
   for (const auto& unknown : plan.restriction.unknowns) {
     json["unknowns"].push_back({{"name", unknown.name}, {"unit", unknown.unit}});
   }
@@ -134,7 +134,7 @@ std::string plan_json(const ident::Plan& plan, const std::optional<tasks::BoundR
   json["warnings"] = plan.warnings;
   json["notes"] = plan.notes;
   if (bound) json["bound"] = bound_json(*bound);
-  return report::json_text(json);
+  return json_text(json);
 }
 
-}  // namespace jointid::cli
+}  // namespace jointid::report

@@ -1,4 +1,4 @@
-#include "cli/solve/bound_text.hpp"
+#include "report/result/bound_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,10 +10,8 @@
 #include "report/text/identifiability_text.hpp"
 #include "report/text/table.hpp"
 
-namespace jointid::cli {
+namespace jointid::report {
 namespace {
-
-using report::weakest_table;
 
 std::string factor(double value) { return std::isfinite(value) ? fmt::format("{:.2f}", value) : "no longer fixed"; }
 
@@ -26,7 +24,7 @@ std::string most_changed(const tasks::BoundChange& change, const std::vector<tas
 
 std::string changes_text(const char* title, std::vector<tasks::BoundChange> changes, const tasks::BoundReport& report) {
   if (changes.empty()) return "";
-  report::Table table({{"", report::Align::left}, {"worst bound"}, {"mean"}, {"most changed", report::Align::left}});
+  Table table({{"", Align::left}, {"worst bound"}, {"mean"}, {"most changed", Align::left}});
   for (const tasks::BoundChange& change : changes) {
     table.add({change.what, factor(change.worst), factor(change.mean), most_changed(change, report.unknowns)});
   }
@@ -37,12 +35,11 @@ std::string changes_text(const char* title, std::vector<tasks::BoundChange> chan
 
 std::string bound_text(const tasks::BoundReport& report) {
   if (report.unknowns.empty()) return "\nINTERRUPTED: the bound was not worked out\n";
-  report::Table unknowns(
-      {{"name", report::Align::left}, {"assumed"}, {"std error"}, {"unit", report::Align::left}, {"relative"}});
+  Table unknowns({{"name", Align::left}, {"assumed"}, {"std error"}, {"unit", Align::left}, {"relative"}});
   for (const tasks::UnknownBound& unknown : report.unknowns) {
     const bool fixed = std::isfinite(unknown.bound);
-    unknowns.add({unknown.name, report::number(unknown.value), fixed ? fmt::format("{:.3g}", unknown.bound) : "not fixed",
-                  unknown.unit, fixed ? percent(unknown.relative) : ""});
+    unknowns.add({unknown.name, number(unknown.value), fixed ? fmt::format("{:.3g}", unknown.bound) : "not fixed", unknown.unit,
+                  fixed ? percent(unknown.relative) : ""});
   }
   const std::string cut = report.interrupted ? "\nINTERRUPTED: not all changes of the data were looked at\n" : "";
   const std::string lines =
@@ -56,4 +53,4 @@ std::string bound_text(const tasks::BoundReport& report) {
          changes_text("with more data", report.with_more, report);
 }
 
-}  // namespace jointid::cli
+}  // namespace jointid::report

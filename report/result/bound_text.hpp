@@ -4,9 +4,9 @@
 
 #include "tasks/bound_report.hpp"
 
-namespace jointid::cli {
+namespace jointid::report {
 
 /// The tables of `jointid plan --bound`.
 std::string bound_text(const tasks::BoundReport& report);
 
-}  // namespace jointid::cli
+}  // namespace jointid::report

@@ -1,4 +1,4 @@
-#include "cli/check/check_text.hpp"
+#include "report/result/check_text.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "report/text/table.hpp"
 #include "report/text/words.hpp"
 
-namespace jointid::cli {
+namespace jointid::report {
 namespace {
 
 std::string verdict_text(const ident::CheckResult& result) {
@@ -38,7 +38,8 @@ std::string over_lines(const std::vector<double>& values, const std::vector<doub
   if (values.empty()) return "–";
   const auto lowest = std::ranges::min_element(values);
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-  return fmt::format("{:.3f}, lowest {:.3f} at {:g} Hz", mean, *lowest, frequency_hz[static_cast<std::size_t>(lowest - values.begin())]);
+  return fmt::format("{:.3f}, lowest {:.3f} at {:g} Hz", mean, *lowest,
+                     frequency_hz[static_cast<std::size_t>(lowest - values.begin())]);
 }
 
 std::string lowest_channel(const virtualpoint::SideConsistency& side) {
@@ -49,12 +50,12 @@ std::string lowest_channel(const virtualpoint::SideConsistency& side) {
 /// How well the modes of virtual points explain the FRFs of their channels.
 std::string virtual_points_text(const std::vector<virtualpoint::Consistency>& points) {
   if (points.empty()) return {};
-  report::Table table({{"virtual point", report::Align::left},
-                       {"file", report::Align::left},
-                       {"", report::Align::left},
-                       {"lowest of a channel", report::Align::left},
-                       {"overall", report::Align::left},
-                       {"rigidity", report::Align::left}});
+  Table table({{"virtual point", Align::left},
+               {"file", Align::left},
+               {"", Align::left},
+               {"lowest of a channel", Align::left},
+               {"overall", Align::left},
+               {"rigidity", Align::left}});
   for (const virtualpoint::Consistency& point : points) {
     for (const auto& [side, word] : {std::pair(&point.sensors, "sensors"), std::pair(&point.impacts, "impacts")}) {
       if (!side->any()) continue;
@@ -88,8 +89,8 @@ std::string reciprocity_text(const ident::CheckResult& result) {
   std::string text;
   for (const ident::ReciprocityMap& map : result.reciprocity) {
     if (map.overall < 0.05 || map.rms.empty() || map.dofs.size() > most || !is_doubted(result, map.file)) continue;
-    text += fmt::format("\nH_ij − H_ji over H in {}, {:.2g} % rms (. below 3 %, digits in tens of percent, # from 95 %)\n", map.file,
-                        100.0 * map.overall);
+    text += fmt::format("\nH_ij − H_ji over H in {}, {:.2g} % rms (. below 3 %, digits in tens of percent, # from 95 %)\n",
+                        map.file, 100.0 * map.overall);
     for (std::size_t i = 0; i < map.dofs.size(); ++i) {
       text += fmt::format("{:>12}  ", map.dofs[i].name());
       for (std::size_t j = 0; j < map.dofs.size(); ++j) text += i == j ? '-' : size_letter(map.rms[i][j]);
@@ -105,21 +106,18 @@ std::string check_text(const ident::CheckResult& result) {
   std::string text = verdict_text(result);
   const std::string rest = reciprocity_text(result) + notes_text(result.notes) + virtual_points_text(result.virtual_points);
   if (result.suspects.empty()) return text + rest;
-  report::Table table({{"", report::Align::right},
-                       {"kind", report::Align::left},
-                       {"file", report::Align::left},
-                       {"DOFs", report::Align::left},
-                       {"confidence", report::Align::right}});
+  Table table(
+      {{"", Align::right}, {"kind", Align::left}, {"file", Align::left}, {"DOFs", Align::left}, {"confidence", Align::right}});
   std::string details;
   for (std::size_t i = 0; i < result.suspects.size(); ++i) {
     const ident::Suspect& suspect = result.suspects[i];
     const std::string number = std::to_string(i + 1);
     table.add({number, ident::name(suspect.kind), suspect.file.empty() ? "–" : suspect.file,
-               suspect.dofs.empty() ? "–" : report::dofs_text(suspect), in_percent_of_one(suspect.confidence)});
+               suspect.dofs.empty() ? "–" : dofs_text(suspect), in_percent_of_one(suspect.confidence)});
     details += "\n" + number + ". " + suspect.evidence + "\n";
     details += suspect.remedy.empty() ? "   measure it again\n" : "   to mend it:\n" + indented(suspect.remedy);
   }
   return text + "\n" + table.text() + details + rest;
 }
 
-}  // namespace jointid::cli
+}  // namespace jointid::report
