@@ -89,7 +89,7 @@ void Project::add_pages_of_scene() {
   const auto modal = [this] {
     auto* page = named(new ModalPage, "modal_page", tr("Modes"));
     connect(page, &ModalPage::modes_changed, this, [this, page] {
-      geometry_page_->set_modes(named_shapes(report::uff_modes(*page->shown()), q(page->shown()->files)));
+      geometry_page_->set_modes(named_shapes(tasks::uff_modes(*page->shown()), q(page->shown()->files)));
     });
     return page;
   };

@@ -4,15 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
 
 #include "base/error.hpp"
 #include "base/statistics.hpp"
 #include "base/text.hpp"
+#include "frf/set/frf_system.hpp"
 #include "ident/check/check.hpp"
 #include "ident/check/rest.hpp"
 #include "ident/identify.hpp"
 #include "ident/likelihood/findings/variance_sources.hpp"
 #include "ident/plan/expected_time.hpp"
+#include "ident/plan/data_source.hpp"
 #include "ident/scene/variance_origin.hpp"
 
 namespace jointid::ident {
@@ -53,9 +57,12 @@ std::size_t affordable_lines(const Plan& plan) {
   return static_cast<std::size_t>(std::clamp(lines, static_cast<double>(least_fitted), static_cast<double>(most_fitted)));
 }
 
+/// Plans a scene on its files, or on sets in memory.
+using MakePlan = std::function<std::unique_ptr<Plan>(const Scene& scene)>;
+
 /// Some lines, evenly spread; null where the scene is too large, or variances are not known.
-std::unique_ptr<Plan> small_plan(Scene scene) {
-  auto plan = make_plan(scene);
+std::unique_ptr<Plan> small_plan(Scene scene, const MakePlan& plan_of) {
+  auto plan = plan_of(scene);
   if (!knows_variances(*plan)) return nullptr;
   if (frfs_of(*plan->substructures) + frfs_of(*plan->assembly) > fitted_frfs || !plan->regenerated.empty()) return nullptr;
   const std::size_t lines = affordable_lines(*plan);
@@ -63,7 +70,7 @@ std::unique_ptr<Plan> small_plan(Scene scene) {
   const double first = plan->lines.front().frequency_hz, last = plan->lines.back().frequency_hz;
   scene.frequency.range_hz = {first, last};
   scene.frequency.step_hz = (last - first) / static_cast<double>(lines - 1);
-  return make_plan(scene);
+  return plan_of(scene);
 }
 
 Suspect no_joint_explains(const Plan& plan, double ratio, const ChiSquare& chi_square) {
@@ -114,9 +121,9 @@ std::string name_in(const Scene& scene, const std::string& file) {
 }
 
 /// Empty where nothing was fitted.
-std::optional<std::vector<Suspect>> suspects_of_fit(const Scene& scene, const Control& control) {
+std::optional<std::vector<Suspect>> suspects_of_fit(const Scene& scene, const MakePlan& plan_of, const Control& control) {
   try {
-    const auto plan = small_plan(likelihood_of(scene));
+    const auto plan = small_plan(likelihood_of(scene), plan_of);
     if (!plan) return std::nullopt;
     const Solution fit = solve(*plan, {.threads = control.threads, .progress = {}, .interrupted = control.interrupted});
     if (!fit.fit.chi_square || !(is_usable(fit.status) || fit.status == Status::poor_fit)) return std::nullopt;
@@ -143,17 +150,41 @@ bool is_gain_of_file(const Suspect& suspect) {
   return suspect.kind == SuspectKind::gain && suspect.dofs.empty() && suspect.confidence < 0.8;
 }
 
-}  // namespace
-
-CheckResult check_whole(const Scene& scene, const Control& control) {
-  CheckResult result = check_scene(scene, control);
+/// What each file says, and where that is nothing (or a gain of a whole file) what a fit says.
+CheckResult with_fit(CheckResult result, const Scene& scene, const MakePlan& plan_of, const Control& control) {
   if (!std::ranges::all_of(result.suspects, is_gain_of_file)) return result;
-  auto fitted = suspects_of_fit(scene, control);
+  auto fitted = suspects_of_fit(scene, plan_of, control);
   if (!fitted) return result;
   const bool confirmed = std::ranges::any_of(*fitted, is_gain_of_file) && !result.suspects.empty();
   if (!confirmed) result.suspects = std::move(*fitted);
   result.verdict = result.suspects.empty() ? Verdict::clean : Verdict::suspicious;
   return result;
+}
+
+/// A system of sets that outlive it.
+std::shared_ptr<frf::FrfSystem> system_of(const char* name, const std::vector<frf::FrfSet>& sets, frf::Composition composition,
+                                          const Scene& scene) {
+  Sources sources;
+  for (const frf::FrfSet& set : sets) {
+    frf::validate(set);
+    sources.push_back(frf::from_shared(std::shared_ptr<const frf::FrfSet>(std::shared_ptr<void>(), &set)));
+  }
+  return std::make_shared<frf::FrfSystem>(name, std::move(sources), composition, scene.data.reciprocity);
+}
+
+}  // namespace
+
+CheckResult check_whole(const Scene& scene, const Control& control) {
+  const auto plan_of = [](const Scene& each) { return make_plan(each); };
+  return with_fit(check_scene(scene, control), scene, plan_of, control);
+}
+
+CheckResult check_whole(const Scene& scene, const std::vector<frf::FrfSet>& substructures, const std::vector<frf::FrfSet>& assembly,
+                        const Control& control) {
+  const auto parts = [&] { return system_of("substructures", substructures, frf::Composition::uncoupled, scene); };
+  const auto whole = [&] { return system_of("assembly", assembly, frf::Composition::merged, scene); };
+  const auto plan_of = [&](const Scene& each) { return make_plan(each, parts(), whole()); };
+  return with_fit(check_systems(scene, parts(), whole(), control), scene, plan_of, control);
 }
 
 }  // namespace jointid::ident

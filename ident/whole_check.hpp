@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include "frf/set/frf_set.hpp"
 #include "ident/result/control.hpp"
 #include "ident/result/suspect.hpp"
 #include "ident/scene/scene.hpp"
@@ -10,5 +13,10 @@ namespace jointid::ident {
 /// by what they cost: Solution::suspects, lines that it sets aside, and χ² beyond ChiSquare::likely. Scenes of more than 2,500 FRFs, or
 /// that have no such plan, are not fitted.
 CheckResult check_whole(const Scene& scene, const Control& control = {});
+
+/// The same of FRFs in memory, as the scene's [data] lists them; its files need not be there. Virtual points are not looked at: sets have
+/// their coordinates already. Throws InputError for sets whose sizes do not agree (frf::validate()).
+CheckResult check_whole(const Scene& scene, const std::vector<frf::FrfSet>& substructures, const std::vector<frf::FrfSet>& assembly,
+                        const Control& control = {});
 
 }  // namespace jointid::ident

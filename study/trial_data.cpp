@@ -292,14 +292,8 @@ std::shared_ptr<TrialData> prepare(const ident::Scene& scene, Sources substructu
   return data;
 }
 
-}  // namespace
-
-std::shared_ptr<const TrialData> load_trial_data(const ident::Scene& scene) {
-  if (systematic_of(scene).any() && ident::has_virtual_points(scene)) {
-    fail(scene, "gain_errors and mass_errors are not drawn for sensors of virtual points",
-         "remove them, or [[virtual_points]]");
-  }
-  auto [substructures, assembly] = open_scene(scene);
+/// With the noise of [noise], or that which the sets record.
+std::shared_ptr<const TrialData> prepare(const ident::Scene& scene, Sources substructures, Sources assembly) {
   if (draws_from_files(scene, substructures, assembly)) {
     const auto data = prepare(scene, std::move(substructures), std::move(assembly), scene.data.regenerate.any(), true, recorded_pollution);
     declare_regeneration(*data);
@@ -311,6 +305,21 @@ std::shared_ptr<const TrialData> load_trial_data(const ident::Scene& scene) {
   const auto data = prepare(scene, std::move(substructures), std::move(assembly), noise);
   if (!unused.empty()) data->notes.push_back(unused);
   return data;
+}
+
+}  // namespace
+
+std::shared_ptr<const TrialData> load_trial_data(const ident::Scene& scene) {
+  if (systematic_of(scene).any() && ident::has_virtual_points(scene)) {
+    fail(scene, "gain_errors and mass_errors are not drawn for sensors of virtual points",
+         "remove them, or [[virtual_points]]");
+  }
+  auto [substructures, assembly] = open_scene(scene);
+  return prepare(scene, std::move(substructures), std::move(assembly));
+}
+
+std::shared_ptr<const TrialData> make_trial_data(const ident::Scene& scene, const Measurements& base) {
+  return prepare(scene, refer_to(base.substructures), refer_to(base.assembly));
 }
 
 std::shared_ptr<const TrialData> make_trial_data(const ident::Scene& scene, const Measurements& base, Pollution pollution) {

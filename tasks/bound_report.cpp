@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "base/eigen.hpp"
+#include "ident/check/check.hpp"
 #include "ident/identify.hpp"
+#include "ident/judgement/judge.hpp"
 #include "ident/likelihood/data/likelihood_plan.hpp"
 #include "ident/likelihood/findings/bound_of.hpp"
 #include "ident/likelihood/findings/identifiability.hpp"
@@ -323,6 +325,11 @@ class Predictor {
 BoundReport predict_bound(const ident::Plan& plan, const ident::Dofs& candidates, const ident::Control& control,
                           const std::function<void(const BoundReport&)>& keep) {
   return Predictor(plan, candidates, control, keep).run();
+}
+
+void note_suspect(ident::Plan& plan, const ident::Control& control) {
+  const ident::CheckResult found = ident::quick_check(plan, control);
+  if (found.verdict != ident::Verdict::clean) plan.notes.push_back(ident::phrase(found.suspects.front()));
 }
 
 }  // namespace jointid::tasks

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <numeric>
 
 #include "base/error.hpp"
@@ -14,9 +16,8 @@
 namespace jointid::tasks {
 namespace {
 
-std::vector<coupling::Part> open_parts(const ident::CoupleScene& scene) {
+std::vector<coupling::Part> parts_of(const ident::CoupleScene& scene, ident::Sources sources) {
   std::vector<coupling::Part> parts;
-  ident::Sources sources = std::move(open_systems({scene.parts}, scene.frequency, scene.file).front());
   for (std::size_t i = 0; i < sources.size(); ++i) {
     ident::Sources own;
     own.push_back(std::move(sources[i]));
@@ -24,6 +25,26 @@ std::vector<coupling::Part> open_parts(const ident::CoupleScene& scene) {
                                                                       scene.reciprocity)});
   }
   return parts;
+}
+
+std::vector<coupling::Part> open_parts(const ident::CoupleScene& scene) {
+  return parts_of(scene, std::move(open_systems({scene.parts}, scene.frequency, scene.file).front()));
+}
+
+std::vector<coupling::Part> parts_in_memory(const ident::CoupleScene& scene, std::vector<frf::FrfSet> sets) {
+  if (sets.size() != scene.names.size()) {
+    throw InputError({.kind = ErrorKind::usage,
+                      .file = scene.file.string(),
+                      .place = "[data] parts",
+                      .problem = std::to_string(sets.size()) + " sets for " + std::to_string(scene.names.size()) + " parts",
+                      .remedy = "give one for each, in their order"});
+  }
+  ident::Sources sources;
+  for (frf::FrfSet& set : sets) {
+    frf::validate(set);
+    sources.push_back(frf::from_memory(std::move(set)));
+  }
+  return parts_of(scene, std::move(sources));
 }
 
 std::vector<std::size_t> all(std::size_t count) {
@@ -104,19 +125,70 @@ class PointLevel {
   std::vector<double> level_;
 };
 
-CoupledFile write(coupling::AssemblyReader& reader, const std::vector<std::size_t>& lines, const ident::Path& path,
+/// Lines of the assembly as they are coupled.
+struct CoupledLines {
+  std::size_t first = 0, count = 0;
+  std::span<const Complex> values, variance, covariance;
+};
+
+/// Where they go.
+class Sink {
+ public:
+  virtual ~Sink() = default;
+  /// Lines at a time, at least as many as are coupled at a time.
+  virtual std::size_t step() const = 0;
+  virtual void put(const CoupledLines& lines) = 0;
+  virtual void finish() = 0;
+};
+
+class FileSink final : public Sink {
+ public:
+  FileSink(const ident::Path& path, const frf::FrfHeader& header, bool covariance) : writer_(path, header, {.covariance = covariance}) {}
+
+  /// Whole chunks.
+  std::size_t step() const override {
+    const std::size_t chunk = writer_.lines_per_chunk();
+    return chunk * ((lines_per_pass + chunk - 1) / chunk);
+  }
+  void put(const CoupledLines& lines) override {
+    writer_.write_lines(lines.first, lines.count, lines.values, lines.variance, {}, {lines.covariance, {}, {}, {}});
+  }
+  void finish() override { writer_.finish(); }
+
+ private:
+  frf::Hdf5Writer writer_;
+};
+
+class MemorySink final : public Sink {
+ public:
+  explicit MemorySink(frf::FrfSet& set) : set_(set) {}
+
+  std::size_t step() const override { return lines_per_pass; }
+  void put(const CoupledLines& lines) override {
+    set_.values.insert(set_.values.end(), lines.values.begin(), lines.values.end());
+    set_.variance.insert(set_.variance.end(), lines.variance.begin(), lines.variance.end());
+    set_.covariance.insert(set_.covariance.end(), lines.covariance.begin(), lines.covariance.end());
+  }
+  void finish() override {}
+
+ private:
+  frf::FrfSet& set_;
+};
+
+using MakeSink = std::function<std::unique_ptr<Sink>(const frf::FrfHeader& header, bool covariance)>;
+
+CoupledFile write(coupling::AssemblyReader& reader, const std::vector<std::size_t>& lines, const MakeSink& make_sink,
                   const ident::Control& control, std::vector<coupling::LineRecord>& records) {
   frf::FrfHeader header = reader.header();
   header.frequency_hz.clear();
   for (const std::size_t line : lines) header.frequency_hz.push_back(reader.header().frequency_hz[line]);
   const std::vector<std::size_t> responses = all(header.response.size()), references = all(header.reference.size());
-  frf::Hdf5Writer writer(path, header, {.covariance = reader.has_covariance()});
+  const std::unique_ptr<Sink> sink = make_sink(header, reader.has_covariance());
   PointLevel level(header);
   std::vector<Complex> values, variance, covariance;
   records.resize(lines.size());
   const Watch watch(control, "couple", lines.size());
-  // Whole chunks, at least as many lines as are coupled at a time.
-  const std::size_t chunk = writer.lines_per_chunk(), step = chunk * ((lines_per_pass + chunk - 1) / chunk);
+  const std::size_t step = sink->step();
   for (std::size_t first = 0; first < lines.size(); first += step) {
     watch.at(first);
     const std::size_t count = std::min(step, lines.size() - first);
@@ -125,14 +197,14 @@ CoupledFile write(coupling::AssemblyReader& reader, const std::vector<std::size_
     variance.resize(header.noise == frf::NoiseRecord::variance ? block.size() : 0);
     covariance.resize(reader.has_covariance() ? count * frf::pair_count(responses.size()) * references.size() : 0);
     reader.read(block, values, variance, std::span(records).subspan(first, count), covariance);
-    writer.write_lines(first, count, values, variance, {}, {covariance, {}, {}, {}});
+    sink->put({first, count, values, variance, covariance});
     level.add(values);
   }
   stop_if(control.interrupted);
-  writer.finish();
+  sink->finish();
   const std::vector<bool>& left_out = reader.options().left_out;
   const auto dropped = static_cast<std::size_t>(std::ranges::count(left_out, true));
-  return {path, reader.layout().conditions.size() - dropped, weighting::find_resonances(header.frequency_hz, level.values())};
+  return {{}, reader.layout().conditions.size() - dropped, weighting::find_resonances(header.frequency_hz, level.values())};
 }
 
 std::vector<std::string> met(const std::vector<std::string>& conditions, const std::vector<bool>& left_out) {
@@ -154,18 +226,10 @@ void judge(CoupleResult& out) {
   if (out.unusable_lines == out.lines) out.status = ident::Status::rank_deficient;
 }
 
-}  // namespace
-
-ident::Path with_all_path(const ident::Path& out) {
-  ident::Path path = out;
-  path.replace_extension();
-  path += ".all" + out.extension().string();
-  return path;
-}
-
-CoupleResult couple(const ident::CoupleScene& scene, const ident::Path& out, bool bounds, const ident::Control& control) {
+/// `with_all`: where the FRFs with all conditions go; empty without bounds.
+CoupleResult coupled(const ident::CoupleScene& scene, const std::vector<coupling::Part>& parts, const MakeSink& with_all,
+                     const MakeSink& to, const ident::Control& control) {
   CoupleResult result;
-  const std::vector<coupling::Part> parts = open_parts(scene);
   coupling::Options options = scene.options;
   options.threads = control.threads;
   const std::string where = scene.file.string();
@@ -176,7 +240,7 @@ CoupleResult couple(const ident::CoupleScene& scene, const ident::Path& out, boo
     result.notes.push_back(std::move(found.note));
   }
   std::vector<std::size_t> lines;
-  if (scene.find_dependent || bounds) {
+  if (scene.find_dependent || with_all) {
     coupling::Options mtc;
     mtc.method = coupling::Method::mtc;
     mtc.threads = control.threads;
@@ -185,10 +249,10 @@ CoupleResult couple(const ident::CoupleScene& scene, const ident::Path& out, boo
     result.survey = survey(reader, lines, control);
     result.dependencies = coupling::find_dependencies(reader.layout().condition_names, result.survey);
   }
-  if (bounds) {
-    coupling::AssemblyReader with_all(parts, assembly, options, where);
+  if (with_all) {
+    coupling::AssemblyReader reader(parts, assembly, options, where);
     std::vector<coupling::LineRecord> unused;
-    result.with_all = write(with_all, lines, with_all_path(out), control, unused);
+    result.with_all = write(reader, lines, with_all, control, unused);
   }
   if (result.dependencies) options.left_out = result.dependencies->left_out();
   coupling::AssemblyReader reader(parts, assembly, options, where);
@@ -199,9 +263,42 @@ CoupleResult couple(const ident::CoupleScene& scene, const ident::Path& out, boo
   result.references = reader.header().reference.size();
   for (const std::size_t line : lines) result.frequency_hz.push_back(reader.header().frequency_hz[line]);
   result.conditions = met(reader.layout().condition_names, options.left_out);
-  result.result = write(reader, lines, out, control, result.records);
+  result.result = write(reader, lines, to, control, result.records);
   judge(result);
   return result;
+}
+
+}  // namespace
+
+ident::Path with_all_path(const ident::Path& out) {
+  ident::Path path = out;
+  path.replace_extension();
+  path += ".all" + out.extension().string();
+  return path;
+}
+
+CoupleResult couple(const ident::CoupleScene& scene, const ident::Path& out, bool bounds, const ident::Control& control) {
+  const auto to_file = [](const ident::Path& path) -> MakeSink {
+    return [path](const frf::FrfHeader& header, bool covariance) { return std::make_unique<FileSink>(path, header, covariance); };
+  };
+  CoupleResult result = coupled(scene, open_parts(scene), bounds ? to_file(with_all_path(out)) : MakeSink(), to_file(out), control);
+  result.result.path = out;
+  if (result.with_all) result.with_all->path = with_all_path(out);
+  return result;
+}
+
+CoupledSets couple(const ident::CoupleScene& scene, std::vector<frf::FrfSet> parts, bool bounds, const ident::Control& control) {
+  CoupledSets out;
+  const auto to_memory = [](frf::FrfSet& set) -> MakeSink {
+    return [&set](const frf::FrfHeader& header, bool) {
+      set.header = header;
+      return std::make_unique<MemorySink>(set);
+    };
+  };
+  if (bounds) out.with_all.emplace();
+  out.result = coupled(scene, parts_in_memory(scene, std::move(parts)), bounds ? to_memory(*out.with_all) : MakeSink(),
+                       to_memory(out.frfs), control);
+  return out;
 }
 
 }  // namespace jointid::tasks

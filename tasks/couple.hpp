@@ -20,7 +20,7 @@ struct CoupleResult {
   std::vector<std::string> notes;  ///< where joints came from that other scenes identify
   std::size_t lines = 0, unusable_lines = 0, lines_without_partner = 0;
   std::size_t responses = 0, references = 0;
-  std::vector<double> frequency_hz;
+  std::vector<double> frequency_hz;           ///< [lines]
   std::vector<std::string> conditions;        ///< names of those met on every line, unless a threshold drops some
   std::vector<coupling::LineRecord> records;  ///< by line
   std::optional<coupling::Dependencies> dependencies;
@@ -34,6 +34,18 @@ struct CoupleResult {
 /// thesis §5.9.4). The first is `out`, the second has the name of `out` with .all before its extension. Throws InputError as
 /// coupling::AssemblyReader, and Interrupted, with no file.
 CoupleResult couple(const ident::CoupleScene& scene, const ident::Path& out, bool bounds, const ident::Control& control = {});
+
+/// The same of FRFs in memory.
+struct CoupledSets {
+  CoupleResult result;  ///< its files have no paths
+  frf::FrfSet frfs;     ///< receptances of the assembly, m/N; with variances where the scene asks for uncertainty
+  std::optional<frf::FrfSet> with_all;  ///< bounds: with the dependent conditions
+};
+
+/// Couples parts in memory, in the order of `scene.names`; the files that the scene names are not opened. Throws InputError also where
+/// there are not as many as names, and for sets whose sizes do not agree (frf::validate()).
+CoupledSets couple(const ident::CoupleScene& scene, std::vector<frf::FrfSet> parts, bool bounds = false,
+                   const ident::Control& control = {});
 
 /// The file that `bounds` adds.
 ident::Path with_all_path(const ident::Path& out);

@@ -1,10 +1,14 @@
 #include "tasks/equivalent.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/complex.hpp"
+#include "base/control.hpp"
 #include "base/error.hpp"
+#include "base/statistics.hpp"
 #include "frf/set/frf_system.hpp"
 #include "ident/plan/data_source.hpp"
 #include "models/model_file.hpp"
@@ -118,13 +122,51 @@ class Levels {
   std::optional<Measured> rigid_;
 };
 
+/// No spring or damper beyond the 95 % interval, or a stiffness whose error is larger than itself.
+bool is_impossible(const EquivalentJoint& joint) {
+  return joint.stiffness < 0.0 || joint.damping < -normal_95 * joint.deviation || joint.deviation > std::abs(joint.stiffness);
+}
+
 }  // namespace
 
-std::vector<LevelJoint> find_equivalent(const ident::EquivalentScene& scene) {
+std::vector<LevelJoint> find_equivalent(const ident::EquivalentScene& scene, const ident::Control& control) {
+  if (control.progress) control.progress("reading and fitting", 0, 0);
   const Levels levels(scene);
   std::vector<LevelJoint> out;
-  for (const ident::DisplacementLevel& level : scene.levels) out.push_back(levels.find(level));
+  for (const ident::DisplacementLevel& level : scene.levels) {
+    stop_if(control.interrupted);
+    out.push_back(levels.find(level));
+  }
   return out;
+}
+
+std::string equivalent_status(const std::vector<LevelJoint>& levels) {
+  if (!all_settled(levels)) return "not_usable";
+  return equivalent_doubt(levels).empty() ? "ok" : "doubtful";
+}
+
+std::string equivalent_doubt(const std::vector<LevelJoint>& levels) {
+  const auto count = [&](const auto& is) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(levels, [&](const LevelJoint& level) { return is(level.joint); }));
+  };
+  const std::size_t impossible = count(is_impossible);
+  if (impossible > 0) {
+    return fmt::format(
+        "at {} of {} levels no spring and damper: negative beyond the error, or a stiffness whose error is larger than itself; "
+        "the errors of the FRFs outweigh the joint",
+        impossible, levels.size());
+  }
+  const std::size_t unknown =
+      count([](const EquivalentJoint& joint) { return joint.deviation > std::abs(joint.damping); });
+  return 2 * unknown <= levels.size()
+             ? ""
+             : fmt::format("the damping is not known: its error is larger than itself at {} of {} levels", unknown,
+                           levels.size());
+}
+
+bool all_settled(const std::vector<LevelJoint>& levels) {
+  return std::ranges::all_of(levels, [](const LevelJoint& level) { return level.joint.settled; });
 }
 
 }  // namespace jointid::tasks

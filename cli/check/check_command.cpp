@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "cli/check/check_text.hpp"
+#include "report/result/check_text.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
 #include "cli/text/progress.hpp"
@@ -29,7 +29,7 @@ ExitCode execute(const CheckArguments& arguments, std::ostream& out) {
   Progress progress;
   const ident::CheckResult result = ident::check_whole(scene, progress.control());
   if (arguments.json) write_target(*arguments.json, report::json_text(report::check_json(result)), out);
-  if (!takes_output({arguments.json})) out << check_text(result);
+  if (!takes_output({arguments.json})) out << report::check_text(result);
   return ExitCode::done;
 }
 

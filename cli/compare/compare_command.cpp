@@ -6,8 +6,6 @@
 #include <algorithm>
 
 #include "base/parallel.hpp"
-#include "cli/compare/comparison_page.hpp"
-#include "cli/compare/comparison_text.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
 #include "cli/problem/reproduction_page.hpp"
@@ -17,8 +15,11 @@
 #include "ident/scene/read_scene.hpp"
 #include "laws/scene/read_law_scene.hpp"
 #include "report/laws/law_comparison_text.hpp"
+#include "report/result/comparison_page.hpp"
+#include "report/result/comparison_text.hpp"
 #include "scene/kind.hpp"
 #include "scene/text.hpp"
+#include "tasks/compare/compare_ways.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -52,13 +53,14 @@ void write(const CompareArguments& arguments, std::ostream& out, const std::stri
   if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << text;
 }
 
-void write(const CompareArguments& arguments, std::ostream& out, const ComparisonReport& report, const ident::Scene& scene) {
-  write(arguments, out, comparison_text(report), comparison_json(report), comparison_csv(report),
-        comparison_report(report, scene));
+void write(const CompareArguments& arguments, std::ostream& out, const tasks::ComparisonResult& result, const ident::Scene& scene) {
+  write(arguments, out, report::comparison_text(result), report::comparison_json(result), report::comparison_csv(result),
+        report::comparison_page(result, scene));
 }
 
 /// Writes the ways that were finished when the command was interrupted.
-std::string save(const CompareArguments& arguments, std::ostream& out, std::optional<ComparisonReport> done, const ident::Scene& scene) {
+std::string save(const CompareArguments& arguments, std::ostream& out, std::optional<tasks::ComparisonResult> done,
+                 const ident::Scene& scene) {
   if (!done) return "interrupted";
   done->comparison.interrupted = true;
   study::mark_fronts(done->comparison.combinations);
@@ -66,18 +68,15 @@ std::string save(const CompareArguments& arguments, std::ostream& out, std::opti
   return fmt::format("interrupted; the {} ways that were finished are written", done->comparison.combinations.size());
 }
 
-ComparisonReport compared(const CompareArguments& arguments, const ident::Scene& scene, std::ostream& out) {
+tasks::ComparisonResult compared(const CompareArguments& arguments, const ident::Scene& scene, std::ostream& out) {
   const auto lists = alternatives(arguments);
-  SoFar<ComparisonReport> done;
+  SoFar<tasks::ComparisonResult> done;
   Progress progress;
-  const auto keep = [&](const study::Comparison& comparison) {
-    if (!comparison.combinations.empty()) done.put({scene.title, arguments.trials, arguments.seed, comparison});
+  const auto keep = [&](const tasks::ComparisonResult& result) {
+    if (!result.comparison.combinations.empty()) done.put(result);
   };
-  return with_last_words([&] { return save(arguments, out, done.get(), scene); }, [&]() -> ComparisonReport {
-    return {scene.title, arguments.trials, arguments.seed,
-            study::compare(scene, study::combinations(scene.identify, lists, scene.data.regenerate), study::load_trial_data,
-                           watched(arguments, progress), keep)};
-  });
+  return with_last_words([&] { return save(arguments, out, done.get(), scene); },
+                         [&] { return tasks::compare_ways(scene, lists, watched(arguments, progress), keep); });
 }
 
 ExitCode compare_laws(const CompareArguments& arguments, const std::string& text, std::ostream& out) {
@@ -95,11 +94,6 @@ ExitCode compare_laws(const CompareArguments& arguments, const std::string& text
         report::law_comparison_csv(found), report::law_comparison_page(scene, found));
   const bool answered = std::ranges::any_of(found.values, [](const auto& value) { return value.ways.front().answers > 0; });
   return answered ? ExitCode::done : ExitCode::unusable;
-}
-
-bool some_usable(const std::vector<study::Combination>& combinations) {
-  const auto usable = [](const auto& status) { return ident::is_usable(status.first); };
-  return std::ranges::any_of(combinations, [&](const auto& each) { return std::ranges::any_of(each.statuses, usable); });
 }
 
 }  // namespace
@@ -127,9 +121,9 @@ ExitCode execute(const CompareArguments& arguments, std::ostream& out) {
   if (scene::is_law_scene(text, arguments.scene)) return compare_laws(arguments, text, out);
   const ident::Scene scene = ident::parse_scene(text, arguments.scene);
   check_outputs(arguments, ident::files_of(scene));
-  const ComparisonReport report = compared(arguments, scene, out);
-  write(arguments, out, report, scene);
-  return some_usable(report.comparison.combinations) ? ExitCode::done : ExitCode::unusable;
+  const tasks::ComparisonResult result = compared(arguments, scene, out);
+  write(arguments, out, result, scene);
+  return tasks::some_usable(result) ? ExitCode::done : ExitCode::unusable;
 }
 
 }  // namespace jointid::cli

@@ -8,7 +8,7 @@
 #include "base/text.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/open_options.hpp"
-#include "cli/text/frf_summary.hpp"
+#include "report/text/frf_summary.hpp"
 #include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
 #include "frf/file/file_format.hpp"
@@ -63,7 +63,8 @@ std::string notes_text(const frf::FrfHeader& header) {
 
 void add_info(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<InfoArguments>(app, chosen, "info", "Say what an FRF file holds");
-  command->add_option("FILE", arguments->file, "UFF, HDF5, MAT, numpy (.npz, .npy), CSV or text export of an analyser")->required();
+  command->add_option("FILE", arguments->file, "UFF, HDF5, MAT, numpy (.npz, .npy), CSV or text export of an analyser")
+      ->required();
   add_open_options(command, arguments->open);
   command->footer("Example:\n  jointid info beam_long.uff");
 }
@@ -76,8 +77,8 @@ ExitCode execute(const InfoArguments& arguments, std::ostream& out) {
     out << datasets_text(summary) << records_text(summary);
   }
   const auto source = frf::open(arguments.file, arguments.open);
-  const FrfCensus census = with_progress("reading", [&] { return take_census(*source, interrupted); });
-  out << "FRFs\n" << summary_text(source->header(), census) << notes_text(source->header());
+  const tasks::FrfCensus census = with_progress("reading", [&] { return tasks::take_census(*source, interrupted); });
+  out << "FRFs\n" << report::summary_text(source->header(), census) << notes_text(source->header());
   return census.complete ? ExitCode::done : ExitCode::interrupted;
 }
 

@@ -2,14 +2,14 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/couple/couple_json.hpp"
-#include "cli/couple/couple_page.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
 #include "cli/options/whole_number.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/progress.hpp"
+#include "report/couple/couple_page.hpp"
 #include "report/couple/couple_text.hpp"
+#include "report/page/limits.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -28,6 +28,12 @@ void check_outputs(const CoupleArguments& arguments, const ident::CoupleScene& s
   check_targets(ident::files_of(scene), targets);
 }
 
+std::string page_of(const ident::CoupleScene& scene, const tasks::CoupleResult& result) {
+  std::vector<tasks::PredictedFrf> predicted;
+  if (!result.records.empty()) predicted = tasks::read_predicted(result, report::most_frfs);
+  return report::couple_page(scene, result, predicted);
+}
+
 }  // namespace
 
 void add_couple(CLI::App& app, Chosen& chosen) {
@@ -35,9 +41,11 @@ void add_couple(CLI::App& app, Chosen& chosen) {
       add_command<CoupleArguments>(app, chosen, "couple", "Predict the FRFs of an assembly from those of its parts");
   command->add_option("SCENE", arguments->scene, "Scene file (TOML) with [data] parts and [couple]")->required();
   command->add_option("--out", arguments->out, "FRFs of the assembly (HDF5); default: SCENE's name with .coupled.h5, here");
-  command->add_flag("--bounds", arguments->bounds,
-                    "Leave out conditions that the others nearly imply, and write the FRFs with them as well: what is right lies between");
-  add_whole_number(command, "--threads", arguments->threads, "0 for all cores; the results do not depend on it", counts_of_threads());
+  command->add_flag(
+      "--bounds", arguments->bounds,
+      "Leave out conditions that the others nearly imply, and write the FRFs with them as well: what is right lies between");
+  add_whole_number(command, "--threads", arguments->threads, "0 for all cores; the results do not depend on it",
+                   counts_of_threads());
   add_outputs(command, *arguments, "what was done", "condition numbers, alphas and singular values line by line",
               "predicted FRFs, conditions and thresholds");
   command->footer(
@@ -54,9 +62,9 @@ ExitCode execute(const CoupleArguments& arguments, std::ostream& out) {
   ident::Control control = progress.control();
   control.threads = arguments.threads;
   const tasks::CoupleResult result = tasks::couple(scene, path, arguments.bounds, control);
-  if (arguments.json) write_target(*arguments.json, couple_json(scene, result), out);
+  if (arguments.json) write_target(*arguments.json, report::couple_json(scene, result), out);
   if (arguments.csv) write_target(*arguments.csv, report::couple_csv(result), out);
-  if (arguments.report) write_target(*arguments.report, couple_report(scene, result), out);
+  if (arguments.report) write_target(*arguments.report, page_of(scene, result), out);
   if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::couple_text(scene, result);
   if (result.status == ident::Status::ok) return ExitCode::done;
   print_error(arguments.scene.string() + ": " + result.message);

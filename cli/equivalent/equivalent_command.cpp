@@ -2,14 +2,14 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/equivalent/equivalent_page.hpp"
-#include "cli/equivalent/equivalent_text.hpp"
 #include "cli/laws/law_status.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/progress.hpp"
 #include "laws/scene/read_law_scene.hpp"
+#include "report/equivalent/equivalent_page.hpp"
+#include "report/equivalent/equivalent_text.hpp"
 #include "report/laws/direct_page.hpp"
 #include "report/laws/direct_text.hpp"
 #include "scene/kind.hpp"
@@ -32,6 +32,11 @@ ExitCode take_direct_steps(const EquivalentArguments& arguments, const laws::Law
   if (arguments.report) write_target(*arguments.report, report::direct_page(scene, found), out);
   if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::direct_text(scene, found);
   return tell_status(scene, found.status, found.message);
+}
+
+std::vector<tasks::LevelJoint> joints_of(const ident::EquivalentScene& scene) {
+  Progress progress;
+  return tasks::find_equivalent(scene, progress.control());
 }
 
 }  // namespace
@@ -57,13 +62,12 @@ ExitCode execute(const EquivalentArguments& arguments, std::ostream& out) {
     return take_direct_steps(arguments, laws::parse_law_scene(text, arguments.scene), out);
   const ident::EquivalentScene scene = ident::parse_equivalent_scene(text, arguments.scene);
   check_targets(ident::files_of(scene), outputs_of(arguments));
-  const std::vector<tasks::LevelJoint> levels =
-      with_progress("reading and fitting", [&] { return tasks::find_equivalent(scene); });
-  if (arguments.json) write_target(*arguments.json, equivalent_json(scene, levels), out);
-  if (arguments.csv) write_target(*arguments.csv, equivalent_csv(levels), out);
-  if (arguments.report) write_target(*arguments.report, equivalent_page(scene, levels), out);
-  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << equivalent_text(scene, levels);
-  if (all_settled(levels)) return ExitCode::done;
+  const std::vector<tasks::LevelJoint> levels = joints_of(scene);
+  if (arguments.json) write_target(*arguments.json, report::equivalent_json(scene, levels), out);
+  if (arguments.csv) write_target(*arguments.csv, report::equivalent_csv(levels), out);
+  if (arguments.report) write_target(*arguments.report, report::equivalent_page(scene, levels), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::equivalent_text(scene, levels);
+  if (tasks::all_settled(levels)) return ExitCode::done;
   print_error(arguments.scene.string() + ": no stiffness and damping fit the FRFs of some levels");
   return ExitCode::unusable;
 }

@@ -101,15 +101,4 @@ void declare(CLI::App& command, FrfArguments& arguments) {
       "--output beam.h5");
 }
 
-records::FrfOptions estimate_options(const FrfArguments& arguments) {
-  records::FrfOptions options = arguments.options;
-  options.hammer.block_s = arguments.block_s;
-  if (!arguments.shaker) return options;
-  if (!arguments.block_s)
-    throw InputError({ErrorKind::usage, {}, "--shaker", "says no length of the segments", "give --block SECONDS"});
-  options.segments = arguments.segments;
-  options.segments->block_s = *arguments.block_s;
-  return options;
-}
-
 }  // namespace jointid::cli

@@ -67,7 +67,7 @@ void declare(CLI::App& command, LoadingCurveArguments& arguments) {
 }
 
 void check(const LoadingCurveArguments& arguments) {
-  report::check(arguments);
+  tasks::check(arguments);
   check_outputs(arguments);
 }
 

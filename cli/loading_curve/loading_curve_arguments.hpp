@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "report/loading_curve/loading_curve_task.hpp"
+#include "tasks/loading_curve/loading_curve_task.hpp"
 
 namespace CLI {
 class App;
@@ -11,7 +11,7 @@ class App;
 
 namespace jointid::cli {
 
-struct LoadingCurveArguments : report::LoadingCurveTask {
+struct LoadingCurveArguments : tasks::LoadingCurveTask {
   std::optional<std::string> json, csv, report;
 };
 

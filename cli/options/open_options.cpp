@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/options/of_option.hpp"
-#include "frf/set/merged_set.hpp"
 #include "frf/set/units.hpp"
 
 namespace jointid::cli {
@@ -12,25 +11,6 @@ std::vector<frf::Dof> parse_dofs(const std::vector<std::string>& texts) {
   std::vector<frf::Dof> dofs;
   for (const std::string& text : texts) dofs.push_back(frf::Dof::parse(text));
   return dofs;
-}
-
-frf::OpenOptions options_of_file(const frf::OpenOptions& options, std::size_t k, std::size_t count) {
-  frf::OpenOptions own = options;
-  const auto choose = [&](std::vector<frf::Dof>& dofs) {
-    if (count > 1 && dofs.size() == count) dofs = {frf::Dof(dofs[k])};
-  };
-  choose(own.response);
-  choose(own.reference);
-  return own;
-}
-
-std::unique_ptr<frf::FrfSource> open_as_one(const std::vector<std::filesystem::path>& files, const frf::OpenOptions& options) {
-  if (files.size() == 1) return frf::open(files.front(), options);
-  std::vector<frf::FrfSet> sets;
-  for (std::size_t k = 0; k < files.size(); ++k) {
-    sets.push_back(frf::load_with_covariance(*frf::open(files[k], options_of_file(options, k, files.size()))));
-  }
-  return frf::from_memory(frf::merged(std::move(sets)));
 }
 
 void add_open_options(CLI::App* command, frf::OpenOptions& open) {

@@ -7,26 +7,16 @@
 #include "cli/options/of_option.hpp"
 #include "cli/options/open_options.hpp"
 #include "cli/options/output.hpp"
-#include "cli/solve/bound_text.hpp"
-#include "cli/solve/plan_text.hpp"
+#include "report/result/bound_text.hpp"
+#include "report/result/plan_text.hpp"
 #include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
-#include "ident/check/check.hpp"
 #include "ident/identify.hpp"
-#include "ident/judgement/judge.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "scene/kind.hpp"
 #include "scene/text.hpp"
 
 namespace jointid::cli {
-namespace {
-
-void note_suspect(ident::Plan& plan, const ident::Control& control) {
-  const ident::CheckResult found = ident::quick_check(plan, control);
-  if (found.verdict != ident::Verdict::clean) plan.notes.push_back(ident::phrase(found.suspects.front()));
-}
-
-}  // namespace
 
 PlanArguments& add_linear_plan(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<PlanArguments>(
@@ -56,8 +46,8 @@ namespace {
 
 void write_plan(const PlanArguments& arguments, const ident::Plan& plan, const std::optional<tasks::BoundReport>& bound,
                 std::ostream& out) {
-  if (arguments.json) write_target(*arguments.json, plan_json(plan, bound), out);
-  if (arguments.json != "-") out << plan_text(plan) << (bound ? bound_text(*bound) : "");
+  if (arguments.json) write_target(*arguments.json, report::plan_json(plan, bound), out);
+  if (arguments.json != "-") out << report::plan_text(plan) << (bound ? report::bound_text(*bound) : "");
 }
 
 constexpr const char* cut_short = "interrupted; what was predicted so far is written";
@@ -90,7 +80,7 @@ ExitCode execute(const PlanArguments& arguments, std::ostream& out) {
   if (arguments.bound) {
     Progress progress;
     bound = bound_of(arguments, *plan, progress.control(), out);
-    if (!bound->interrupted) note_suspect(*plan, progress.control());
+    if (!bound->interrupted) tasks::note_suspect(*plan, progress.control());
   }
   const bool cut = bound && bound->interrupted;
   write_plan(arguments, *plan, bound, out);

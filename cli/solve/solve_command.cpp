@@ -1,7 +1,5 @@
 #include "cli/solve/solve_command.hpp"
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 
 #include "base/error.hpp"
@@ -9,13 +7,14 @@
 #include "cli/options/command_options.hpp"
 #include "cli/options/of_option.hpp"
 #include "cli/options/output.hpp"
-#include "cli/solve/solution_text.hpp"
+#include "report/result/solution_text.hpp"
 #include "cli/text/failure.hpp"
-#include "cli/text/frf_plot.hpp"
+#include "report/text/frf_plot.hpp"
 #include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
+#include "report/page/limits.hpp"
 #include "report/result/solve_page.hpp"
 #include "report/solution_json.hpp"
 #include "report/text/display.hpp"
@@ -44,16 +43,15 @@ void write_numbers(const SolveArguments& arguments, const ident::Solution& solut
   const report::Display display = display_of(arguments);
   const ident::Solution shown = report::in_units_of(display, solution);
   if (arguments.json) write_target(*arguments.json, report::solution_json(solution), out);
-  if (arguments.csv) write_target(*arguments.csv, unknowns_csv(shown), out);
-  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << solution_text(shown, title, report::units_text(display));
+  if (arguments.csv) write_target(*arguments.csv, report::unknowns_csv(shown), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report}))
+    out << report::solution_text(shown, title, report::units_text(display));
 }
 
 /// Writes the best estimate that there was when the command was interrupted, and marks it; the page would need the data again.
 std::string save(const SolveArguments& arguments, std::optional<ident::Solution> best, const std::string& title, std::ostream& out) {
   if (!best) return "interrupted";
-  const std::string when = best->fit.iterations > 0 ? fmt::format(" after {} iterations", best->fit.iterations) : "";
-  best->status = ident::Status::not_converged;
-  best->message = "Interrupted" + when + ": these are the best values so far." + (best->message.empty() ? "" : " ") + best->message;
+  tasks::mark_interrupted(*best);
   write_numbers(arguments, *best, title, out);
   return "interrupted; the best values so far are written" + std::string(arguments.report ? ", the page is not" : "");
 }
@@ -81,7 +79,9 @@ ident::Solution solve_watched(const SolveArguments& arguments, ident::Plan& plan
 void write_report(const std::string& target, ident::Plan& plan, const ident::Solution& solution,
                   const std::optional<tasks::FrfEntry>& entry, const report::Display& display, std::ostream& out) {
   Progress progress;
-  write_target(target, report::solve_report(plan, solution, entry, progress.control(), display), out);
+  const tasks::SolutionDetails details =
+      tasks::solution_details(plan, solution, {entry, report::most_frfs, report::worst_frfs_drawn}, progress.control());
+  write_target(target, report::solve_report(plan, solution, details, display), out);
 }
 
 /// The entry of --plot, RESPONSE/REFERENCE. Throws InputError (usage) when the assembly has no such FRF.
@@ -107,7 +107,7 @@ void plot(const tasks::FrfEntry& entry, ident::Plan& plan, const ident::Solution
       report::in_units_of(display, tasks::regenerate(plan, solution.bands, {entry}, progress.control()));
   const std::string label = report::frf_label(display, entry.response, entry.reference);
   const std::size_t begin = label.find('(') + 1;
-  out << frf_plot(shown, shown.frfs.front(), label.substr(begin, label.size() - 1 - begin));
+  out << report::frf_plot(shown, shown.frfs.front(), label.substr(begin, label.size() - 1 - begin));
 }
 
 /// With the quantity of the first file of the assembly where that is asked for.

@@ -11,20 +11,19 @@
 #include "base/parallel.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
-#include "cli/study/study_page.hpp"
-#include "cli/study/study_text.hpp"
 #include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "laws/scene/read_law_scene.hpp"
-#include "laws/task/trial_file.hpp"
 #include "report/laws/law_study_page.hpp"
 #include "report/laws/law_study_text.hpp"
-#include "report/result/study_tables.hpp"
+#include "report/result/study_page.hpp"
+#include "report/result/study_text.hpp"
 #include "scene/kind.hpp"
 #include "scene/text.hpp"
-#include "study/study_options.hpp"
+#include "study/trial_data.hpp"
+#include "tasks/study/run_law_study.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -33,8 +32,17 @@ std::filesystem::path result_file(const StudyArguments& arguments) {
   return arguments.out.empty() ? std::filesystem::path(arguments.scene.stem().string() + ".study.h5") : arguments.out;
 }
 
+/// The trials of a study of laws: text, as few numbers as they are.
+std::filesystem::path law_trials_file(const StudyArguments& arguments) {
+  return arguments.out.empty() ? std::filesystem::path(arguments.scene.stem().string() + ".study.csv") : arguments.out;
+}
+
 void check(const StudyArguments& arguments) {
   if (arguments.trials == 0) throw InputError({ErrorKind::usage, "", "--trials", "it is 0", "give 1 or more"});
+}
+
+void check_outputs(const StudyArguments& arguments, const std::vector<ident::NamedFile>& inputs, const std::filesystem::path& trials) {
+  check_targets(inputs, {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}, {"--out", trials.string()}});
 }
 
 /// The journal of an interrupted study is written, too.
@@ -58,7 +66,7 @@ study::StudyOptions options_of(const StudyArguments& arguments, const std::strin
   options.threads = threads_of(arguments);
   options.resume = arguments.resume;
   options.out = result_file(arguments);
-  options.texts = report::study_texts(scene_text);
+  options.texts = tasks::study_texts(scene_text);
   return options;
 }
 
@@ -83,7 +91,8 @@ class StudyProgress {
 
 /// What a study needs to run.
 struct Start {
-  std::optional<laws::LawScene> laws;  ///< one of friction joints; then nothing else is there
+  std::optional<laws::LawScene> laws;  ///< one of friction joints; then beside its text nothing else is there
+  std::string text;
   study::StudyOptions options;
   std::shared_ptr<const study::TrialData> data;
 };
@@ -95,7 +104,9 @@ Start start_in(ident::Team& team, const StudyArguments& arguments) {
     check(arguments);
     const std::string text = scene::read_text(arguments.scene);
     if (scene::is_law_scene(text, arguments.scene)) {
+      start.text = text;
       start.laws = laws::parse_law_scene(text, arguments.scene);
+      if (team.rank() == 0) check_outputs(arguments, laws::files_of(*start.laws), law_trials_file(arguments));
       return;
     }
     start.options = options_of(arguments, text);
@@ -113,7 +124,7 @@ std::string to_go_on(const study::StudyOptions& options, std::size_t done) {
 }
 
 /// Trials that take longer than an interrupted process has are dropped; what was done before is in the journal.
-study::StudyRun run_watched(const Start& start, ident::Team& team) {
+tasks::StudyResult run_watched(const Start& start, ident::Team& team) {
   StudyProgress progress;
   std::atomic<std::size_t> trials_done = 0;
   const LastWords words([&] { return to_go_on(start.options, trials_done); });
@@ -124,63 +135,57 @@ study::StudyRun run_watched(const Start& start, ident::Team& team) {
       progress.show(done, total);
     };
   }
-  return study::run_study(start.data, start.options, team, control);
+  return tasks::run_study(start.data, start.options, team, control);
 }
 
-/// The trials of a study of laws: text, as few numbers as they are.
-std::filesystem::path law_trials_file(const StudyArguments& arguments) {
-  return arguments.out.empty() ? std::filesystem::path(arguments.scene.stem().string() + ".study.csv") : arguments.out;
+/// What is told of a study of laws that is interrupted; before its trials began, no more than that.
+class LawTrialsDone {
+ public:
+  LawTrialsDone(std::string file, std::size_t trials) : file_(std::move(file)), trials_(trials) {}
+
+  void put(std::size_t done) {
+    if (done > done_) done_ = done;
+    begun_ = true;
+  }
+  std::string to_resume() const {
+    if (!begun_) return "interrupted";
+    return fmt::format("interrupted; {} keeps {} of {} trials, the same command with --resume continues", file_, done_.load(), trials_);
+  }
+
+ private:
+  std::string file_;
+  std::size_t trials_;
+  std::atomic<std::size_t> done_ = 0;
+  std::atomic<bool> begun_ = false;
+};
+
+std::optional<laws::LawStudy> run_laws_watched(const StudyArguments& arguments, const Start& start, ident::Team& team) {
+  const tasks::LawTrialsFile trials{law_trials_file(arguments), start.text, arguments.resume};
+  laws::LawStudyOptions options = {
+      .trials = arguments.trials, .seed = arguments.seed, .threads = threads_of(arguments), .interrupted = interrupted};
+  if (team.rank() > 0) return tasks::run_law_study(*start.laws, trials, options, team);
+  LawTrialsDone done(trials.path.string(), arguments.trials);
+  StudyProgress progress;
+  options.progress = [&](std::size_t so_far, std::size_t total) {
+    done.put(so_far);
+    progress.show(so_far, total);
+  };
+  return with_last_words([&] { return done.to_resume(); }, [&] { return tasks::run_law_study(*start.laws, trials, options, team); });
 }
 
 /// The leader writes; the others make their part of the trials.
-ExitCode study_law_scene(const StudyArguments& arguments, const laws::LawScene& scene, ident::Team& team, std::ostream& out) {
-  const std::filesystem::path path = law_trials_file(arguments);
-  laws::LawStudyOptions options = {
-      .trials = arguments.trials, .seed = arguments.seed, .threads = threads_of(arguments), .interrupted = interrupted};
-  laws::AssumedStates assumed;
-  std::optional<laws::TrialFile> file;
-  ident::start_together(team, [&] {
-    const bool leads = team.rank() == 0;
-    if (leads) {
-      check_targets(
-          laws::files_of(scene),
-          {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}, {"--out", path.string()}});
-    }
-    assumed = laws::assumed_states(scene);
-    if (leads) {
-      const std::string text = scene::read_text(arguments.scene);
-      file.emplace(path, laws::TrialFileKey{text, arguments.seed, laws::law_study_plan(scene, assumed)}, arguments.resume);
-    }
-  });
-  if (!file) {
-    laws::study_laws_together(scene, assumed, options, team);
-    return ExitCode::done;
-  }
-  options.known = file->known();
-  std::atomic<std::size_t> done = 0;
-  StudyProgress progress;
-  options.made = [&](const laws::LawTrial& trial) { file->add(trial); };
-  options.progress = [&](std::size_t so_far, std::size_t total) {
-    done = so_far;
-    progress.show(so_far, total);
-  };
-  const auto to_resume = [&] {
-    return fmt::format("interrupted; {} keeps {} of {} trials, the same command with --resume continues", path.string(),
-                       std::max<std::size_t>(done, file->known().size()), arguments.trials);
-  };
-  const LastWords words(to_resume);
-  const laws::LawStudy study = [&] {
-    try {
-      return *laws::study_laws_together(scene, assumed, options, team);
-    } catch (const Interrupted&) {
-      throw Interrupted(to_resume());
-    }
-  }();
-  if (arguments.json) write_target(*arguments.json, report::law_study_json(study), out);
-  if (arguments.csv) write_target(*arguments.csv, report::law_study_csv(study), out);
-  if (arguments.report) write_target(*arguments.report, report::law_study_page(scene, study), out);
-  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::law_study_text(scene, study);
-  return study.usable > 0 ? ExitCode::done : ExitCode::unusable;
+ExitCode study_law_scene(const StudyArguments& arguments, const Start& start, ident::Team& team, std::ostream& out) {
+  const std::optional<laws::LawStudy> study = run_laws_watched(arguments, start, team);
+  if (!study) return ExitCode::done;
+  if (arguments.json) write_target(*arguments.json, report::law_study_json(*study), out);
+  if (arguments.csv) write_target(*arguments.csv, report::law_study_csv(*study), out);
+  if (arguments.report) write_target(*arguments.report, report::law_study_page(*start.laws, *study), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::law_study_text(*start.laws, *study);
+  return study->usable > 0 ? ExitCode::done : ExitCode::unusable;
+}
+
+std::string page_of(const tasks::StudyResult& result, const ident::Scene& scene) {
+  return report::study_page(result, scene, tasks::study_histograms(result.file, result.statistics, report::most_unknowns_shown));
 }
 
 }  // namespace
@@ -203,20 +208,15 @@ void add_study(CLI::App& app, Chosen& chosen) {
 ExitCode execute(const StudyArguments& arguments, std::ostream& out) {
   const auto team = ident::join_team();
   const Start start = start_in(*team, arguments);
-  if (start.laws) return study_law_scene(arguments, *start.laws, *team, out);
-  const study::StudyOptions& options = start.options;
-  const study::StudyRun run = run_watched(start, *team);
+  if (start.laws) return study_law_scene(arguments, start, *team, out);
+  const tasks::StudyResult result = run_watched(start, *team);
   if (team->rank() != 0) return ExitCode::done;
-  if (!run.complete) {
-    throw Interrupted(to_go_on(options, run.done));
-  }
-  const StudyReport report{start.data->scene.title, options.out.string(), options.seed, run,
-                           study::study_statistics(options.out), start.data->notes};
-  if (arguments.json) write_target(*arguments.json, study_json(report), out);
-  if (arguments.csv) write_target(*arguments.csv, study_csv(report), out);
-  if (arguments.report) write_target(*arguments.report, study_report(report, start.data->scene), out);
-  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << study_text(report);
-  return report.statistics.usable > 0 ? ExitCode::done : ExitCode::unusable;
+  if (!result.run.complete) throw Interrupted(to_go_on(start.options, result.run.done));
+  if (arguments.json) write_target(*arguments.json, report::study_json(result), out);
+  if (arguments.csv) write_target(*arguments.csv, report::study_csv(result), out);
+  if (arguments.report) write_target(*arguments.report, page_of(result, start.data->scene), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::study_text(result);
+  return result.statistics.usable > 0 ? ExitCode::done : ExitCode::unusable;
 }
 
 }  // namespace jointid::cli

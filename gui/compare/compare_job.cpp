@@ -1,7 +1,7 @@
 #include "gui/compare/compare_job.hpp"
 
 #include "base/control.hpp"
-#include "study/trial_data.hpp"
+#include "tasks/compare/compare_ways.hpp"
 
 namespace jointid::gui {
 
@@ -11,14 +11,13 @@ study::Comparison run_comparison(const ComparisonWish& wish, const Worker::Watch
   options.interrupted = watch.interrupted;
   options.progress = [&](std::size_t done, std::size_t total) { watch.progress("trials", done, total); };
   study::Comparison last;
-  const auto keep = [&](study::Comparison comparison) {
-    study::mark_fronts(comparison.combinations);
-    so_far(comparison);
-    last = std::move(comparison);
+  const auto keep = [&](const tasks::ComparisonResult& result) {
+    last = result.comparison;
+    study::mark_fronts(last.combinations);
+    so_far(last);
   };
-  const auto ways = study::combinations(wish.scene.identify, wish.alternatives, wish.scene.data.regenerate);
   try {
-    return study::compare(wish.scene, ways, study::load_trial_data, options, keep);
+    return tasks::compare_ways(wish.scene, wish.alternatives, options, keep).comparison;
   } catch (const Interrupted&) {
     if (last.combinations.empty()) throw;
     last.interrupted = true;

@@ -25,8 +25,8 @@ std::shared_ptr<const Coupled> run_coupling(const CoupleWish& wish, const Worker
   out->scene = wish.scene;
   out->result = tasks::couple(wish.scene, wish.out, wish.bounds, control_of(watch));
   if (out->result.status != ident::Status::ok) return out;
-  out->frfs = report::read_predicted(out->result, most_frfs_shown);
-  for (const auto& file : wish.measured) report::compare_with(*frf::open(file), out->result.frequency_hz, out->frfs);
+  out->frfs = tasks::read_predicted(out->result, most_frfs_shown);
+  for (const auto& file : wish.measured) tasks::compare_with(*frf::open(file), out->result.frequency_hz, out->frfs);
   return out;
 }
 
@@ -34,8 +34,8 @@ CellRows coupling_errors(const Coupled& coupled) {
   CellRows out;
   out.columns << Said::tr("FRF") << Said::tr("error in dB (rms)");
   std::vector<std::pair<double, std::string>> all;
-  for (const report::PredictedFrf& frf : coupled.frfs) {
-    const double error = report::error_db(frf);
+  for (const tasks::PredictedFrf& frf : coupled.frfs) {
+    const double error = tasks::error_db(frf);
     if (std::isfinite(error)) all.emplace_back(error, frf.response.name() + " / " + frf.reference.name());
   }
   std::ranges::stable_sort(all, std::ranges::greater(), &std::pair<double, std::string>::first);

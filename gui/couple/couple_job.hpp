@@ -6,7 +6,7 @@
 #include "gui/table/cell_table.hpp"
 #include "gui/work/worker.hpp"
 #include "ident/scene/couple_scene.hpp"
-#include "report/couple/couple_frfs.hpp"
+#include "tasks/couple/couple_frfs.hpp"
 #include "tasks/couple.hpp"
 
 namespace jointid::gui {
@@ -22,7 +22,7 @@ struct CoupleWish {
 struct Coupled {
   ident::CoupleScene scene;
   tasks::CoupleResult result;
-  std::vector<report::PredictedFrf> frfs;
+  std::vector<tasks::PredictedFrf> frfs;
 };
 
 /// As `jointid couple --out` does; reads back what it wrote, and what was measured beside it. Throws InputError and Interrupted,

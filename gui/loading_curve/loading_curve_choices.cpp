@@ -92,8 +92,8 @@ void LoadingCurveChoices::offer(const QStringList& columns) {
   }
 }
 
-report::LoadingCurveTask LoadingCurveChoices::task() const {
-  report::LoadingCurveTask out;
+tasks::LoadingCurveTask LoadingCurveChoices::task() const {
+  tasks::LoadingCurveTask out;
   out.displacement = chosen(*displacement_);
   out.force = chosen(*force_);
   out.energy = chosen(*energy_);
@@ -108,8 +108,8 @@ report::LoadingCurveTask LoadingCurveChoices::task() const {
   return out;
 }
 
-QString loading_curve_command(const report::LoadingCurveTask& task) {
-  const report::LoadingCurveTask usual;
+QString loading_curve_command(const tasks::LoadingCurveTask& task) {
+  const tasks::LoadingCurveTask usual;
   QString text = QStringLiteral("jointid loading-curve");
   for (const auto& file : task.files) text += " " + shell_word(as_name(file));
   text += option("displacement", task.displacement) + option("unit", task.unit) + option("force", task.force) +

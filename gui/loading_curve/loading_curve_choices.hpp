@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "report/loading_curve/loading_curve_task.hpp"
+#include "tasks/loading_curve/loading_curve_task.hpp"
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -22,7 +22,7 @@ class LoadingCurveChoices : public QWidget {
   /// Columns to choose from, those of the first file.
   void offer(const QStringList& columns);
   /// All but the files.
-  report::LoadingCurveTask task() const;
+  tasks::LoadingCurveTask task() const;
 
  private:
   QComboBox* column_box(const char* name, const QString& title, const QString& hint);
@@ -34,6 +34,6 @@ class LoadingCurveChoices : public QWidget {
 };
 
 /// "jointid loading-curve 'rig.txt' --displacement position --law ren,iwan".
-QString loading_curve_command(const report::LoadingCurveTask& task);
+QString loading_curve_command(const tasks::LoadingCurveTask& task);
 
 }  // namespace jointid::gui

@@ -20,7 +20,7 @@
 #include "gui/page/job_line.hpp"
 #include "gui/page/plot_menu.hpp"
 #include "gui/table/cell_table.hpp"
-#include "report/loading_curve/loading_curve_fit.hpp"
+#include "tasks/loading_curve/loading_curve_fit.hpp"
 #include "report/loading_curve/loading_curve_plots.hpp"
 #include "report/loading_curve/loading_curve_tables.hpp"
 
@@ -29,11 +29,11 @@ namespace {
 
 constexpr std::size_t most_curves = 60, amplitudes_listed = 16;
 
-QString status_text(const report::LoadingCurveReport& report) {
+QString status_text(const tasks::LoadingCurveResult& report) {
   QStringList lines;
   if (!report.fits.empty()) {
     const friction::Fit& best = report.fits.front();
-    lines << (report::some_usable(report) ? LoadingCurvePage::tr("Best law by AIC: %1, %2").arg(q(best.law), q(best.title))
+    lines << (tasks::some_usable(report) ? LoadingCurvePage::tr("Best law by AIC: %1, %2").arg(q(best.law), q(best.title))
                                           : q(friction::name(best.status)) + ": " + q(best.message));
     for (const std::string& finding : best.findings) lines << q(finding);
   }
@@ -131,8 +131,8 @@ void LoadingCurvePage::open(const QStringList& files) {
   show_buttons();
 }
 
-report::LoadingCurveTask LoadingCurvePage::task() const {
-  report::LoadingCurveTask out = choices_->task();
+tasks::LoadingCurveTask LoadingCurvePage::task() const {
+  tasks::LoadingCurveTask out = choices_->task();
   for (const QString& file : files_) out.files.push_back(as_path(file));
   return out;
 }
@@ -141,21 +141,21 @@ void LoadingCurvePage::run() {
   if (files_.isEmpty() || is_busy()) return;
   line_->say(tr("Fitting …"));
   line_->worker().add([this, task = task()](const Worker::Watch& watch) -> Worker::Deliver {
-    report::check(task);
-    report::FittingWatch fitting;
+    tasks::check(task);
+    tasks::FittingWatch fitting;
     fitting.interrupted = watch.interrupted;
     fitting.progress = [&watch](const std::string& stage) { watch.progress(stage.c_str(), 0, 0); };
-    fitting.so_far = [this, &watch](const report::LoadingCurveReport& report) {
-      watch.show([this, shared = std::make_shared<const report::LoadingCurveReport>(report)] { show_report(shared); });
+    fitting.so_far = [this, &watch](const tasks::LoadingCurveResult& report) {
+      watch.show([this, shared = std::make_shared<const tasks::LoadingCurveResult>(report)] { show_report(shared); });
     };
-    return [this, found = std::make_shared<const report::LoadingCurveReport>(report::fit_loading_curves(task, fitting))] {
+    return [this, found = std::make_shared<const tasks::LoadingCurveResult>(tasks::fit_loading_curves(task, fitting))] {
       show_report(found);
-      line_->say(status_text(*found), !report::some_usable(*found));
+      line_->say(status_text(*found), !tasks::some_usable(*found));
     };
   });
 }
 
-void LoadingCurvePage::show_report(std::shared_ptr<const report::LoadingCurveReport> report) {
+void LoadingCurvePage::show_report(std::shared_ptr<const tasks::LoadingCurveResult> report) {
   report_ = std::move(report);
   plots_->show_groups({{tr("curve"), report::curves_and_residuals(*report_, most_curves)},
                        {tr("k_e, d_e and energy"), report::equivalents_plots(*report_)},

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "gui/work/worker.hpp"
-#include "report/loading_curve/loading_curve_report.hpp"
+#include "tasks/loading_curve/loading_curve_result.hpp"
 
 class QComboBox;
 class QLabel;
@@ -31,7 +31,7 @@ class LoadingCurvePage : public QWidget {
   void cancel();
   bool is_busy() const;
 
-  const report::LoadingCurveReport* shown() const { return report_.get(); }
+  const tasks::LoadingCurveResult* shown() const { return report_.get(); }
   QString status() const;
   PlotMenu* plots() const { return plots_; }
   CellTable* laws() const { return laws_; }
@@ -46,10 +46,10 @@ class LoadingCurvePage : public QWidget {
  private:
   QWidget* make_top();
   QTabWidget* make_tables();
-  void show_report(std::shared_ptr<const report::LoadingCurveReport> report);
+  void show_report(std::shared_ptr<const tasks::LoadingCurveResult> report);
   void show_law(int row);
   void show_buttons();
-  report::LoadingCurveTask task() const;
+  tasks::LoadingCurveTask task() const;
 
   QPushButton *fit_, *command_;
   QLabel* names_;
@@ -59,7 +59,7 @@ class LoadingCurvePage : public QWidget {
   QTabWidget* tables_;
   CellTable *laws_, *parameters_, *equivalents_, *loops_;
   QStringList files_;
-  std::shared_ptr<const report::LoadingCurveReport> report_;
+  std::shared_ptr<const tasks::LoadingCurveResult> report_;
 };
 
 }  // namespace jointid::gui

@@ -4,10 +4,8 @@
 
 #include "base/control.hpp"
 #include "base/text.hpp"
-#include "frf/set/merged_set.hpp"
 #include "gui/look/paths.hpp"
 #include "gui/look/said.hpp"
-#include "ident/plan/data_source.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -59,25 +57,17 @@ std::vector<ModalStructure> structures_of(const ident::DataSection& data) {
   return out;
 }
 
-frf::FrfSet load_structure(const ModalStructure& structure) {
-  const auto sources = ident::open_all(structure.files);
-  if (sources.size() == 1) return frf::load(*sources.front());
-  std::vector<frf::FrfSet> sets;
-  for (const auto& source : sources) sets.push_back(frf::load_with_covariance(*source));
-  return frf::merged(std::move(sets));
-}
-
 ModalFound run_modal_job(const ModalWish& wish, const Worker::Watch& watch) {
   ModalFound found{wish.loaded, nullptr};
   if (!found.loaded) {
     watch.progress("reading", 0, 0);
-    found.loaded = std::make_shared<const frf::FrfSet>(load_structure(wish.structure));
+    found.loaded = std::make_shared<const frf::FrfSet>(tasks::load_structure(wish.structure.files));
     stop_if(watch.interrupted);
   }
   modalfit::FitOptions options = wish.options;
   options.interrupted = watch.interrupted;
   options.progress = [&watch](const char* stage) { watch.progress(stage, 0, 0); };
-  found.run = std::make_shared<const report::ModalRun>(report::run_modal(wish.structure.name, *found.loaded, options));
+  found.run = std::make_shared<const tasks::ModalRun>(tasks::run_modal(wish.structure.name, *found.loaded, options));
   return found;
 }
 

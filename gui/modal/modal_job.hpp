@@ -8,7 +8,7 @@
 
 #include "gui/work/worker.hpp"
 #include "ident/scene/scene.hpp"
-#include "report/modalfit/modal_run.hpp"
+#include "tasks/modalfit/modal_run.hpp"
 
 namespace jointid::gui {
 
@@ -21,9 +21,6 @@ struct ModalStructure {
 /// The parts of a scene, each by itself, and its assembly.
 std::vector<ModalStructure> structures_of(const ident::DataSection& data);
 
-/// All FRFs of a structure, corrected as the scene says, repeats as their mean. Throws InputError.
-frf::FrfSet load_structure(const ModalStructure& structure);
-
 struct ModalWish {
   ModalStructure structure;
   modalfit::FitOptions options{};               ///< poles: what is picked, or nothing for all modes to be sought
@@ -32,7 +29,7 @@ struct ModalWish {
 
 struct ModalFound {
   std::shared_ptr<const frf::FrfSet> loaded;
-  std::shared_ptr<const report::ModalRun> run;
+  std::shared_ptr<const tasks::ModalRun> run;
 };
 
 /// As `jointid modalfit` does. Interrupted, it gives the modes found so far, marked so; throws Interrupted where there are none,

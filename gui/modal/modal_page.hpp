@@ -35,7 +35,7 @@ class ModalPage : public QWidget {
   void undo();
   void redo();
 
-  const report::ModalRun* shown() const { return run_.get(); }
+  const tasks::ModalRun* shown() const { return run_.get(); }
   const PickedPoles& picked() const { return picked_; }
   QString status() const;
   Chart* chart() const { return chart_; }
@@ -86,7 +86,7 @@ class ModalPage : public QWidget {
   CellTable *modes_, *mac_, *errors_;
   std::vector<ModalStructure> structures_;
   std::shared_ptr<const frf::FrfSet> loaded_;
-  std::shared_ptr<const report::ModalRun> run_, sought_;  ///< shown; by the search, whose diagram stays
+  std::shared_ptr<const tasks::ModalRun> run_, sought_;  ///< shown; by the search, whose diagram stays
   ModalStructure of_run_;
   modalfit::FitOptions used_;  ///< of the search
   PickedPoles picked_;

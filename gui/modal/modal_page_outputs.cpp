@@ -25,11 +25,11 @@ void ModalPage::write(const QString& file, const std::function<void(const std::f
 }
 
 void ModalPage::write_shapes(const QString& file) {
-  write(file, [this](const std::filesystem::path& path) { report::write_shapes(*run_, path); });
+  write(file, [this](const std::filesystem::path& path) { tasks::write_shapes(*run_, path); });
 }
 
 void ModalPage::write_regenerated(const QString& file) {
-  write(file, [this](const std::filesystem::path& path) { report::write_regenerated(*run_, path); });
+  write(file, [this](const std::filesystem::path& path) { tasks::write_regenerated(*run_, path); });
 }
 
 }  // namespace jointid::gui

@@ -11,11 +11,11 @@ namespace {
 
 constexpr double deepest_db = 3.0;
 
-QString mode_name(const report::ModalRun& run, std::size_t r) {
+QString mode_name(const tasks::ModalRun& run, std::size_t r) {
   return QStringLiteral("%1: %2 Hz").arg(r + 1).arg(run.fit.modes[r].pole.frequency_hz, 0, 'g', 5);
 }
 
-Curve curve_of(const report::ModalRun& run, std::size_t response, std::size_t reference) {
+Curve curve_of(const tasks::ModalRun& run, std::size_t response, std::size_t reference) {
   Curve curve;
   curve.response = run.fit.response[response];
   curve.reference = run.fit.reference[reference];
@@ -25,8 +25,8 @@ Curve curve_of(const report::ModalRun& run, std::size_t response, std::size_t re
 
 }  // namespace
 
-CellRows mac_rows(const report::ModalRun& run) {
-  const report::Shapes all = report::shapes(run);
+CellRows mac_rows(const tasks::ModalRun& run) {
+  const tasks::Shapes all = tasks::shapes(run);
   CellRows out;
   for (std::size_t r = 0; r < all.of_mode.size(); ++r) {
     out.columns << mode_name(run, r);
@@ -44,7 +44,7 @@ CellRows mac_rows(const report::ModalRun& run) {
   return out;
 }
 
-CellRows synthesis_rows(const report::ModalRun& run) {
+CellRows synthesis_rows(const tasks::ModalRun& run) {
   CellRows out;
   for (const frf::Dof& dof : run.fit.reference) out.columns << q(dof.name());
   const auto& errors = run.symmetric ? run.of_model : run.of_fit;
@@ -62,7 +62,7 @@ CellRows synthesis_rows(const report::ModalRun& run) {
   return out;
 }
 
-std::vector<Curve> synthesised(const report::ModalRun& run, std::size_t response, std::size_t reference) {
+std::vector<Curve> synthesised(const tasks::ModalRun& run, std::size_t response, std::size_t reference) {
   const std::size_t entries = run.band.entries(), entry = response * run.fit.reference.size() + reference;
   Curve measured = curve_of(run, response, reference), model = measured;
   measured.name = Said::tr("measured").toStdString();

@@ -7,7 +7,7 @@
 
 #include "base/control.hpp"
 #include "gui/look/said.hpp"
-#include "report/mode_indicators.hpp"
+#include "tasks/modalfit/mode_indicators.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -76,7 +76,7 @@ std::vector<Curve> indicators_of(const Group& group, const std::function<bool()>
   std::iota(lines.begin(), lines.end(), 0U);
   std::vector<Curve> out;
   for (const auto& values :
-       report::mode_indicators({responses.size(), references.size(), receptance}, lines, most_indicators, interrupted)) {
+       tasks::mode_indicators({responses.size(), references.size(), receptance}, lines, most_indicators, interrupted)) {
     out.push_back(empty_like(group, "CMIF " + std::to_string(out.size() + 1)));
     out.back().values.assign(values.begin(), values.end());
   }

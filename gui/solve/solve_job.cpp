@@ -8,6 +8,7 @@
 #include "gui/work/control_of.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/scene_files.hpp"
+#include "report/page/limits.hpp"
 #include "report/result/solve_page.hpp"
 #include "report/solution_json.hpp"
 
@@ -15,12 +16,6 @@ namespace jointid::gui {
 namespace {
 
 constexpr std::uintmax_t quick_bytes = std::uintmax_t{64} << 20;  // of files whose headers are read at once
-
-void mark_interrupted(ident::Solution& best) {
-  const std::string when = best.fit.iterations > 0 ? " after " + std::to_string(best.fit.iterations) + " iterations" : "";
-  best.status = ident::Status::not_converged;
-  best.message = "Interrupted" + when + ": these are the best values so far." + (best.message.empty() ? "" : " ") + best.message;
-}
 
 Curve curve_of(const tasks::Regenerated& all, const tasks::RegeneratedFrf& frf, bool is_measured, const std::string& name) {
   Curve curve;
@@ -66,7 +61,7 @@ Solved solve_scene(const ident::Scene& scene, const Worker::Watch& watch) {
     solved.solution = ident::solve(*solved.plan, control);
   } catch (const Interrupted&) {
     if (!best) throw;
-    mark_interrupted(*best);
+    tasks::mark_interrupted(*best);
     solved.solution = std::move(*best);
   }
   return solved;
@@ -113,7 +108,9 @@ std::vector<double> outlying_hz(const Solved& solved) {
 }
 
 std::string report_of(const Solved& solved, const Worker::Watch& watch) {
-  return report::solve_report(*solved.plan, solved.solution, std::nullopt, control_of(watch));
+  const tasks::DetailChoice choice{std::nullopt, report::most_frfs, report::worst_frfs_drawn};
+  return report::solve_report(*solved.plan, solved.solution,
+                              tasks::solution_details(*solved.plan, solved.solution, choice, control_of(watch)));
 }
 
 }  // namespace jointid::gui

@@ -8,6 +8,8 @@
 #include "report/result/study_plots.hpp"
 #include "report/result/study_tables.hpp"
 #include "study/trial_data.hpp"
+#include "tasks/study/run_study.hpp"
+#include "tasks/study/trial_histograms.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -23,13 +25,14 @@ void add_choices(report::PlotGroup group, std::vector<HistogramSet>& out) {
   }
 }
 
-StudyShown whole(const study::StudyOptions& options, const study::StudyRun& run) {
-  const study::StudyStatistics statistics = study::study_statistics(options.out);
-  StudyShown shown{.complete = true, .done = run.done, .trials = options.trials};
-  add_choices(report::unknown_histograms(options.out, statistics, most_unknowns_drawn), shown.histograms);
-  add_choices(report::quality_histograms(options.out, statistics), shown.histograms);
+StudyShown whole(const study::StudyOptions& options, const tasks::StudyResult& result) {
+  const study::StudyStatistics& statistics = result.statistics;
+  const tasks::StudyHistograms histograms = tasks::study_histograms(options.out, statistics, most_unknowns_drawn);
+  StudyShown shown{.complete = true, .done = result.run.done, .trials = options.trials};
+  add_choices(report::study_unknown_plots(histograms.unknowns, statistics, most_unknowns_drawn), shown.histograms);
+  add_choices(report::study_quality_plots(histograms.quality, statistics), shown.histograms);
   shown.unknowns = report::unknowns_table(statistics);
-  shown.text = Said::tr("trials: ").toStdString() + report::trials_text(statistics) + "\n" + report::speed_text(run);
+  shown.text = Said::tr("trials: ").toStdString() + report::trials_text(statistics) + "\n" + report::speed_text(result.run);
   return shown;
 }
 
@@ -39,7 +42,7 @@ study::StudyOptions options_of(const StudyWish& wish) {
   options.seed = wish.seed;
   options.out = wish.out;
   options.resume = !wish.from_the_beginning && std::filesystem::exists(study::journal_path(wish.out));
-  options.texts = report::study_texts(wish.scene_text);
+  options.texts = tasks::study_texts(wish.scene_text);
   return options;
 }
 
@@ -60,8 +63,8 @@ std::vector<HistogramSet> LiveTrials::histograms() const {
   const std::lock_guard lock(mutex_);
   HistogramSet set{Said::tr("so far").toStdString(), {}};
   for (std::size_t i = 0; i < unknowns_.size(); ++i) {
-    if (auto plot = report::histogram_of(unknowns_[i].name, unknowns_[i].unit, values_[i], unknowns_[i].truth))
-      set.plots.push_back(std::move(*plot));
+    if (const auto histogram = tasks::histogram_of(unknowns_[i].name, unknowns_[i].unit, values_[i], unknowns_[i].truth))
+      set.plots.push_back(report::histogram_plot(*histogram));
   }
   return set.plots.empty() ? std::vector<HistogramSet>() : std::vector{std::move(set)};
 }
@@ -84,9 +87,9 @@ StudyShown run_study_job(const StudyWish& wish, const Worker::Watch& watch,
     shown_at = Clock::now();
   };
   const auto team = ident::join_team();
-  const study::StudyRun run = study::run_study(data, options, *team, control);
-  if (run.complete) return whole(options, run);
-  return {.done = run.done, .trials = options.trials, .histograms = live.histograms()};
+  const tasks::StudyResult result = tasks::run_study(data, options, *team, control);
+  if (result.run.complete) return whole(options, result);
+  return {.done = result.run.done, .trials = options.trials, .histograms = live.histograms()};
 }
 
 }  // namespace jointid::gui

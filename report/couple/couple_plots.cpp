@@ -43,9 +43,9 @@ double relative_deviation(std::complex<double> h, std::complex<double> variance)
 }
 
 /// The broad curve is what was measured, where that is there.
-Style bound_style(const PredictedFrf& frf) { return frf.measured.empty() ? Style::reference : Style::line; }
+Style bound_style(const tasks::PredictedFrf& frf) { return frf.measured.empty() ? Style::reference : Style::line; }
 
-std::vector<Series> magnitude_series(const PredictedFrf& frf) {
+std::vector<Series> magnitude_series(const tasks::PredictedFrf& frf) {
   std::vector<Series> series;
   if (!frf.measured.empty()) series.push_back({"measured", magnitudes(frf.measured), Style::reference});
   if (!frf.with_all.empty()) series.push_back({"with all conditions", magnitudes(frf.with_all), bound_style(frf)});
@@ -68,7 +68,7 @@ Values all_phases(const std::vector<std::complex<double>>& frf) {
   return phases_deg(frf, every);
 }
 
-Choice choice(const Values& frequency_hz, const PredictedFrf& frf, std::size_t most) {
+Choice choice(const Values& frequency_hz, const tasks::PredictedFrf& frf, std::size_t most) {
   const std::string name = frf.response.name() + " / " + frf.reference.name();
   std::vector<Series> phases;
   if (!frf.measured.empty()) phases.push_back({"measured", all_phases(frf.measured), Style::reference});
@@ -97,9 +97,9 @@ std::vector<Series> singular_value_series(const std::vector<LineRecord>& lines) 
 
 }  // namespace
 
-PlotGroup predicted_plots(const std::vector<double>& frequency_hz, const std::vector<PredictedFrf>& frfs, std::size_t most) {
+PlotGroup predicted_plots(const std::vector<double>& frequency_hz, const std::vector<tasks::PredictedFrf>& frfs, std::size_t most) {
   PlotGroup group{"FRF", {}};
-  for (const PredictedFrf& frf : frfs) group.choices.push_back(choice(frequency_hz, frf, most));
+  for (const tasks::PredictedFrf& frf : frfs) group.choices.push_back(choice(frequency_hz, frf, most));
   return group;
 }
 

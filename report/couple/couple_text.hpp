@@ -10,6 +10,9 @@ namespace jointid::report {
 /// What coupling did, for people.
 std::string couple_text(const ident::CoupleScene& scene, const tasks::CoupleResult& result);
 
+/// The same as JSON; the keys stay. Numbers that are not there are null.
+std::string couple_json(const ident::CoupleScene& scene, const tasks::CoupleResult& result);
+
 /// Line by line: frequency_hz, condition, kept, usable, the alpha of each condition of method mtc, and with a threshold on singular
 /// values these and what each had to exceed.
 std::string couple_csv(const tasks::CoupleResult& result);

@@ -21,9 +21,9 @@ constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t most_samples = 1500;
 
 /// Fits that have something to draw.
-std::vector<const Fit*> drawn(const LoadingCurveReport& report) {
+std::vector<const Fit*> drawn(const tasks::LoadingCurveResult& result) {
   std::vector<const Fit*> out;
-  for (const Fit& fit : report.fits) {
+  for (const Fit& fit : result.fits) {
     if (!fit.curves.empty()) out.push_back(&fit);
   }
   return out;
@@ -46,9 +46,9 @@ struct Part {
 };
 
 /// One quantity over one axis: measured and by every law, and below it the residuals.
-std::vector<Plot> overlay(const LoadingCurveReport& report, std::size_t number, const Part& part) {
+std::vector<Plot> overlay(const tasks::LoadingCurveResult& result, std::size_t number, const Part& part) {
   const auto& [title, axis, quantity, rows, offset] = part;
-  const Curve& curve = report.data.curves[number];
+  const Curve& curve = result.data.curves[number];
   CurvePlot value, residual;
   value.title = title;
   value.x = {axis + " (" + curve.displacement_unit + ")", false};
@@ -65,7 +65,7 @@ std::vector<Plot> overlay(const LoadingCurveReport& report, std::size_t number, 
   residual.y = {"(fit − measured) / largest", false};
   residual.level = 0.0;
   std::vector<Values> all = {measured};
-  for (const Fit* fit : drawn(report)) {
+  for (const Fit* fit : drawn(result)) {
     Values fitted;
     for (const std::size_t row : rows) fitted.push_back(fit->curves[number].predicted[row + offset]);
     all.push_back(std::move(fitted));
@@ -75,7 +75,7 @@ std::vector<Plot> overlay(const LoadingCurveReport& report, std::size_t number, 
   residual.x_values = value.x_values;
   value.series.push_back({"measured", picked(all[0], kept), Style::reference});
   for (std::size_t i = 1; i < all.size(); ++i) {
-    const std::string law = drawn(report)[i - 1]->law;
+    const std::string law = drawn(result)[i - 1]->law;
     Values difference = picked(all[i], kept);
     value.series.push_back({law, difference, Style::line});
     const Values& from = value.series[0].y;
@@ -89,21 +89,21 @@ void append(std::vector<Plot>& to, std::vector<Plot> more) {
   for (Plot& plot : more) to.push_back(std::move(plot));
 }
 
-std::vector<Plot> plots_of(const LoadingCurveReport& report, std::size_t number) {
-  const Curve& curve = report.data.curves[number];
+std::vector<Plot> plots_of(const tasks::LoadingCurveResult& result, std::size_t number) {
+  const Curve& curve = result.data.curves[number];
   const std::size_t size = curve.u.size();
   const std::string force = "force (" + curve.force_unit + ")", stiffness = curve.force_unit + "/" + curve.displacement_unit;
   if (curve.kind == CurveKind::loading)
-    return overlay(report, number, {"Loading curve", "displacement", force, ascending(curve, 0, size), 0});
+    return overlay(result, number, {"Loading curve", "displacement", force, ascending(curve, 0, size), 0});
   if (curve.kind == CurveKind::energy)
-    return overlay(report, number, {"Energy per cycle", "amplitude", "energy (J)", ascending(curve, 0, size), 0});
+    return overlay(result, number, {"Energy per cycle", "amplitude", "energy (J)", ascending(curve, 0, size), 0});
   std::vector<Plot> out;
   if (curve.kind == CurveKind::loop) {
-    append(out, overlay(report, number, {"Rising branch", "displacement, rising", force, ascending(curve, 0, curve.turn + 1), 0}));
-    append(out, overlay(report, number, {"Falling branch", "displacement, falling", force, ascending(curve, curve.turn + 1, size), 0}));
+    append(out, overlay(result, number, {"Rising branch", "displacement, rising", force, ascending(curve, 0, curve.turn + 1), 0}));
+    append(out, overlay(result, number, {"Falling branch", "displacement, falling", force, ascending(curve, curve.turn + 1, size), 0}));
   } else {
-    append(out, overlay(report, number, {"Equivalent stiffness", "amplitude", "k_e (" + stiffness + ")", ascending(curve, 0, size), 0}));
-    append(out, overlay(report, number, {"Equivalent damping", "amplitude", "d_e (" + stiffness + ")", ascending(curve, 0, size), size}));
+    append(out, overlay(result, number, {"Equivalent stiffness", "amplitude", "k_e (" + stiffness + ")", ascending(curve, 0, size), 0}));
+    append(out, overlay(result, number, {"Equivalent damping", "amplitude", "d_e (" + stiffness + ")", ascending(curve, 0, size), size}));
   }
   return out;
 }
@@ -132,17 +132,17 @@ double slip_displacement(const friction::Element& element, double h, double most
 /// What is drawn over amplitude.
 using Quantity = double (*)(const friction::Equivalent&);
 
-CurvePlot over_amplitude(const LoadingCurveReport& report, std::size_t number, const std::string& title, const std::string& unit,
+CurvePlot over_amplitude(const tasks::LoadingCurveResult& result, std::size_t number, const std::string& title, const std::string& unit,
                          Quantity quantity) {
   CurvePlot plot;
   plot.title = title;
   plot.y = {unit, false};
-  for (const Fit* fit : drawn(report)) {
-    const CurveFit& curve = *different(report, *fit)[number];
+  for (const Fit* fit : drawn(result)) {
+    const CurveFit& curve = *tasks::different(result, *fit)[number];
     plot.x = {"amplitude (" + curve.curve.displacement_unit + ")", true};
     Values y;
     plot.x_values.clear();
-    for (const friction::Equivalent& row : equivalents(curve, 80)) {
+    for (const friction::Equivalent& row : tasks::equivalents(curve, 80)) {
       plot.x_values.push_back(row.amplitude);
       y.push_back(quantity(row));
     }
@@ -153,77 +153,77 @@ CurvePlot over_amplitude(const LoadingCurveReport& report, std::size_t number, c
 
 }  // namespace
 
-PlotGroup curves_and_residuals(const LoadingCurveReport& report, std::size_t most) {
+PlotGroup curves_and_residuals(const tasks::LoadingCurveResult& result, std::size_t most) {
   PlotGroup group{"curve", {}};
-  if (drawn(report).empty()) return group;
-  for (const std::size_t number : evenly(report.data.curves.size(), most)) {
-    group.choices.push_back({report.data.curves[number].name, plots_of(report, number)});
+  if (drawn(result).empty()) return group;
+  for (const std::size_t number : evenly(result.data.curves.size(), most)) {
+    group.choices.push_back({result.data.curves[number].name, plots_of(result, number)});
   }
   return group;
 }
 
-PlotGroup slip_distribution(const LoadingCurveReport& report) {
+PlotGroup slip_distribution(const tasks::LoadingCurveResult& result) {
   PlotGroup group{"curve", {}};
-  if (drawn(report).empty()) return group;
-  const std::size_t elements = different(report, *drawn(report).front()).size();
+  if (drawn(result).empty()) return group;
+  const std::size_t elements = tasks::different(result, *drawn(result).front()).size();
   for (std::size_t number = 0; number < elements; ++number) {
     CurvePlot plot;
     plot.title = "Where the stiffness area slips";
     plot.x = {"slipped share h of the stiffness area", false};
     for (int i = 1; i <= 100; ++i) plot.x_values.push_back(i / 100.0);
-    for (const Fit* fit : drawn(report)) {
-      const CurveFit& curve = *different(report, *fit)[number];
+    for (const Fit* fit : drawn(result)) {
+      const CurveFit& curve = *tasks::different(result, *fit)[number];
       plot.y = {"displacement u(h) (" + curve.curve.displacement_unit + ")", true};
       Values u;
       for (const double h : plot.x_values) u.push_back(slip_displacement(*curve.element, h, 5.0 * curve.curve.largest_displacement()));
       if (std::ranges::any_of(u, [](double each) { return std::isfinite(each); }))
         plot.series.push_back({fit->law, std::move(u), Style::line});
     }
-    plot.level = report.data.curves[number].largest_displacement();
-    group.choices.push_back({report.data.loops ? "all loops" : report.data.curves[number].name, {plot}});
+    plot.level = result.data.curves[number].largest_displacement();
+    group.choices.push_back({result.data.loops ? "all loops" : result.data.curves[number].name, {plot}});
   }
   return group;
 }
 
-PlotGroup equivalents_plots(const LoadingCurveReport& report) {
+PlotGroup equivalents_plots(const tasks::LoadingCurveResult& result) {
   PlotGroup group{"curve", {}};
-  if (drawn(report).empty()) return group;
-  const std::size_t elements = different(report, *drawn(report).front()).size();
+  if (drawn(result).empty()) return group;
+  const std::size_t elements = tasks::different(result, *drawn(result).front()).size();
   for (std::size_t number = 0; number < elements; ++number) {
-    const Curve& curve = report.data.curves[number];
+    const Curve& curve = result.data.curves[number];
     const std::string unit = " (" + curve.force_unit + "/" + curve.displacement_unit + ")";
-    group.choices.push_back({report.data.loops ? "all loops" : curve.name,
-                             {over_amplitude(report, number, "Equivalent stiffness", "k_e" + unit,
+    group.choices.push_back({result.data.loops ? "all loops" : curve.name,
+                             {over_amplitude(result, number, "Equivalent stiffness", "k_e" + unit,
                                              [](const friction::Equivalent& row) { return row.stiffness; }),
-                              over_amplitude(report, number, "Equivalent damping", "d_e" + unit,
+                              over_amplitude(result, number, "Equivalent damping", "d_e" + unit,
                                              [](const friction::Equivalent& row) { return row.damping; }),
-                              over_amplitude(report, number, "Energy per cycle", "energy (J)",
+                              over_amplitude(result, number, "Energy per cycle", "energy (J)",
                                              [](const friction::Equivalent& row) { return row.energy; })}});
   }
   return group;
 }
 
-PlotGroup loops_in_turn(const LoadingCurveReport& report) {
+PlotGroup loops_in_turn(const tasks::LoadingCurveResult& result) {
   PlotGroup group{"", {}};
-  if (report.of_loops.empty()) return group;
+  if (result.of_loops.empty()) return group;
   const auto in_turn = [&](const std::string& title, const std::string& unit, const std::function<double(const CurveFit&)>& figure) {
     CurvePlot plot;
     plot.title = title;
     plot.x = {"loop", false};
     plot.y = {unit, false};
-    for (std::size_t i = 0; i < report.data.curves.size(); ++i) plot.x_values.push_back(static_cast<double>(i + 1));
-    for (std::size_t law = 0; law < report.of_loops.size(); ++law) {
+    for (std::size_t i = 0; i < result.data.curves.size(); ++i) plot.x_values.push_back(static_cast<double>(i + 1));
+    for (std::size_t law = 0; law < result.of_loops.size(); ++law) {
       Values y;
-      for (const Fit& fit : report.of_loops[law]) y.push_back(fit.curves.empty() ? no_value : figure(fit.curves[0]));
+      for (const Fit& fit : result.of_loops[law]) y.push_back(fit.curves.empty() ? no_value : figure(fit.curves[0]));
       if (std::ranges::any_of(y, [](double each) { return std::isfinite(each); }))
-        plot.series.push_back({report.fits[law].law, std::move(y), Style::line});
+        plot.series.push_back({result.fits[law].law, std::move(y), Style::line});
     }
     return plot;
   };
-  const Curve& curve = report.data.curves.front();
+  const Curve& curve = result.data.curves.front();
   const auto limit = [](const CurveFit& fit) { return fit.limit.value; };
   const auto stiffness = [](const CurveFit& fit) { return fit.stiffness.value; };
-  const auto energy = [](const CurveFit& fit) { return 100.0 * energy_error(fit); };
+  const auto energy = [](const CurveFit& fit) { return 100.0 * tasks::energy_error(fit); };
   group.choices.push_back(
       {"",
        {in_turn("Friction limit", "limit (" + curve.force_unit + ")", limit),

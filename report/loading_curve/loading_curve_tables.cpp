@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "friction/path/loops.hpp"
-
 namespace jointid::report {
 namespace {
 
@@ -29,65 +27,37 @@ void add_value(const FittedValue& value, const std::string& of, Table& table) {
 
 std::string percent(double share) { return fmt::format("{:.2f}", 100.0 * share); }
 
-std::vector<std::string> three(const std::vector<double>& values, double factor) {
-  const Range found = range(values);
-  return {number(factor * found.low), number(factor * found.median), number(factor * found.high)};
+/// Smallest, median and largest.
+std::vector<std::string> three(std::vector<double> values, double factor) {
+  std::ranges::sort(values);
+  const std::size_t half = values.size() / 2;
+  const double median = values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+  return {number(factor * values.front()), number(factor * median), number(factor * values.back())};
 }
 
 }  // namespace
 
-std::vector<friction::Equivalent> equivalents(const CurveFit& fit, std::size_t count) {
-  std::vector<double> amplitudes;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(count - 1);
-    amplitudes.push_back(fit.curve.largest_displacement() * 0.05 * std::pow(40.0, share));
-  }
-  return friction::equivalent(*fit.element, amplitudes);
-}
-
-std::vector<const CurveFit*> different(const LoadingCurveReport& report, const Fit& fit) {
-  std::vector<const CurveFit*> out;
-  for (const CurveFit& each : fit.curves) out.push_back(&each);
-  if (report.data.loops && out.size() > 1) out.resize(1);
-  return out;
-}
-
-double energy_error(const CurveFit& fit) {
-  const friction::Loop loop{{fit.curve.u, fit.curve.value}, fit.curve.turn};
-  return fit.element->cycle_energy(loop.amplitude()) / loop.energy() - 1.0;
-}
-
-Range range(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t half = values.size() / 2;
-  return {values.front(), values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]), values.back()};
-}
-
-bool some_usable(const LoadingCurveReport& report) {
-  return std::ranges::any_of(report.fits, [](const Fit& fit) { return fit.status == friction::FitStatus::usable; });
-}
-
-Table laws_table(const LoadingCurveReport& report) {
+Table laws_table(const tasks::LoadingCurveResult& result) {
   Table table({{"law", Align::left}, {"AIC"}, {"above best"}, {"rms residual"}, {"ΔE (2.58b)"}, {"unknowns"}, {"initial stiffness"},
                {"friction limit"}, {"", Align::left}});
-  for (const Fit& fit : report.fits) {
+  for (const Fit& fit : result.fits) {
     if (fit.curves.empty()) {
       table.add({fit.law, "–", "–", "–", "–", fmt::format("{}", fit.unknowns), "–", "–", fit.message});
       continue;
     }
     const CurveFit& first = fit.curves.front();
-    const bool several = different(report, fit).size() > 1;
+    const bool several = tasks::different(result, fit).size() > 1;
     const std::string note = fit.status == friction::FitStatus::usable ? (several ? "first curve" : remark(first.limit)) : fit.message;
-    table.add({fit.law, fmt::format("{:.1f}", fit.aic), fmt::format("{:.1f}", fit.aic - report.fits.front().aic),
+    table.add({fit.law, fmt::format("{:.1f}", fit.aic), fmt::format("{:.1f}", fit.aic - result.fits.front().aic),
                fmt::format("{:.4g}", fit.residual_std), fmt::format("{:.3e}", fit.objective), fmt::format("{}", fit.unknowns),
                number(first.stiffness.value), number(first.limit.value), note});
   }
   return table;
 }
 
-Table parameters_table(const LoadingCurveReport& report, const Fit& fit) {
+Table parameters_table(const tasks::LoadingCurveResult& result, const Fit& fit) {
   Table table({{"", Align::left}, {"value"}, {"unit", Align::left}, {"std error"}, {"95 % interval", Align::left}, {"", Align::left}});
-  const auto curves = different(report, fit);
+  const auto curves = tasks::different(result, fit);
   for (const CurveFit* each : curves) {
     const std::string of = curves.size() > 1 ? " of " + each->curve.name : "";
     for (const FittedValue& value : each->parameters) add_value(value, of, table);
@@ -99,19 +69,19 @@ Table parameters_table(const LoadingCurveReport& report, const Fit& fit) {
   return table;
 }
 
-Table loops_table(const LoadingCurveReport& report) {
+Table loops_table(const tasks::LoadingCurveResult& result) {
   Table table({{"law", Align::left}, {"stiffness, least"}, {"median"}, {"most"}, {"limit, least"}, {"median"}, {"most"},
                {"energy error %, least"}, {"median"}, {"most"}});
-  for (std::size_t i = 0; i < report.of_loops.size(); ++i) {
+  for (std::size_t i = 0; i < result.of_loops.size(); ++i) {
     std::vector<double> stiffness, limit, energy;
-    for (const Fit& fit : report.of_loops[i]) {
+    for (const Fit& fit : result.of_loops[i]) {
       if (fit.curves.empty()) continue;
       stiffness.push_back(fit.curves[0].stiffness.value);
       limit.push_back(fit.curves[0].limit.value);
-      energy.push_back(energy_error(fit.curves[0]));
+      energy.push_back(tasks::energy_error(fit.curves[0]));
     }
     if (stiffness.empty()) continue;
-    std::vector<std::string> cells = {report.fits[i].law};
+    std::vector<std::string> cells = {result.fits[i].law};
     for (const auto& part : {three(stiffness, 1.0), three(limit, 1.0), three(energy, 100.0)})
       cells.insert(cells.end(), part.begin(), part.end());
     table.add(std::move(cells));
@@ -126,7 +96,7 @@ Table equivalents_table(const CurveFit& fit, std::size_t count) {
                {"d_e " + stiffness},
                {"energy per cycle J"},
                {"d_e/k_e %"}});
-  for (const friction::Equivalent& row : equivalents(fit, count)) {
+  for (const friction::Equivalent& row : tasks::equivalents(fit, count)) {
     table.add({number(row.amplitude), number(row.stiffness), number(row.damping), number(row.energy), percent(row.loss_factor)});
   }
   return table;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "report/decimate.hpp"
-#include "report/mode_indicators.hpp"
+#include "tasks/modalfit/mode_indicators.hpp"
 
 namespace jointid::report {
 namespace {
@@ -26,7 +26,7 @@ Backdrop band_indicators(const modalfit::Band& band, std::size_t count, std::siz
     return band.value(response * band.references + reference)[line];
   };
   Backdrop out{{"CMIF (m/N)", true}, picked(band.frequency_hz, kept), {}};
-  for (auto& values : mode_indicators({band.responses, band.references, receptance}, kept, count)) {
+  for (auto& values : tasks::mode_indicators({band.responses, band.references, receptance}, kept, count)) {
     out.series.push_back({"CMIF " + std::to_string(out.series.size() + 1), std::move(values), Style::reference});
   }
   if (out.series.size() == 1) out.series.front().name = "CMIF";

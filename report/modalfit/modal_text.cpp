@@ -21,14 +21,14 @@ bool is_flank(const modalfit::Mode& mode) { return !mode.inside && mode.damping_
 
 std::string decibel(double value) { return std::isfinite(value) ? fmt::format("{:.2f}", value) : "–"; }
 
-const std::vector<modalfit::SynthesisError>& told(const ModalRun& run) { return run.symmetric ? run.of_model : run.of_fit; }
+const std::vector<modalfit::SynthesisError>& told(const tasks::ModalRun& run) { return run.symmetric ? run.of_model : run.of_fit; }
 
-std::string entry_name(const ModalRun& run, std::size_t e) {
+std::string entry_name(const tasks::ModalRun& run, std::size_t e) {
   const std::size_t columns = run.fit.reference.size();
   return run.fit.response[e / columns].name() + " / " + run.fit.reference[e % columns].name();
 }
 
-std::vector<double> off_rank_one(const ModalRun& run) {
+std::vector<double> off_rank_one(const tasks::ModalRun& run) {
   std::vector<double> misfits;
   if (run.symmetric) {
     for (const auto& mode : run.symmetric->modes) misfits.push_back(mode.misfit);
@@ -42,7 +42,7 @@ std::string model_text(const modalfit::ModelKind& kind) {
   return modalfit::name(kind.damping) + " damping, " + (kind.real_modes ? "real" : "complex") + " modes";
 }
 
-Table modes_table(const ModalRun& run) {
+Table modes_table(const tasks::ModalRun& run) {
   const bool hysteretic = run.fit.kind.damping == modalfit::Damping::hysteretic;
   Table table({{"mode"},
                {"frequency Hz"},
@@ -65,9 +65,9 @@ Table modes_table(const ModalRun& run) {
   return table;
 }
 
-Table mac_table(const ModalRun& run) {
+Table mac_table(const tasks::ModalRun& run) {
   Table table({{"mode"}, {"mode"}, {"MAC"}});
-  const Shapes all = shapes(run);
+  const tasks::Shapes all = tasks::shapes(run);
   for (std::size_t r = 0; r < all.of_mode.size(); ++r) {
     for (std::size_t s = r + 1; s < all.of_mode.size(); ++s) {
       const double mac = modalfit::mac(all.of_mode[r], all.of_mode[s]);
@@ -77,7 +77,7 @@ Table mac_table(const ModalRun& run) {
   return table;
 }
 
-Table synthesis_table(const ModalRun& run, std::size_t most) {
+Table synthesis_table(const tasks::ModalRun& run, std::size_t most) {
   Table table({{"FRF", Align::left}, {"dB rms"}, {"away from antiresonances"}});
   const auto& errors = told(run);
   std::vector<std::size_t> order;
@@ -98,7 +98,7 @@ std::string synthesis_text(const std::vector<modalfit::SynthesisError>& errors) 
 namespace {
 
 /// Modes whose peaks only the first or last lines see.
-std::string edge_note(const ModalRun& run) {
+std::string edge_note(const tasks::ModalRun& run) {
   constexpr std::size_t few = 3;
   const std::vector<double>& axis = run.band.frequency_hz;
   if (axis.size() <= 2 * few) return {};
@@ -111,7 +111,7 @@ std::string edge_note(const ModalRun& run) {
 }
 
 /// Frequencies on which single FRFs disagree.
-std::string scatter_note(const ModalRun& run) {
+std::string scatter_note(const tasks::ModalRun& run) {
   std::string modes;
   for (const modalfit::Mode& mode : run.fit.modes) {
     if (!mode.inside || mode.scatter < much_scatter || !(mode.own_hz[1] > mode.own_hz[0])) continue;
@@ -123,7 +123,7 @@ std::string scatter_note(const ModalRun& run) {
 }
 
 /// FRFs without noise deviate by little and yet by many times their scatter.
-std::string misfit_note(const ModalRun& run, double times) {
+std::string misfit_note(const tasks::ModalRun& run, double times) {
   const char* noise = run.fit.known_noise ? "their noise" : "the scatter of neighbouring lines";
   if (run.fit.deviation < little) {
     return fmt::format(
@@ -135,7 +135,7 @@ std::string misfit_note(const ModalRun& run, double times) {
                      noise);
 }
 
-std::string flank_note(const ModalRun& run) {
+std::string flank_note(const tasks::ModalRun& run) {
   std::string poles;
   for (const modalfit::Mode& mode : run.fit.modes) {
     if (is_flank(mode)) poles += fmt::format("{}{:.4g}", poles.empty() ? "" : ", ", mode.pole.frequency_hz);
@@ -145,7 +145,7 @@ std::string flank_note(const ModalRun& run) {
 
 }  // namespace
 
-std::vector<std::string> notes(const ModalRun& run) {
+std::vector<std::string> notes(const tasks::ModalRun& run) {
   std::vector<std::string> out;
   if (!run.fit.message.empty()) out.push_back(run.fit.message);
   if (!run.fit.known_noise) out.push_back("The files say nothing of their noise: it was estimated from neighbouring lines.");
@@ -165,7 +165,7 @@ std::vector<std::string> notes(const ModalRun& run) {
   return out;
 }
 
-std::string modal_text(const ModalRun& run) {
+std::string modal_text(const tasks::ModalRun& run) {
   const auto& axis = run.band.frequency_hz;
   std::string text = fmt::format("{}: {} × {} FRFs, {} lines, {:.6g} to {:.6g} Hz; {}\n\n", run.files, run.band.responses,
                                  run.band.references, axis.size(), axis.front(), axis.back(), model_text(run.fit.kind));

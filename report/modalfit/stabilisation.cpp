@@ -24,7 +24,7 @@ bool is_mode(const modalfit::Mode& mode, const modalfit::CandidatePole& pole) {
   return pole.damping > 0.0 && std::abs(mode.pole.frequency_hz - pole.frequency_hz) < reach;
 }
 
-ScatterPlot stabilisation_diagram(const ModalRun& run, const std::vector<modalfit::OrderPoles>& orders, std::size_t most) {
+ScatterPlot stabilisation_diagram(const tasks::ModalRun& run, const std::vector<modalfit::OrderPoles>& orders, std::size_t most) {
   ScatterPlot plot;
   plot.title = "Stabilisation diagram";
   plot.x = {"frequency (Hz)", false};

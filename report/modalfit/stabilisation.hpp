@@ -1,6 +1,6 @@
 #pragma once
 
-#include "report/modalfit/modal_run.hpp"
+#include "tasks/modalfit/modal_run.hpp"
 #include "report/page/contents.hpp"
 
 namespace jointid::report {
@@ -13,6 +13,6 @@ enum StabilisationGroup : std::size_t { at_mode, elsewhere, of_fit };
 
 /// Poles with positive damping over frequency and order: those at a mode of the fit, the others, and above them the modes of the
 /// fit; behind them mode indicators of the FRFs, of at most `most` lines. `orders`: those of the fit, or of one before.
-ScatterPlot stabilisation_diagram(const ModalRun& run, const std::vector<modalfit::OrderPoles>& orders, std::size_t most);
+ScatterPlot stabilisation_diagram(const tasks::ModalRun& run, const std::vector<modalfit::OrderPoles>& orders, std::size_t most);
 
 }  // namespace jointid::report

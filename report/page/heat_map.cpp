@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "tasks/solution_details.hpp"
 
 namespace jointid::report {
 namespace {
@@ -32,18 +33,9 @@ HeatMap error_map(const std::string& title, const std::vector<frf::Dof>& respons
   return map;
 }
 
-std::vector<std::size_t> worst_first(const std::vector<double>& rms_db) {
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < rms_db.size(); ++i) {
-    if (std::isfinite(rms_db[i])) places.push_back(i);
-  }
-  std::ranges::stable_sort(places, std::greater{}, [&](std::size_t i) { return rms_db[i]; });
-  return places;
-}
-
 Table worst_frfs(const HeatMap& map) {
   Table table({{"FRF", Align::left}, {"dB rms"}});
-  for (const std::size_t place : worst_first(map.values)) {
+  for (const std::size_t place : tasks::worst_first(map.values)) {
     const std::size_t row = place / map.columns.size(), column = place % map.columns.size();
     table.add({map.rows[row] + " / " + map.columns[column], fmt::format("{:.2f}", map.values[place])});
   }

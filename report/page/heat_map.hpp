@@ -15,9 +15,6 @@ namespace jointid::report {
 HeatMap error_map(const std::string& title, const std::vector<frf::Dof>& responses, const std::vector<frf::Dof>& references,
                   const std::vector<double>& rms_db);
 
-/// Places in `rms_db` of the values that are there, worst first.
-std::vector<std::size_t> worst_first(const std::vector<double>& rms_db);
-
 /// All FRFs of a map with their errors, worst first.
 Table worst_frfs(const HeatMap& map);
 

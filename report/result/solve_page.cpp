@@ -17,7 +17,6 @@
 #include "report/text/systematic_text.hpp"
 #include "report/text/table.hpp"
 #include "report/text/words.hpp"
-#include "tasks/entry_errors.hpp"
 
 namespace jointid::report {
 namespace {
@@ -164,13 +163,7 @@ void add_matrices(const ident::Plan& plan, const ident::Solution& solution, cons
   page.add(Text{units_text(display) + (truths.empty() ? "." : "; below each element its deviation from the truth."), true});
 }
 
-/// Numbers of lines to solve with: fewer where a solution takes long.
-std::size_t line_counts(std::size_t unknowns) {
-  const double size = static_cast<double>(std::max<std::size_t>(1, unknowns));
-  return static_cast<std::size_t>(std::clamp(2e8 / (size * size * size), 20.0, 400.0));
-}
-
-void add_quality(ident::Plan& plan, const ident::Solution& solution, const ident::Control& control, ReportPage& page) {
+void add_quality(const ident::Solution& solution, const tasks::SolutionDetails& details, ReportPage& page) {
   if (solution.quality.empty()) return;
   Table table({{"matrix", Align::left}, {"RJCF"}, {"ARVF"}, {"rms relative error"}});
   for (const auto& [kind, figures] : solution.quality) {
@@ -179,22 +172,7 @@ void add_quality(ident::Plan& plan, const ident::Solution& solution, const ident
   }
   page.section("Against the truth");
   page.add(table);
-  page.add(quality_plots(tasks::quality_by_line(plan, line_counts(solution.unknowns.size()), control)));
-}
-
-/// The FRF of --plot, then some spread over the structure, then those that are met worst.
-std::vector<tasks::FrfEntry> entries_of(const ident::Plan& plan, const tasks::EntryErrors& errors,
-                                        const std::optional<tasks::FrfEntry>& first) {
-  std::vector<tasks::FrfEntry> entries = tasks::choose_entries(plan, most_frfs - worst_frfs_drawn);
-  for (const std::size_t place : worst_first(errors.rms_db)) {
-    const std::size_t columns = errors.references.size();
-    const tasks::FrfEntry entry{errors.responses[place / columns], errors.references[place % columns]};
-    if (entries.size() < most_frfs && std::ranges::find(entries, entry) == entries.end()) entries.push_back(entry);
-  }
-  if (!first) return entries;
-  std::erase(entries, *first);
-  entries.insert(entries.begin(), *first);
-  return entries;
+  page.add(quality_plots(details.quality));
 }
 
 /// What the data's own errors explain is about 1; far above it the model, or the FRF, is wrong.
@@ -202,7 +180,7 @@ void add_noise_map(const tasks::EntryErrors& errors, ReportPage& page) {
   if (errors.rms_noise.empty()) return;
   HeatMap map = error_map("rms error in units of noise, responses down, references across", errors.responses, errors.references,
                           errors.rms_noise);
-  if (worst_first(map.values).empty()) return;
+  if (tasks::worst_first(map.values).empty()) return;
   map.unit = HeatUnit::noise;
   page.add(map);
   page.add(Text{"In standard deviations σ of the measured assembly FRF: about 1 where its noise explains the error. The synthesised FRF "
@@ -211,7 +189,7 @@ void add_noise_map(const tasks::EntryErrors& errors, ReportPage& page) {
 
 void add_frf_errors(const tasks::EntryErrors& errors, ReportPage& page) {
   const HeatMap map = error_map("rms error in dB, responses down, references across", errors.responses, errors.references, errors.rms_db);
-  if (worst_first(map.values).empty()) return;
+  if (tasks::worst_first(map.values).empty()) return;
   page.section("Errors of all assembly FRFs");
   page.add(map);
   if (errors.responses.size() < errors.all_responses || errors.references.size() < errors.all_references) {
@@ -224,41 +202,28 @@ void add_frf_errors(const tasks::EntryErrors& errors, ReportPage& page) {
   add_noise_map(errors, page);
 }
 
-/// The FRFs of the assembly, measured and synthesised.
-struct ComparedFrfs {
-  tasks::EntryErrors errors;
-  tasks::Regenerated regenerated;
-  bool all_used = true;  ///< all lines served the identification
-  PlotGroup overlay;
-};
-
-ComparedFrfs compared_frfs(ident::Plan& plan, const ident::Solution& solution, const std::optional<tasks::FrfEntry>& first,
-                           const ident::Control& control, const Display& display) {
-  ComparedFrfs out;
-  if (solution.bands.empty()) return out;
-  out.errors = tasks::entry_errors(plan, solution.bands, control);
-  out.regenerated = tasks::regenerate(plan, solution.bands, entries_of(plan, out.errors, first), control);
-  out.all_used = out.regenerated.frequency_hz.size() == plan.lines.size();
+/// The FRFs of the assembly that are drawn, measured and synthesised.
+PlotGroup overlay_of(const ident::Plan& plan, const tasks::SolutionDetails& details, const Display& display) {
+  if (details.regenerated.frfs.empty()) return {};
   const std::array used_hz = {plan.lines.front().frequency_hz, plan.lines.back().frequency_hz};
-  out.overlay = frf_overlay(out.regenerated, out.all_used ? std::nullopt : std::optional(used_hz), most_points, display);
-  return out;
+  return frf_overlay(details.regenerated, details.all_used ? std::nullopt : std::optional(used_hz), most_points, display);
 }
 
 /// Magnitude of the FRF that is met worst, of those that are drawn.
-void add_worst(const ComparedFrfs& frfs, ReportPage& page) {
-  const std::vector<std::size_t> order = worst_first(frfs.errors.rms_db);
+void add_worst(const tasks::EntryErrors& errors, const PlotGroup& overlay, ReportPage& page) {
+  const std::vector<std::size_t> order = tasks::worst_first(errors.rms_db);
   if (order.empty()) return;
-  const std::size_t columns = frfs.errors.references.size();
-  const std::string name = frfs.errors.responses[order[0] / columns].name() + " / " + frfs.errors.references[order[0] % columns].name();
-  const auto worst = std::ranges::find_if(frfs.overlay.choices, [&](const Choice& choice) { return choice.name.starts_with(name + " ("); });
-  if (worst == frfs.overlay.choices.end()) return;
+  const std::size_t columns = errors.references.size();
+  const std::string name = errors.responses[order[0] / columns].name() + " / " + errors.references[order[0] % columns].name();
+  const auto worst = std::ranges::find_if(overlay.choices, [&](const Choice& choice) { return choice.name.starts_with(name + " ("); });
+  if (worst == overlay.choices.end()) return;
   page.section("Worst FRF, measured and synthesised");
   page.add(PlotGroup{"FRF", {{worst->name, {worst->plots.front()}}}});
   page.add(Text{fmt::format("{} is met worst of {}; in brackets the rms difference of the magnitudes.", worst->name, order.size()), true});
 }
 
-void add_frfs(const ComparedFrfs& frfs, ReportPage& page) {
-  const auto& [errors, regenerated, all_used, overlay] = frfs;
+void add_frfs(const tasks::SolutionDetails& details, const PlotGroup& overlay, ReportPage& page) {
+  const auto& [errors, regenerated, all_used, quality] = details;
   if (overlay.choices.empty()) return;
   page.section("Assembly: measured and regenerated from the identified joint");
   page.add(overlay);
@@ -285,23 +250,23 @@ void add_plan(const ident::Plan& plan, ReportPage& page) {
 
 }  // namespace
 
-std::string solve_report(ident::Plan& plan, const ident::Solution& solution, const std::optional<tasks::FrfEntry>& first,
-                         const ident::Control& control, const Display& display) {
+std::string solve_report(const ident::Plan& plan, const ident::Solution& solution, const tasks::SolutionDetails& details,
+                         const Display& display) {
   const std::string file = plan.scene.file.filename().string();
   const ident::Solution shown = in_units_of(display, solution);
-  const ComparedFrfs frfs = compared_frfs(plan, solution, first, control, display);
+  const PlotGroup overlay = overlay_of(plan, details, display);
   ReportPage page(plan.scene.title.empty() ? file : plan.scene.title, "jointid solve " + file);
   add_status(solution, page);
   add_first_values(shown, page);
-  add_worst(frfs, page);
+  add_worst(details.errors, overlay, page);
   add_summary(solution, page);
   add_other_values(shown, page);
   add_constraints(solution, page);
   add_systematic(solution, page);
   add_identifiability(solution, page);
   add_matrices(plan, shown, display, page);
-  add_quality(plan, solution, control, page);
-  add_frfs(frfs, page);
+  add_quality(solution, details, page);
+  add_frfs(details, overlay, page);
   add_plan(plan, page);
   return page.html();
 }

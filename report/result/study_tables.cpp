@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
-#include "frf/hdf5/record_journal.hpp"
 #include "report/text/words.hpp"
 
 namespace jointid::report {
@@ -24,11 +22,6 @@ std::string in_percent(const std::optional<double>& value, double scale) { retur
 
 }  // namespace
 
-std::map<std::string, std::string> study_texts(const std::string& scene_text) {
-  return {{"scene_hash", fmt::format("{:016x}", frf::checksum(std::as_bytes(std::span(scene_text))))},
-          {"jointid_version", JOINTID_VERSION}};
-}
-
 std::string trials_text(const study::StudyStatistics& statistics) {
   std::string text = fmt::format("{}, {} with an estimate", statistics.trials, statistics.usable);
   if (statistics.rank_deficient > 0) text += fmt::format(", {} rank deficient", statistics.rank_deficient);
@@ -37,21 +30,6 @@ std::string trials_text(const study::StudyStatistics& statistics) {
   if (statistics.poor_fit > 0) text += fmt::format(", {} of poor fit", statistics.poor_fit);
   if (statistics.doubtful > 0) text += fmt::format("; {} of them doubtful", statistics.doubtful);
   return text;
-}
-
-std::string study_doubt(const study::StudyStatistics& statistics) {
-  std::string text;
-  for (const study::QualityStatistics& matrix : statistics.quality) {
-    if (!(matrix.rms_over_trials > 1.0)) continue;
-    text += (text.empty() ? "" : "; ") + words(matrix.matrix) +
-            fmt::format(" is off by {:.0f} % rms over the trials", 100.0 * matrix.rms_over_trials);
-  }
-  if (!text.empty()) return text + ": one solution does not tell it";
-  const auto scatters = [](const study::UnknownStatistics& unknown) { return unknown.std_deviation > std::abs(unknown.mean); };
-  const auto count = static_cast<std::size_t>(std::ranges::count_if(statistics.unknowns, scatters));
-  if (2 * count <= statistics.unknowns.size()) return "";
-  return fmt::format("{} of {} unknowns scatter by more than their mean: one solution does not tell them", count,
-                     statistics.unknowns.size());
 }
 
 Table unknowns_table(const study::StudyStatistics& statistics) {

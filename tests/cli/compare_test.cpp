@@ -4,7 +4,7 @@
 
 #include "base/error.hpp"
 #include "cli/compare/compare_arguments.hpp"
-#include "cli/compare/comparison_text.hpp"
+#include "report/result/comparison_text.hpp"
 #include "cli/problem/reproduction_text.hpp"
 #include "comparison_sample.hpp"
 
@@ -65,7 +65,7 @@ TEST(CompareArguments, NeedSomethingToCompareAndTrials) {
 }
 
 TEST(ComparisonText, HasTheThesisTableAndOneRowPerCombination) {
-  const std::string text = comparison_text(sample_comparison());
+  const std::string text = report::comparison_text(sample_comparison());
   EXPECT_THAT(text, HasSubstr("7 trials of seed 3"));
   EXPECT_THAT(text, HasSubstr("  WBS  0.9876 1.0123  0.9876 1.0123\n"));
   EXPECT_THAT(text, testing::ContainsRegex("one +nn +WBS +0.05 +qr .*0.3 .*\\*\n"));
@@ -73,23 +73,23 @@ TEST(ComparisonText, HasTheThesisTableAndOneRowPerCombination) {
 }
 
 TEST(ComparisonText, OneDeltaNeedsNoTableOfDeltas) {
-  ComparisonReport report = sample_comparison();
+  tasks::ComparisonResult report = sample_comparison();
   report.comparison.combinations.pop_back();
-  EXPECT_THAT(comparison_text(report), testing::Not(HasSubstr("medians of RJCF ARVF")));
+  EXPECT_THAT(report::comparison_text(report), testing::Not(HasSubstr("medians of RJCF ARVF")));
 }
 
 TEST(ComparisonText, WaysLeftOutForOneReasonStandTogether) {
-  ComparisonReport report = sample_comparison();
+  tasks::ComparisonResult report = sample_comparison();
   auto& left_out = report.comparison.left_out;
   left_out.push_back(left_out.front());
   left_out.back().way.delta = 0.5;
   left_out.push_back({left_out.front().way, "another reason"});
-  EXPECT_THAT(comparison_text(report),
+  EXPECT_THAT(report::comparison_text(report),
               HasSubstr("left out\n  two all, 2 combinations: no such block\n  two all WB 0 qr: another reason\n"));
 }
 
 TEST(ComparisonJson, KeepsItsKeysAndHasNullForNoNumber) {
-  const auto json = nlohmann::json::parse(comparison_json(sample_comparison()));
+  const auto json = nlohmann::json::parse(report::comparison_json(sample_comparison()));
   const auto& second = json["combinations"][1];
   EXPECT_EQ(second["equations"][0], "nn");
   EXPECT_EQ(second["matrices"]["stiffness"]["pareto_front"], true);
@@ -99,17 +99,17 @@ TEST(ComparisonJson, KeepsItsKeysAndHasNullForNoNumber) {
 }
 
 TEST(ComparisonCsv, HasALinePerCombinationAndMatrix) {
-  const std::string csv = comparison_csv(sample_comparison());
+  const std::string csv = report::comparison_csv(sample_comparison());
   EXPECT_EQ(std::ranges::count(csv, '\n'), 3);
   EXPECT_THAT(csv, HasSubstr("one,nn,WBS,0.05,qr,stiffness,0.9876,0.1,1,1.0123,0.5,1.5,0.3,0.3,,0.25,true,0.002,4000,none\n"));
 }
 
 TEST(Comparisons, OfALikelihoodHaveNoWeighting) {
-  ComparisonReport report = sample_comparison();
+  tasks::ComparisonResult report = sample_comparison();
   report.comparison.combinations[1].way = {ident::Method::likelihood, {ident::Equation::nn}, weighting::Weighting::wb, 0.0, "iqml"};
-  EXPECT_THAT(comparison_text(report), testing::ContainsRegex("likelihood +nn +– +– +iqml"));
-  EXPECT_THAT(comparison_csv(report), HasSubstr("likelihood,nn,,,iqml,stiffness"));
-  const auto json = nlohmann::json::parse(comparison_json(report));
+  EXPECT_THAT(report::comparison_text(report), testing::ContainsRegex("likelihood +nn +– +– +iqml"));
+  EXPECT_THAT(report::comparison_csv(report), HasSubstr("likelihood,nn,,,iqml,stiffness"));
+  const auto json = nlohmann::json::parse(report::comparison_json(report));
   EXPECT_TRUE(json["combinations"][1]["weighting"].is_null());
   EXPECT_TRUE(json["combinations"][1]["delta"].is_null());
   EXPECT_EQ(json["combinations"][0]["weighting"], "WBS");

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "cli/compare/comparison_text.hpp"
+#include "report/result/comparison_text.hpp"
 
 namespace jointid::cli {
 
@@ -22,8 +22,8 @@ inline study::Combination sample_combination(double delta, double error, bool fr
 }
 
 /// Two values of Δ, the second better, and a way that was left out.
-inline ComparisonReport sample_comparison() {
-  ComparisonReport report{"title", 7, 3, {}};
+inline tasks::ComparisonResult sample_comparison() {
+  tasks::ComparisonResult report{"title", 7, 3, {}};
   report.comparison.combinations = {sample_combination(0.0, 0.5, false), sample_combination(0.05, 0.3, true)};
   report.comparison.left_out.push_back({{ident::Method::two, {}, weighting::Weighting::wb, 0.0, "qr"}, "no such block"});
   return report;

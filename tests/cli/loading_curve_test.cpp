@@ -10,7 +10,7 @@
 
 #include "base/error.hpp"
 #include "cli/loading_curve/loading_curve_command.hpp"
-#include "report/loading_curve/loading_curve_data.hpp"
+#include "tasks/loading_curve/loading_curve_data.hpp"
 #include "friction/law/laws.hpp"
 #include "tests/test_folder.hpp"
 
@@ -262,7 +262,7 @@ TEST_F(LoadingCurveCommand, UnitsThatContradictTheTitlesAndColumnsUsedTwice) {
 TEST_F(LoadingCurveCommand, TimesOfVelocitiesInTheirUnit) {
   LoadingCurveArguments velocity = arguments({table("a.csv", "time (ms),v [mm/s],F", {{0, 1, 0}, {1, 1, 1}, {2, 1, 2}})});
   velocity.velocity = true;
-  const auto data = report::read_curves(velocity);
+  const auto data = tasks::read_curves(velocity);
   EXPECT_NEAR(data.curves[0].u.back() - data.curves[0].u.front(), 2e-6, 1e-15);
   LoadingCurveArguments unknown = arguments({table("b.csv", "time (samples),v [mm/s],F", {{0, 1, 0}, {1, 1, 1}, {2, 1, 2}})});
   unknown.velocity = true;

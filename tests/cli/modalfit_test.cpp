@@ -9,11 +9,9 @@
 #include "base/complex.hpp"
 #include "base/error.hpp"
 #include "cli/modalfit/modalfit_arguments.hpp"
-#include "cli/modalfit/modalfit_run.hpp"
-#include "cli/modalfit/modalfit_text.hpp"
 #include "frf/uff/uff55.hpp"
 #include "problems/case/modal_set.hpp"
-#include "report/modalfit/modal_run.hpp"
+#include "report/modalfit/modal_text.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::cli {
@@ -26,12 +24,11 @@ class Modalfit : public testing::Test {
     file_ = problems::write(problems::make_modal_set("modes-pair"), folder_, {});
   }
 
-  report::ModalRun run(modalfit::ModelKind kind) const {
-    ModalfitArguments arguments;
-    arguments.files = {file_};
-    arguments.fit.kind = kind;
-    arguments.fit.range_hz = {95.0, 106.0};
-    return run_modalfit(arguments);
+  tasks::ModalRun run(modalfit::ModelKind kind) const {
+    modalfit::FitOptions options;
+    options.kind = kind;
+    options.range_hz = {95.0, 106.0};
+    return tasks::run_modal_files({file_}, {}, options);
   }
 
   TestFolder folder_;
@@ -69,15 +66,14 @@ TEST_F(Modalfit, ShapesInUff55GiveTheFrfs) {
 }
 
 TEST_F(Modalfit, ModesAtTheEdgeOfTheRangeAreNamed) {
-  EXPECT_THAT(notes(run({})), testing::Not(testing::Contains(testing::HasSubstr("edge"))));
-  ModalfitArguments arguments;
-  arguments.files = {file_};
-  arguments.fit.range_hz = {99.97, 106.0};  // lines 0.02 Hz apart
-  EXPECT_THAT(notes(run_modalfit(arguments)), testing::Contains(testing::HasSubstr("what lies beyond: 100 Hz")));
+  EXPECT_THAT(report::notes(run({})), testing::Not(testing::Contains(testing::HasSubstr("edge"))));
+  modalfit::FitOptions options;
+  options.range_hz = {99.97, 106.0};  // lines 0.02 Hz apart
+  EXPECT_THAT(report::notes(tasks::run_modal_files({file_}, {}, options)), testing::Contains(testing::HasSubstr("what lies beyond: 100 Hz")));
 }
 
 TEST_F(Modalfit, JsonHasModesAndErrors) {
-  const auto json = nlohmann::json::parse(modalfit_json(run({modalfit::Damping::hysteretic, true})));
+  const auto json = nlohmann::json::parse(report::modal_json(run({modalfit::Damping::hysteretic, true})));
   EXPECT_EQ(json["status"], "ok");
   ASSERT_EQ(json["modes"].size(), 2u);
   EXPECT_NEAR(json["modes"][1]["frequency_hz"].get<double>(), 101.0, 1e-3);
@@ -90,12 +86,11 @@ TEST_F(Modalfit, JsonHasModesAndErrors) {
 
 /// Given poles are refined to those that a search finds, none added or left out; one alone stays alone.
 TEST_F(Modalfit, GivenPolesAreRefinedAndNoneIsSought) {
-  const report::ModalRun sought = run({});
-  ModalfitArguments arguments;
-  arguments.files = {file_};
-  arguments.fit.range_hz = {95.0, 106.0};
-  arguments.fit.poles = parse_poles({"99.99:0.0012", "101.01:0.0009"});
-  const report::ModalRun given = run_modalfit(arguments);
+  const tasks::ModalRun sought = run({});
+  modalfit::FitOptions options;
+  options.range_hz = {95.0, 106.0};
+  options.poles = parse_poles({"99.99:0.0012", "101.01:0.0009"});
+  const tasks::ModalRun given = tasks::run_modal_files({file_}, {}, options);
   ASSERT_EQ(given.fit.modes.size(), 2u);
   EXPECT_TRUE(given.fit.stabilisation.empty());
   for (std::size_t r = 0; r < 2; ++r) {
@@ -103,8 +98,8 @@ TEST_F(Modalfit, GivenPolesAreRefinedAndNoneIsSought) {
     EXPECT_NEAR(b.pole.frequency_hz, a.pole.frequency_hz, 0.2 * a.frequency_deviation_hz);
     EXPECT_NEAR(b.pole.damping, a.pole.damping, 0.2 * a.damping_deviation);
   }
-  arguments.fit.poles->resize(1);
-  EXPECT_EQ(run_modalfit(arguments).fit.modes.size(), 1u);
+  options.poles->resize(1);
+  EXPECT_EQ(tasks::run_modal_files({file_}, {}, options).fit.modes.size(), 1u);
 }
 
 TEST(ModalfitArguments, PolesAreFrequenciesAndDampings) {

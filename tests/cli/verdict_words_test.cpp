@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "cli/equivalent/equivalent_text.hpp"
-#include "report/result/study_tables.hpp"
 #include "report/text/words.hpp"
+#include "tasks/equivalent.hpp"
+#include "tasks/study/run_study.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -20,18 +20,18 @@ tasks::LevelJoint level(double stiffness, double damping, double deviation) {
 }
 
 TEST(EquivalentVerdict, IsDoubtfulWhereNoSpringAndDamperAreWithinTheErrors) {
-  EXPECT_EQ(equivalent_status({level(1e6, 1e5, 2e4), level(9e5, -1e4, 2e4)}), "ok");  // negative within its interval
-  EXPECT_EQ(equivalent_status({level(1e6, 1e5, 2e4), level(-1e5, 1e5, 2e4)}), "doubtful");
-  EXPECT_EQ(equivalent_status({level(1e6, -1e5, 2e4)}), "doubtful");
-  EXPECT_THAT(equivalent_doubt({level(1e6, 1e5, 2e4), level(1e6, -1e5, 2e4)}), HasSubstr("at 1 of 2 levels"));
+  EXPECT_EQ(tasks::equivalent_status({level(1e6, 1e5, 2e4), level(9e5, -1e4, 2e4)}), "ok");  // negative within its interval
+  EXPECT_EQ(tasks::equivalent_status({level(1e6, 1e5, 2e4), level(-1e5, 1e5, 2e4)}), "doubtful");
+  EXPECT_EQ(tasks::equivalent_status({level(1e6, -1e5, 2e4)}), "doubtful");
+  EXPECT_THAT(tasks::equivalent_doubt({level(1e6, 1e5, 2e4), level(1e6, -1e5, 2e4)}), HasSubstr("at 1 of 2 levels"));
 }
 
 TEST(EquivalentVerdict, IsDoubtfulWhereMostLevelsDoNotTellTheDamping) {
-  EXPECT_EQ(equivalent_doubt({level(1e6, 1e4, 3e4), level(1e6, 5e4, 3e4)}), "");
-  EXPECT_THAT(equivalent_doubt({level(1e6, 1e4, 3e4), level(1e6, 2e4, 3e4)}), HasSubstr("damping is not known"));
+  EXPECT_EQ(tasks::equivalent_doubt({level(1e6, 1e4, 3e4), level(1e6, 5e4, 3e4)}), "");
+  EXPECT_THAT(tasks::equivalent_doubt({level(1e6, 1e4, 3e4), level(1e6, 2e4, 3e4)}), HasSubstr("damping is not known"));
   tasks::LevelJoint open = level(1e6, 1e5, 1.0);
   open.joint.settled = false;
-  EXPECT_EQ(equivalent_status({open}), "not_usable");
+  EXPECT_EQ(tasks::equivalent_status({open}), "not_usable");
 }
 
 TEST(StudyVerdict, AMatrixThatIsOffByMoreThanItselfIsSaid) {
@@ -42,9 +42,9 @@ TEST(StudyVerdict, AMatrixThatIsOffByMoreThanItselfIsSaid) {
   statistics.quality[0].rms_over_trials = 0.05;
   statistics.quality[1].matrix = "hysteretic_damping";
   statistics.quality[1].rms_over_trials = 0.4;
-  EXPECT_EQ(report::study_doubt(statistics), "");
+  EXPECT_EQ(tasks::study_doubt(statistics), "");
   statistics.quality[1].rms_over_trials = 3.0;
-  EXPECT_EQ(report::study_doubt(statistics),
+  EXPECT_EQ(tasks::study_doubt(statistics),
             "hysteretic damping is off by 300 % rms over the trials: one solution does not tell it");
 }
 
@@ -55,9 +55,9 @@ TEST(StudyVerdict, WithoutATruthTheScatterTells) {
     unknown.mean = 1.0;
     unknown.std_deviation = 0.1;
   }
-  EXPECT_EQ(report::study_doubt(statistics), "");
+  EXPECT_EQ(tasks::study_doubt(statistics), "");
   statistics.unknowns[0].std_deviation = statistics.unknowns[1].std_deviation = 2.0;
-  EXPECT_THAT(report::study_doubt(statistics), HasSubstr("2 of 3 unknowns"));
+  EXPECT_THAT(tasks::study_doubt(statistics), HasSubstr("2 of 3 unknowns"));
 }
 
 TEST(ChiSquareText, SaysHowManyLinesAreSetAside) {

@@ -118,7 +118,7 @@ TEST(LoadingCurvePage, CancelAndDestructionAtAnyMoment) {
 }
 
 TEST(LoadingCurveCommand, SaysWhatIsNotAsUsual) {
-  report::LoadingCurveTask task;
+  tasks::LoadingCurveTask task;
   task.files = {"a b.csv"};
   EXPECT_EQ(loading_curve_command(task).toStdString(), "jointid loading-curve 'a b.csv'");
   task.displacement = "x [1]";

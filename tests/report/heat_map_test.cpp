@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tasks/solution_details.hpp"
+
 namespace jointid::report {
 namespace {
 
@@ -25,7 +27,7 @@ TEST(ErrorMap, TotalsAreRootMeanSquaresOfWhatIsThere) {
 }
 
 TEST(ErrorMap, WorstFrfsComeFirstAndThoseWithoutErrorsNotAtAll) {
-  EXPECT_THAT(worst_first({1.0, missing, 5.0, 5.0}), ElementsAre(2U, 3U, 0U));
+  EXPECT_THAT(tasks::worst_first({1.0, missing, 5.0, 5.0}), ElementsAre(2U, 3U, 0U));
   const Table table = worst_frfs(error_map("", rows, columns, {0.1, missing, 2.5, 0.2}));
   ASSERT_EQ(table.rows().size(), 3U);
   EXPECT_THAT(table.rows()[0], ElementsAre("2:-Y / 1:+Y", "2.50"));

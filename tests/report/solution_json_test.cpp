@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "../cli/solution_sample.hpp"
+#include "solution_sample.hpp"
 
 namespace jointid::report {
 namespace {
@@ -12,9 +12,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using cli::sample_constrained;
-using cli::sample_likelihood;
-using cli::sample_solution;
 
 std::vector<std::string> keys(const Json& object) {
   std::vector<std::string> names;

@@ -321,14 +321,15 @@ std::set<std::string> own_includes(const std::filesystem::path& path) {
   std::ifstream in(path);
   std::set<std::string> out;
   for (std::string line; std::getline(in, line);) {
-    if (line.starts_with("#include \"")) out.insert(line.substr(10, line.rfind('"') - 10));
+    if (!line.starts_with("#include \"") || line.find('/') == std::string::npos) continue;  // of its own folder
+    out.insert(line.substr(10, line.rfind('"') - 10));
   }
   return out;
 }
 
 TEST(PublicHeaders, AreThereAndInstalled) {
   EXPECT_GT(public_headers().size(), 50U);
-  EXPECT_LT(public_headers().size(), 110U);
+  EXPECT_LT(public_headers().size(), 120U);
   for (const std::string& header : public_headers()) {
     EXPECT_TRUE(std::filesystem::exists(root / header)) << header;
     const std::string folder = header.substr(0, header.find('/'));

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "../comparison_sample.hpp"
-#include "cli/compare/comparison_page.hpp"
+#include "report/result/comparison_page.hpp"
 #include "cli/problem/reproduction_page.hpp"
 #include "report/page/contents.hpp"
 #include "report/result/comparison_plots.hpp"
@@ -61,7 +61,7 @@ ident::Scene sample_scene() {
 }
 
 TEST(ComparisonReportPage, HasFiguresCostAndWhatWasLeftOut) {
-  const std::string page = comparison_report(sample_comparison(), sample_scene());
+  const std::string page = report::comparison_page(sample_comparison(), sample_scene());
   EXPECT_THAT(page, HasSubstr("<p>jointid compare joint.toml</p>"));
   EXPECT_THAT(page, HasSubstr("hammer, coherence 0.998, 5 averages"));
   EXPECT_THAT(page, HasSubstr("<td>0.9876 1.0123</td>"));
@@ -73,10 +73,10 @@ TEST(ComparisonReportPage, HasFiguresCostAndWhatWasLeftOut) {
 }
 
 TEST(ComparisonReportPage, SaysWhenNothingWasFound) {
-  ComparisonReport report = sample_comparison();
+  tasks::ComparisonResult report = sample_comparison();
   report.comparison.combinations = {sample_combination(0.0, NAN, false)};
   report.comparison.left_out.clear();
-  const std::string page = comparison_report(report, sample_scene());
+  const std::string page = report::comparison_page(report, sample_scene());
   EXPECT_THAT(page, HasSubstr("No combination gave an estimate."));
   EXPECT_THAT(page, Not(HasSubstr("Left out")));
 }

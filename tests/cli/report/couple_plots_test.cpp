@@ -6,11 +6,12 @@
 #include <cmath>
 #include <filesystem>
 
-#include "cli/couple/couple_page.hpp"
+#include "report/couple/couple_page.hpp"
 #include "frf/hdf5/hdf5_file.hpp"
 #include "problems/case/coupling_problem.hpp"
-#include "report/couple/couple_frfs.hpp"
+#include "tasks/couple/couple_frfs.hpp"
 #include "report/page/contents.hpp"
+#include "report/page/limits.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::cli {
@@ -29,7 +30,7 @@ const report::CurvePlot& curves(const report::PlotGroup& group, std::size_t choi
 TEST(CouplePlots, TheIntervalOfAMagnitudeIsThatOfTheErrorAlongIt) {
   const frf::Dof dof = frf::Dof::parse("1:+Y");
   // Real: the imaginary error turns H, and does not lengthen it. 3 + 4i: (9·0.25 + 16·1)/25² = (0.1708…)².
-  const report::PredictedFrf frf{dof, dof, {2.0, {3.0, 4.0}, 0.0}, {{0.01, 5.0}, {0.25, 1.0}, {0.01, 0.01}}, {}};
+  const tasks::PredictedFrf frf{dof, dof, {2.0, {3.0, 4.0}, 0.0}, {{0.01, 5.0}, {0.25, 1.0}, {0.01, 0.01}}, {}};
   const report::PlotGroup group = report::predicted_plots({10.0, 20.0, 30.0}, {frf}, 100);
   const auto& series = curves(group, 0, 0).series;
   ASSERT_EQ(series.size(), 3u);
@@ -46,6 +47,10 @@ class CoupleReport : public testing::Test {
         problems::write(problems::make_coupling("coupling-C"), folder_, {.format = "h5", .seed = 1, .clean = false}));
   }
 
+  std::string page_of(const tasks::CoupleResult& result) const {
+    return report::couple_page(scene_, result, tasks::read_predicted(result, report::most_frfs));
+  }
+
   tasks::CoupleResult couple(bool bounds) const { return tasks::couple(scene_, folder_ / "out.h5", bounds); }
 
   TestFolder folder_;
@@ -56,7 +61,7 @@ TEST_F(CoupleReport, ReadsBackWhatWasWritten) {
   scene_.options.uncertainty = true;
   scene_.options.noise = frf::NoiseModel{.level = 0.05};
   const tasks::CoupleResult result = couple(true);
-  const std::vector<report::PredictedFrf> frfs = report::read_predicted(result, 8);
+  const std::vector<tasks::PredictedFrf> frfs = tasks::read_predicted(result, 8);
   const frf::FrfSet set = frf::load(*frf::open_hdf5(result.result.path)), all = frf::load(*frf::open_hdf5(result.with_all->path));
   ASSERT_EQ(frfs.size(), 8u);
   for (std::size_t e = 0; e < frfs.size(); ++e) {
@@ -69,16 +74,16 @@ TEST_F(CoupleReport, ReadsBackWhatWasWritten) {
       EXPECT_EQ(frfs[e].with_all[line], all.values[all.index(line, r, c)]);
     }
   }
-  EXPECT_EQ(report::read_predicted(result, 1000).size(), set.header.entries());
+  EXPECT_EQ(tasks::read_predicted(result, 1000).size(), set.header.entries());
 }
 
 TEST_F(CoupleReport, SaysWhatIsLeftOutAndWhy) {
-  const std::string page = couple_report(scene_, couple(true));
+  const std::string page = page_of(couple(true));
   EXPECT_THAT(page, HasSubstr("3 of 5"));
   EXPECT_THAT(page, HasSubstr("2 of 5 conditions are left out: the alphas have a gap"));
   EXPECT_THAT(page, HasSubstr("with all conditions"));
   scene_.find_dependent = false;
-  const std::string plain = couple_report(scene_, couple(false));
+  const std::string plain = page_of(couple(false));
   EXPECT_THAT(plain, Not(HasSubstr("with all conditions")));
   EXPECT_THAT(plain, Not(HasSubstr("left out")));
 }

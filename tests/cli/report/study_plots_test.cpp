@@ -6,16 +6,13 @@
 #include <limits>
 #include <numeric>
 
-#include "cli/study/study_page.hpp"
+#include "report/result/study_page.hpp"
 #include "frf/hdf5/table_file.hpp"
 #include "report/page/contents.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::cli {
 namespace {
-
-using report::quality_histograms;
-using report::unknown_histograms;
 
 using testing::HasSubstr;
 using testing::Not;
@@ -49,7 +46,13 @@ class StudyPlots : public testing::Test {
 };
 
 report::PlotGroup unknowns_of(const std::filesystem::path& file, std::size_t most) {
-  return unknown_histograms(file, study::study_statistics(file), most);
+  const study::StudyStatistics statistics = study::study_statistics(file);
+  return report::study_unknown_plots(tasks::unknown_histograms(file, statistics, most), statistics, most);
+}
+
+report::PlotGroup quality_of(const std::filesystem::path& file) {
+  const study::StudyStatistics statistics = study::study_statistics(file);
+  return report::study_quality_plots(tasks::quality_histograms(file, statistics), statistics);
 }
 
 const report::HistogramPlot& histogram(const report::PlotGroup& group, std::size_t choice, std::size_t plot) {
@@ -64,14 +67,15 @@ TEST_F(StudyPlots, OfValuesInMemoryAreThoseOfTheFile) {
   std::vector<double> values;
   for (int i = 0; i < 200; ++i) values.push_back(1000.0 + i);
   values.push_back(without_value);
-  const auto found = report::histogram_of("K0", "N/m", values, 1090.0);
-  ASSERT_TRUE(found);
-  EXPECT_EQ(found->counts, histogram(of_file, 0, 0).counts);
-  EXPECT_EQ(found->low, histogram(of_file, 0, 0).low);
-  EXPECT_EQ(found->high, histogram(of_file, 0, 0).high);
-  EXPECT_EQ(found->title, histogram(of_file, 0, 0).title);
-  EXPECT_FALSE(report::histogram_of("K0", "N/m", std::vector<double>(10, 3.0), std::nullopt));
-  EXPECT_FALSE(report::histogram_of("K0", "N/m", {without_value}, std::nullopt));
+  const auto in_memory = tasks::histogram_of("K0", "N/m", values, 1090.0);
+  ASSERT_TRUE(in_memory);
+  const report::HistogramPlot found = report::histogram_plot(*in_memory);
+  EXPECT_EQ(found.counts, histogram(of_file, 0, 0).counts);
+  EXPECT_EQ(found.low, histogram(of_file, 0, 0).low);
+  EXPECT_EQ(found.high, histogram(of_file, 0, 0).high);
+  EXPECT_EQ(found.title, histogram(of_file, 0, 0).title);
+  EXPECT_FALSE(tasks::histogram_of("K0", "N/m", std::vector<double>(10, 3.0), std::nullopt));
+  EXPECT_FALSE(tasks::histogram_of("K0", "N/m", {without_value}, std::nullopt));
 }
 
 TEST_F(StudyPlots, CountEveryTrialAndMarkTheTruth) {
@@ -102,14 +106,14 @@ TEST_F(StudyPlots, StandTwelveTogetherAndEndWhereAsked) {
 TEST_F(StudyPlots, WhatDoesNotVaryIsLeftOut) {
   EXPECT_TRUE(unknowns_of(study_file(2, 1, 5.0, 5.0), 10).choices.empty());
   const auto file = study_file(1, 50, 0.0, without_value);
-  const report::PlotGroup group = quality_histograms(file, study::study_statistics(file));
+  const report::PlotGroup group = quality_of(file);
   ASSERT_EQ(group.choices.size(), 1U);
   EXPECT_EQ(group.choices[0].plots.size(), 2U) << "the rms error is always 0.5";
 }
 
 TEST_F(StudyPlots, RjcfEndsAtOne) {
   const auto file = study_file(1, 50, 0.0, without_value);
-  const report::PlotGroup group = quality_histograms(file, study::study_statistics(file));
+  const report::PlotGroup group = quality_of(file);
   EXPECT_EQ(histogram(group, 0, 0).high, 1.0);
   EXPECT_EQ(sum(histogram(group, 0, 0).counts), 50.0);
   EXPECT_GT(histogram(group, 0, 1).high, 1.0);
@@ -119,11 +123,11 @@ class StudyReportPage : public StudyPlots {};
 
 TEST_F(StudyReportPage, TellsTheSceneAndStaysSmall) {
   const auto file = study_file(1000, 30, 0.0, 10.0);
-  const StudyReport report{"title", file.string(), 7, {}, study::study_statistics(file)};
+  const tasks::StudyResult result{"title", file.string(), 7, {}, study::study_statistics(file)};
   ident::Scene scene;
   scene.title = "A <joint>";
   scene.noise = ident::NoiseSection{"uniform", 0.05, {}};
-  const std::string page = study_report(report, scene);
+  const std::string page = report::study_page(result, scene, tasks::study_histograms(file, result.statistics, report::most_unknowns_shown));
   EXPECT_THAT(page, HasSubstr("<h1>A &lt;joint&gt;</h1>"));
   EXPECT_THAT(page, HasSubstr("<dd>30, 30 with an estimate</dd>"));
   EXPECT_THAT(page, HasSubstr("<dd>uniform, level 0.05</dd>"));

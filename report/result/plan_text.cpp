@@ -1,0 +1,140 @@
+#include "report/result/plan_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+#include "ident/admissible/constraint_phrases.hpp"
+#include "ident/likelihood/findings/variance_sources.hpp"
+#include "ident/plan/expected_time.hpp"
+#include "report/json_value.hpp"
+#include "report/result/bound_json.hpp"
+#include "report/text/dof_list.hpp"
+#include "report/text/table.hpp"
+#include "report/text/words.hpp"
+
+namespace jointid::report {
+namespace {
+
+std::vector<std::string> equation_names(const ident::Plan& plan) {
+  std::vector<std::string> names;
+  for (const auto equation : plan.equations) names.push_back(ident::name(equation));
+  return names;
+}
+
+std::string lines_text(const std::vector<ident::Line>& lines) {
+  return fmt::format("{}, {:g} to {:g} Hz", lines.size(), lines.front().frequency_hz, lines.back().frequency_hz);
+}
+
+std::string unknowns_text(const ident::Plan& plan) {
+  std::vector<std::string> names;
+  for (const auto& unknown : plan.restriction.unknowns) names.push_back(unknown.name);
+  const std::string columns =
+      plan.cost.columns == names.size() ? "" : fmt::format(" in {} columns, one per band", plan.cost.columns);
+  return fmt::format("{}{}: {}", names.size(), columns, fmt::join(names, " "));
+}
+
+double megabytes(std::size_t bytes) { return static_cast<double>(bytes) / 1e6; }
+
+/// On all cores of this machine.
+std::string cost_text(const ident::Cost& cost) {
+  Table table({{"", Align::left}, {""}});
+  table.add({"FRFs to read, MB", number(megabytes(cost.bytes_read))});
+  table.add({"equations per line", fmt::format("{}", cost.equations_per_line)});
+  if (const ident::Iteration& each = cost.iteration; each.expected > 0) {
+    table.add({"an iteration, Mflop", number(each.flops / 1e6)});
+    table.add({"iterations expected", fmt::format("{}", each.expected)});
+    table.add({"memory, MB", number(megabytes(each.memory_bytes))});
+    table.add({"time of the iterations expected, s", fmt::format("{:.2g}", ident::expected_seconds(cost))});
+  } else {
+    table.add({"rows per line after compression", fmt::format("{}", cost.compressed_rows_per_line)});
+    table.add({"assembling, Mflop", number(cost.assemble_flops / 1e6)});
+    table.add({"one dense QR of all equations, Mflop", number(cost.stacked_flops / 1e6)});
+  }
+  return "\ncost\n" + table.text();
+}
+
+std::string known_noise_text(const std::vector<ident::VarianceSource>& files) {
+  if (files.empty()) return "";
+  Table table({{"", Align::left}, {"", Align::left}});
+  for (const auto& file : files) table.add({file.file, file.origin});
+  return "\nvariances of the FRFs\n" + table.text();
+}
+
+Json variances_json(const std::vector<ident::VarianceSource>& files) {
+  Json all = Json::array();
+  for (const auto& file : files) all.push_back({{"file", file.file}, {"origin", file.origin}});
+  return all;
+}
+
+std::string phrases(const char* title, const std::vector<std::string>& list) {
+  if (list.empty()) return "";
+  std::string text = fmt::format("\n{}\n", title);
+  for (const std::string& phrase : list) text += "  " + phrase + "\n";
+  return text;
+}
+
+Json cost_json(const ident::Cost& cost) {
+  return {{"equations_per_line", cost.equations_per_line},
+          {"compressed_rows_per_line", cost.compressed_rows_per_line},
+          {"columns", cost.columns},
+          {"bytes_read", cost.bytes_read},
+          {"assemble_flops", cost.assemble_flops},
+          {"stacked_flops", cost.stacked_flops},
+          {"iteration_flops", cost.iteration.flops},
+          {"iterations", cost.iteration.expected},
+          {"memory_bytes", cost.iteration.memory_bytes},
+          {"expected_s", ident::expected_seconds(cost)}};
+}
+
+}  // namespace
+
+std::string plan_text(const ident::Plan& plan) {
+  Table table({{"", Align::left}, {"", Align::left}});
+  const auto& identify = plan.scene.identify;
+  if (!plan.chosen.empty()) table.add({"chosen", plan.chosen});
+  table.add({"method", method_text(identify.method, plan.equations, identify.weighting, identify.delta, plan.solver)});
+  table.add({"joint DOFs", dof_list(plan.coordinates.joint)});
+  table.add({"other responses", dof_list(plan.coordinates.responses)});
+  table.add({"other references", dof_list(plan.coordinates.references)});
+  table.add({"lines", lines_text(plan.lines)});
+  table.add({"unknowns", unknowns_text(plan)});
+  table.add({"assembly FRFs", !plan.predicted_responses.empty() ? "regenerated and compared" : "not regenerated"});
+  return (plan.scene.title.empty() ? "" : plan.scene.title + "\n") + table.text() +
+         phrases("constraints", ident::constraint_phrases(plan)) + cost_text(plan.cost) +
+         known_noise_text(ident::variance_sources(plan)) + phrases("left out", plan.left_out) +
+         phrases("warnings", plan.warnings) + phrases("notes", plan.notes);
+}
+
+std::string plan_json(const ident::Plan& plan, const std::optional<tasks::BoundReport>& bound) {
+  const auto& identify = plan.scene.identify;
+  const bool weighs = ident::weighs_equations(identify.method);
+  Json json = {{"title", plan.scene.title},
+               {"method", ident::name(identify.method)},
+               {"chosen", plan.chosen.empty() ? Json(nullptr) : Json(plan.chosen)},
+               {"equations", equation_names(plan)},
+               {"weighting", weighs ? Json(weighting::name(identify.weighting)) : Json(nullptr)},
+               {"delta", weighs ? Json(identify.delta) : Json(nullptr)},
+               {"solver", plan.solver},
+               {"dofs", frf::names(plan.coordinates.joint)},
+               {"responses", frf::names(plan.coordinates.responses)},
+               {"references", frf::names(plan.coordinates.references)}};
+  json["frequency_hz"] = Json::array();
+  for (const auto& line : plan.lines) json["frequency_hz"].push_back(line.frequency_hz);
+  json["unknowns"] = Json::array();
+  for (const auto& unknown : plan.restriction.unknowns) {
+    json["unknowns"].push_back({{"name", unknown.name}, {"unit", unknown.unit}});
+  }
+  json["constraints"] = ident::constraint_phrases(plan);
+  json["predicts_assembly"] = !plan.predicted_responses.empty();
+  json["cost"] = cost_json(plan.cost);
+  json["variances"] = variances_json(ident::variance_sources(plan));
+  json["left_out"] = plan.left_out;
+  json["warnings"] = plan.warnings;
+  json["notes"] = plan.notes;
+  if (bound) json["bound"] = bound_json(*bound);
+  return json_text(json);
+}
+
+}  // namespace jointid::report

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+
+#include "frf/set/frf_source.hpp"
+#include "ident/result/control.hpp"
+
+namespace jointid::tasks {
+
+/// Whether a file of that name is written as HDF5: .h5 or .hdf5.
+bool is_hdf5(const std::filesystem::path& path);
+
+/// Writes the FRFs of a source in the format of the file's ending: HDF5 line by line, so that a file larger than the memory
+/// passes, with covariances; other formats at once, without. False, and no file, when it was interrupted. Several files of one
+/// structure: frf::open_as_one(). Throws InputError for endings of no format, and as frf::write().
+bool convert(frf::FrfSource& source, const std::filesystem::path& path, const ident::Control& control = {});
+
+}  // namespace jointid::tasks

@@ -1,0 +1,49 @@
+#include "tasks/study/run_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "frf/hdf5/record_journal.hpp"
+
+namespace jointid::tasks {
+
+std::map<std::string, std::string> study_texts(const std::string& scene_text) {
+  return {{"scene_hash", fmt::format("{:016x}", frf::checksum(std::as_bytes(std::span(scene_text))))},
+          {"jointid_version", JOINTID_VERSION}};
+}
+
+StudyResult run_study(const std::shared_ptr<const study::TrialData>& data, const study::StudyOptions& options,
+                      const study::StudyControl& control) {
+  const auto team = ident::make_team_of_one();
+  return tasks::run_study(data, options, *team, control);
+}
+
+StudyResult run_study(const std::shared_ptr<const study::TrialData>& data, const study::StudyOptions& options, ident::Team& team,
+                      const study::StudyControl& control) {
+  StudyResult result{data->scene.title, options.out.string(), options.seed, study::run_study(data, options, team, control), {},
+                     data->notes};
+  if (team.rank() == 0 && result.run.complete) result.statistics = study::study_statistics(options.out);
+  return result;
+}
+
+std::string study_doubt(const study::StudyStatistics& statistics) {
+  std::string text;
+  for (const study::QualityStatistics& matrix : statistics.quality) {
+    if (!(matrix.rms_over_trials > 1.0)) continue;
+    std::string name = matrix.matrix;
+    std::ranges::replace(name, '_', ' ');
+    text += (text.empty() ? "" : "; ") + name +
+            fmt::format(" is off by {:.0f} % rms over the trials", 100.0 * matrix.rms_over_trials);
+  }
+  if (!text.empty()) return text + ": one solution does not tell it";
+  const auto scatters = [](const study::UnknownStatistics& unknown) { return unknown.std_deviation > std::abs(unknown.mean); };
+  const auto count = static_cast<std::size_t>(std::ranges::count_if(statistics.unknowns, scatters));
+  if (2 * count <= statistics.unknowns.size()) return "";
+  return fmt::format("{} of {} unknowns scatter by more than their mean: one solution does not tell them", count,
+                     statistics.unknowns.size());
+}
+
+}  // namespace jointid::tasks
