@@ -64,6 +64,22 @@ void check_briefly(Plan& plan, const Control& control, Solution& out) {
   out.message += (band.empty() ? " " : " The misfit is" + band.substr(1) + ". ") + other_causes(plan.scene) + ".";
 }
 
+/// A plan like this one without some of its lines, on the same files; null where FRFs are synthesised or parts were coupled before.
+std::unique_ptr<Plan> plan_without(const Plan& plan, const std::vector<double>& lines_hz) {
+  constexpr double rounding = 1e-9;
+  if (!plan.regenerated.empty() || !plan.scene.couple_first.pairs.empty()) return nullptr;
+  Scene scene = plan.scene;
+  scene.identify.automatic = false;
+  for (const double hz : lines_hz) scene.frequency.exclude_hz.push_back({hz * (1.0 - rounding), hz * (1.0 + rounding)});
+  try {
+    auto out = make_plan(scene, plan.substructures, plan.assembly);
+    out->chosen = plan.chosen;
+    return out;
+  } catch (const InputError&) {
+    return nullptr;  // too few lines are left
+  }
+}
+
 /// Values that no structure has would stop or ruin any estimate: their lines are left out of the plan.
 WildLines leave_out_absurd_lines(Plan& plan, const Control& control) {
   if (control.detail != Detail::full || control.judgement != Judgement::data || control.shares.size() > 1) return {};

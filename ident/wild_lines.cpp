@@ -7,7 +7,6 @@
 #include "base/text.hpp"
 #include "frf/noise/variance_law.hpp"
 #include "frf/noise/wild_values.hpp"
-#include "ident/identify.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -118,21 +117,6 @@ WildLines find_wild_lines(const Plan& plan, const Control& control) {
     if (file.header().entries() > 0 && file.header().entries() <= frf::most_judged_frfs) file.find(found);
   }
   return found;
-}
-
-std::unique_ptr<Plan> plan_without(const Plan& plan, const std::vector<double>& lines_hz) {
-  constexpr double rounding = 1e-9;
-  if (!plan.regenerated.empty() || !plan.scene.couple_first.pairs.empty()) return nullptr;
-  Scene scene = plan.scene;
-  scene.identify.automatic = false;
-  for (const double hz : lines_hz) scene.frequency.exclude_hz.push_back({hz * (1.0 - rounding), hz * (1.0 + rounding)});
-  try {
-    auto out = make_plan(scene, plan.substructures, plan.assembly);
-    out->chosen = plan.chosen;
-    return out;
-  } catch (const InputError&) {
-    return nullptr;  // too few lines are left
-  }
 }
 
 }  // namespace jointid::ident

@@ -18,7 +18,4 @@ struct WildLines {
 /// Reads all FRFs of the files about the plan's lines, at most a million numbers; of more nothing is looked at.
 WildLines find_wild_lines(const Plan& plan, const Control& control);
 
-/// A plan like this one without some of its lines, on the same files; null where FRFs are synthesised or parts were coupled before.
-std::unique_ptr<Plan> plan_without(const Plan& plan, const std::vector<double>& lines_hz);
-
 }  // namespace jointid::ident

@@ -282,7 +282,7 @@ bool Agreement::tells_gain() const {
 }
 
 std::vector<std::size_t> Agreement::outlying_lines() const {
-  constexpr double far = 25.0;
+  constexpr double far = 100.0;
   std::vector<double> tested = by_line;
   std::erase_if(tested, [](double each) { return std::isnan(each); });
   if (tested.empty()) return {};

@@ -31,7 +31,7 @@ struct Agreement {
 
   /// Whether that is more than chance and the uncertainty of noise laws make.
   bool contradicts() const;
-  /// Lines whose χ² is 25 times that of the middle line, and at least 25 times its expectation, where they are a fifth at most.
+  /// Lines whose χ² is 100 times that of the middle line, and at least 100 times its expectation, where they are a fifth at most.
   std::vector<std::size_t> outlying_lines() const;
   /// Ratio and freedom without some lines; the rest as it is.
   Agreement without(const std::vector<std::size_t>& lines) const;

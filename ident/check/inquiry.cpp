@@ -96,7 +96,8 @@ class Inquiry {
     const std::size_t rounds = all_.size() + 2;
     for (std::size_t round = 0; round < rounds && one_round(screening, found); ++round)
       screening = screen(lines_of(all_, screening_), setups_, threads_);
-    if (found.empty()) found = unexplained(lines_of(all_, lines_for(setups_, rest_lines, rest_work)), setups_, screening, noise_, with_axis_);
+    const std::size_t rest = lines_for(setups_, rest_lines, rest_work);
+    if (found.empty()) found = unexplained(lines_of(all_, rest), setups_, screening, noise_, with_axis_);
     return found;
   }
 

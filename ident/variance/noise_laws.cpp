@@ -60,36 +60,41 @@ std::vector<double> error_squares(frf::FrfSource& source, const frf::Block& bloc
 
 namespace {
 
-constexpr double dropout = 30.0;  ///< times its expectation: an error that is of another law than those of the other lines
-
-/// The medians of error over square and over factor, or the ratios of the sums where half of the errors are zero.
-std::pair<double, double> first_law(const std::vector<NoiseSample>& samples) {
+/// Without errors of another law than most: dropouts.
+std::vector<NoiseSample> usual_samples(const std::vector<NoiseSample>& samples) {
+  constexpr double dropout = 300.0;  // times what the middle ones of error over square and over factor make together
   std::vector<double> of_squares, of_factors;
+  for (const auto& [error, square, factor] : samples) {
+    if (square > 0.0) of_squares.push_back(error / square);
+    if (factor > 0.0) of_factors.push_back(error / factor);
+  }
+  if (of_squares.empty() || of_factors.empty()) return samples;
+  const double a = median(of_squares), b = median(of_factors);
+  if (!(a > 0.0 && b > 0.0)) return samples;
+  std::vector<NoiseSample> usual = samples;
+  std::erase_if(usual,
+                [&](const NoiseSample& each) { return each.error_square > dropout * (a * each.square + b * each.factor); });
+  return usual;
+}
+
+}  // namespace
+
+std::pair<double, double> fit_noise_law(const std::vector<NoiseSample>& all) {
+  if (all.size() < 3) return {nan, nan};
+  const std::vector<NoiseSample> samples = usual_samples(all);
   double v = 0.0, x = 0.0, y = 0.0;
   for (const auto& [error, square, factor] : samples) {
     v += error;
     x += square;
     y += factor;
-    if (square > 0.0) of_squares.push_back(error / square);
-    if (factor > 0.0) of_factors.push_back(error / factor);
   }
-  if (of_squares.empty() || of_factors.empty()) return {0.0, 0.0};
-  const std::pair<double, double> medians{median(of_squares), median(of_factors)};
-  return medians.first > 0.0 && medians.second > 0.0 ? medians : std::pair{v / x, v / y};
-}
-
-}  // namespace
-
-std::pair<double, double> fit_noise_law(const std::vector<NoiseSample>& samples) {
-  if (samples.size() < 3) return {nan, nan};
-  const auto [of_squares, of_factors] = first_law(samples);
-  double a = 0.5 * of_squares, b = 0.5 * of_factors;
-  if (!(a > 0.0 && b > 0.0)) return {0.0, 0.0};
+  if (!(v > 0.0 && x > 0.0 && y > 0.0)) return {0.0, 0.0};
+  double a = 0.5 * v / x, b = 0.5 * v / y;
   for (int iteration = 0; iteration < 6; ++iteration) {
     double xx = 0.0, xy = 0.0, yy = 0.0, xv = 0.0, yv = 0.0;
     for (const auto& [error, square, factor] : samples) {
       const double expected = a * square + b * factor;
-      if (!(expected > 0.0) || error > dropout * expected) continue;
+      if (!(expected > 0.0)) continue;
       const double weight = 1.0 / (expected * expected);
       xx += weight * square * square;
       xy += weight * square * factor;
