@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <ctime>
 #include <iostream>
 #include <string_view>
 #include <system_error>
@@ -42,11 +43,11 @@ extern "C" void on_signal(int) {
     remove_unfinished();
     _exit(static_cast<int>(ExitCode::interrupted));
   }
+  sem_post(&wake_watch);  // first: a full pipe holds up what is said
   if (speaks) {
     if (on_terminal) say(clear_terminal_line);
     say(heard);
   }
-  sem_post(&wake_watch);
   errno = error;
 }
 
@@ -84,12 +85,39 @@ class InterruptWatch {
     }
   }
 
-  [[noreturn]] static void end_process() {
-    if (!ending.exchange(true)) {
-      const std::string line = last_words();
-      std::cout.flush();
+  /// Does what writes to a stream, and leaves it where nobody reads that: a full pipe would hold it up for ever.
+  template <class Act>
+  static void act_or_leave(sem_t& done, Act act) {
+    sem_init(&done, 0, 0);
+    try {
+      std::thread([&done, act] {
+        act();
+        sem_post(&done);
+      }).detach();
+    } catch (const std::system_error&) {
+      return;  // no memory for a thread
+    }
+    timespec until{};
+    clock_gettime(CLOCK_REALTIME, &until);
+    constexpr long patience = 200'000'000, second = 1'000'000'000;  // ns
+    until.tv_sec += (until.tv_nsec + patience) / second;
+    until.tv_nsec = (until.tv_nsec + patience) % second;
+    while (sem_timedwait(&done, &until) != 0 && errno == EINTR) {
+    }
+  }
+
+  static void flush_and_say(const std::string& line) {
+    static sem_t flushed, said;
+    act_or_leave(flushed, [] { std::cout.flush(); });
+    act_or_leave(said, [line] {
       if (speaks && on_terminal) say(clear_terminal_line);
       if (speaks) say("jointid: error: " + line + "\n");
+    });
+  }
+
+  [[noreturn]] static void end_process() {
+    if (!ending.exchange(true)) {
+      flush_and_say(last_words());
     } else {
       std::this_thread::sleep_for(250ms);  // the end is being told already
     }

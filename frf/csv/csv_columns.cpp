@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "frf/text/number_text.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/text/located.hpp"
 #include "frf/text/unit_names.hpp"
@@ -18,8 +19,43 @@ namespace {
 using enum CsvPart;
 
 /// Other words for parts, in lower case; `phase` needs a unit.
-constexpr std::array<std::pair<std::string_view, CsvPart>, 6> part_words = {
-    {{"real", re}, {"imag", im}, {"imaginary", im}, {"magnitude", mag}, {"abs", mag}, {"amplitude", mag}}};
+constexpr std::array<std::pair<std::string_view, CsvPart>, 11> part_words = {{{"real", re},
+                                                                            {"imag", im},
+                                                                            {"imag.", im},
+                                                                            {"imaginary", im},
+                                                                            {"magnitude", mag},
+                                                                            {"abs", mag},
+                                                                            {"amplitude", mag},
+                                                                            {"realteil", re},
+                                                                            {"imaginärteil", im},
+                                                                            {"imagin\xE4rteil", im},
+                                                                            {"betrag", mag}}};
+
+bool is_part(std::string_view word) {
+  const std::string plain = lower_case(word);
+  return plain == "phase" || std::ranges::find(csv_part_names, plain) != csv_part_names.end() ||
+         std::ranges::find(part_words, plain, [](const auto& pair) { return pair.first; }) != part_words.end();
+}
+
+/// The FRF and its part of a title: "4:+Y/1:+Y re", "Real H1" or "Re(H1)".
+struct Title {
+  std::string_view label, part;
+};
+
+Title title_of(std::string_view name) {
+  const std::size_t last = name.rfind(' '), first = name.find(' '), open = name.find('(');
+  if (last == std::string_view::npos && open != std::string_view::npos && name.ends_with(')'))
+    return {name.substr(open + 1, name.size() - open - 2), name.substr(0, open)};
+  if (last == std::string_view::npos) return {{}, name};
+  const bool leads = !is_part(name.substr(last + 1)) && is_part(name.substr(0, first));
+  return leads ? Title{trimmed(name.substr(first)), name.substr(0, first)} : Title{name.substr(0, last), name.substr(last + 1)};
+}
+
+/// "H1", "AI 1/AI 2": a name of another program, of which the options say what it is; "2X/1X" is a slip of the pen.
+bool is_foreign(std::string_view label) {
+  const bool pair = label.find('/') != std::string_view::npos && !label.empty() && label.front() >= '0' && label.front() <= '9';
+  return label.find(':') == std::string_view::npos && !pair;
+}
 
 constexpr std::size_t most_csv_columns = 100'000;
 
@@ -72,12 +108,12 @@ class HeaderRow {
 
   void add(std::size_t column) {
     const std::string& name = table_.columns[column];
-    const std::size_t blank = name.rfind(' ');
-    const bool named = blank != std::string::npos;
-    const CsvPart part = parse_part(column, std::string_view(name).substr(named ? blank + 1 : 0));
+    const auto [label, word] = title_of(name);
+    const bool named = !label.empty() && (options_.response.empty() || !is_foreign(label));
+    const CsvPart part = parse_part(column, word);
     if (column > 1 && named != named_) fail(column, "columns with and without DOFs", "name all of them or none");
     named_ = named;
-    const Pair pair = named ? named_pair(column, std::string_view(name).substr(0, blank)) : unnamed_pair(column, part);
+    const Pair pair = named ? named_pair(column, label) : unnamed_pair(column, part);
     if (pairs_[pair].has(part)) fail(column, "'" + name + "' stands there twice", "remove one");
     pairs_[pair][part] = column;
   }
@@ -131,7 +167,8 @@ class HeaderRow {
   Pair named_pair(std::size_t column, std::string_view label) {
     const std::size_t slash = label.find('/');
     if (slash == std::string_view::npos) {
-      fail(column, "'" + std::string(label) + "' is not response/reference", "write e.g. 4:+Y/1:+Y re");
+      fail(column, "'" + std::string(label) + "' is not response/reference",
+           "write e.g. 4:+Y/1:+Y re, or give the DOFs: --response 4:+Y --reference 1:+Y, in a scene dofs and reference_dofs");
     }
     const auto parse = [&](std::string_view text) {
       return located(table_.file, CsvTable::place(table_.header_line, column), [&] { return Dof::parse(text); });

@@ -46,6 +46,14 @@ std::string first_unit(const CsvTable& table, const CsvColumns& columns) {
   return {};
 }
 
+/// What the user says stands in place of what the file says.
+void set_unit(CsvTable& table, const std::string& unit) {
+  table.keys["unit"] = unit;
+  for (std::size_t i = 1; i < table.units.size(); ++i) {
+    if (quantity_of_unit(table.units[i])) table.units[i].clear();
+  }
+}
+
 Quantity read_quantity(const CsvTable& table, const CsvColumns& columns, const OpenOptions& options) {
   const auto key = table.keys.find("quantity");
   if (key != table.keys.end())
@@ -176,7 +184,7 @@ bool looks_like_csv(std::span<const char> head) {
     rest.remove_prefix(std::min(rest.size(), line.size() + 1));
     const std::size_t start = line.find_first_not_of(" \t\r");
     if (start == std::string_view::npos) continue;
-    if (line[start] != '#') return line.starts_with("sep=") || csv_separator(line.substr(start)) != '\0';
+    if (line[start] != '#' && line[start] != '%') return line.starts_with("sep=") || csv_separator(line.substr(start)) != '\0';
     if (rest.empty()) return true;  // nothing but comments as far as we see
   }
   return false;
@@ -195,7 +203,8 @@ bool names_frfs(std::span<const char> head) {
 }
 
 std::unique_ptr<FrfSource> open_csv(const std::filesystem::path& path, const OpenOptions& options) {
-  const CsvTable table = read_csv_table(path);
+  CsvTable table = read_csv_table(path);
+  if (!options.unit.empty()) set_unit(table, options.unit);
   FrfSet set;
   set.header.file = table.file;
   set.header.nodes = read_csv_nodes(table);

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "frf/set/unit_label.hpp"
+#include "frf/set/units.hpp"
 #include "frf/text/number_text.hpp"
 
 namespace jointid::frf {
@@ -57,6 +59,15 @@ std::string_view near_key(const std::string& key) {
   return {};
 }
 
+/// "# y-axis: g/N", "# unit g/N", "# g/N": the unit of an FRF that nothing reads.
+bool is_unit_in_comment(std::string_view comment) {
+  constexpr std::size_t longest = 60;
+  const std::string_view word = comment.substr(0, comment.find_first_of(" \t"));
+  const bool named = word == "unit" || word == "units" || word == "Unit" || word == "Units" || word == "UNIT" || word == "UNITS";
+  const std::string_view text = trimmed(named ? comment.substr(word.size()) : comment);
+  return text.size() <= longest && quantity_of_unit(text).has_value();
+}
+
 [[noreturn]] void fail(const std::string& file, std::size_t line, std::string problem, std::string remedy) {
   throw InputError({.kind = ErrorKind::data,
                     .file = file,
@@ -70,11 +81,14 @@ std::string_view near_key(const std::string& key) {
 void read_csv_key(std::string_view line, const std::string& file, std::size_t number, CsvKeys& keys) {
   line.remove_prefix(1);
   const std::size_t end = line.find_first_of("=:");
-  if (end == std::string_view::npos) return;
-  const std::string_view written = trimmed(line.substr(0, end)), value = trimmed(line.substr(end + 1));
+  const bool comment = end == std::string_view::npos;
+  const std::string_view written = trimmed(line.substr(0, end)), value = comment ? written : trimmed(line.substr(end + 1));
+  if (comment && !is_unit_in_comment(value)) return;
   std::string key = plain_key(written);
   const auto known = std::ranges::find(known_keys, key, [](const auto& pair) { return pair.first; });
-  if (known != known_keys.end()) {
+  if (comment) {
+    fail(file, number, "'" + shown_label(value) + "' is a unit that is not read", "did you mean # unit = ...? Or reword the comment");
+  } else if (known != known_keys.end()) {
     key = known->second;
   } else if (key.starts_with("node ")) {
     key = std::string(written);
@@ -83,6 +97,9 @@ void read_csv_key(std::string_view line, const std::string& file, std::size_t nu
   } else if (const std::string_view near = near_key(key); !near.empty()) {
     fail(file, number, "the key '" + std::string(written.substr(0, 40)) + "' is not known",
          "did you mean " + std::string(near) + "? Or write a comment without = and :");
+  } else if (is_unit_in_comment(value)) {
+    fail(file, number, "the unit '" + shown_label(value) + "' of the key '" + std::string(written.substr(0, 40)) + "' is not read",
+         "did you mean # unit = " + shown_label(value) + "? Or reword the comment");
   } else {
     return;
   }

@@ -34,10 +34,35 @@ std::vector<std::string_view> cells_of(std::string_view line, char separator) {
   return cells;
 }
 
+/// Where the brackets of the unit begin in a title: the last ones that belong together, "Re(H) (m/s^2/N)"; the first where more
+/// follows them or they are part of a ratio, "Re (g)/(lbf)".
+std::size_t begin_of_unit(std::string_view title) {
+  const std::size_t first = title.find_first_of("[(");
+  if (first == std::string_view::npos || (title.back() != ')' && title.back() != ']')) return first;
+  int depth = 0;
+  for (std::size_t at = title.size(); at-- > first;) {
+    if (title[at] == ')' || title[at] == ']') ++depth;
+    if (title[at] != '(' && title[at] != '[') continue;
+    if (--depth > 0) continue;
+    const std::string_view before = trimmed(title.substr(0, at));
+    return before.ends_with('/') || before.ends_with('*') ? first : at;
+  }
+  return first;
+}
+
+/// "Re(H11)", whose brackets hold the name of an FRF.
+bool is_function(std::string_view title, std::size_t open) {
+  const std::string name = lower_case(title.substr(0, open));
+  constexpr std::array<std::string_view, 6> functions = {"re", "im", "real", "imag", "abs", "mag"};
+  if (title.back() != ')' || std::ranges::find(functions, name) == functions.end()) return false;
+  const std::string_view inside = title.substr(open + 1, title.size() - open - 2);
+  return !parse_unit(inside) && unit_hint(inside).empty();
+}
+
 /// "Frequency [Hz]" into "Frequency" and "Hz"; also with ( ).
 std::pair<std::string_view, std::string_view> title_and_unit(std::string_view title) {
-  const std::size_t open = title.find_first_of("[(");
-  if (open == std::string_view::npos) return {title, {}};
+  const std::size_t open = begin_of_unit(title);
+  if (open == std::string_view::npos || is_function(title, open)) return {title, {}};
   std::string_view unit = title.substr(open);
   const char close = unit.front() == '[' ? ']' : ')';
   if (unit.find(close) == unit.size() - 1) unit = unit.substr(1, unit.size() - 2);
@@ -53,8 +78,11 @@ class CsvReader {
     for (line_ = 1; !rest.empty(); ++line_) {
       const std::string_view line = take_until(rest, '\n'), text = trimmed(line);
       if (text.empty() || (line_ == 1 && names_separator(text))) continue;
-      if (text.front() == '#') {
+      if (text.front() == '#' || text.front() == '%') {
         read_csv_key(text, table_.file, line_, table_.keys);
+        last_comment_ = trimmed(text.substr(1));
+      } else if (table_.columns.empty() && takes_comment_for_header(line)) {
+        read_row(line);
       } else if (table_.columns.empty()) {
         read_header(line);
       } else if (table_.lines.empty() && table_.units_line == table_.header_line && is_units(line)) {
@@ -73,6 +101,21 @@ class CsvReader {
     if (text.size() < 4 || lower_case(text.substr(0, 4)) != "sep=") return false;
     separator_ = text.size() > 4 ? text[4] : '\t';  // a tab was trimmed
     return true;
+  }
+
+  /// Titles in the comment above the numbers, as numpy.savetxt writes them.
+  bool takes_comment_for_header(std::string_view line) {
+    const char separator = csv_separator(last_comment_);
+    double value = 0.0;
+    if (separator == '\0' || !parse_cell(cells_of(line, separator).front(), false, value)) return false;
+    if (!is_frequency(title_and_unit(cells_of(last_comment_, separator).front()).first)) return false;
+    read_header(last_comment_);
+    return true;
+  }
+
+  static bool is_frequency(std::string_view title) {
+    const std::string plain = lower_case(title);
+    return plain == csv_frequency_column || std::ranges::find(frequency_titles, plain) != frequency_titles.end();
   }
 
   void read_header(std::string_view line) {
@@ -164,7 +207,8 @@ class CsvReader {
       double value = 0.0;
       if (!parse(cells[i], value))
         table_.fail(line_, i, "'" + std::string(cells[i]) + "' is not a number",
-                    "leave the cell empty where nothing was measured");
+                    cells[i].ends_with("j)") ? "write the real and the imaginary part to columns of their own"
+                                             : "leave the cell empty where nothing was measured");
       require_one_decimal_sign(cells[i], i);
       table_.cells.push_back(value);
     }
@@ -186,6 +230,7 @@ class CsvReader {
   CsvTable table_;
   std::size_t line_ = 0, comma_line_ = 0, point_line_ = 0;
   char separator_ = '\0';
+  std::string_view last_comment_;
 };
 
 void append_utf8(std::string& out, unsigned code) {

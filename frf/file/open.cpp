@@ -26,10 +26,12 @@ void require_variables(const Format& format, const std::filesystem::path& path, 
 
 /// A unit is given where a format has no place for it, or one whose labels are often wrong.
 void require_own_unit(const Format& format, const std::filesystem::path& path, const OpenOptions& options) {
-  if (options.unit.empty() || format.format == FileFormat::uff || format.format == FileFormat::analyser_text) return;
+  if (options.unit.empty() || format.format == FileFormat::uff || format.format == FileFormat::analyser_text ||
+      format.format == FileFormat::csv)
+    return;
   refuse(path,
          "the unit '" + options.unit + "' is given, and a file of format " + format.name + " has a place of its own for it",
-         "write it there (# unit = g/lbf in CSV, a variable unit in MATLAB and numpy files, an attribute in HDF5) and leave out "
+         "write it there (a variable unit in MATLAB and numpy files, an attribute in HDF5) and leave out "
          "--unit, in a scene unit");
 }
 

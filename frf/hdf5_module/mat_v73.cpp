@@ -218,6 +218,27 @@ class MatV73 final : public MatFile {
     return hdf5::any_text_attribute(open(info->name, place_of_.at(info->name)), name).value_or("");
   }
 
+  std::vector<std::pair<std::string, std::string>> notes(const MatInfo& info) override {
+    const hdf5::Silence silence;
+    std::vector<std::pair<std::string, std::string>> all;
+    const auto add = [&](const hdf5::Object& object, const std::string& place) {
+      for (const std::string& name : hdf5::text_attributes(object))
+        all.emplace_back(place + "@" + name, hdf5::text_attribute(object, name.c_str()).value_or(""));
+    };
+    const Place& place = place_of_.at(info.name);
+    add(open(info.name, place), info.name);
+    for (std::size_t end = place.from ? std::string::npos : place.path.rfind('/'); end != std::string::npos && end > 0;
+         end = place.path.rfind('/', end - 1)) {
+      hdf5::Object group;
+      group.file = hdf5_.file;
+      group.place = place.path.substr(0, end);
+      group.id = Handle(H5Gopen2(hdf5_.id.get(), group.place.c_str(), H5P_DEFAULT));
+      if (group.id.is_open()) add(group, group.place);
+    }
+    add(hdf5_, "");
+    return all;
+  }
+
   bool reads_samples() const override { return true; }
 
   std::vector<double> read_samples(const MatInfo& info, std::size_t first, std::size_t count) override {

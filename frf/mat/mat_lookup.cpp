@@ -24,9 +24,9 @@ namespace {
 using Names = std::span<const std::string_view>;
 
 /// In this order; x (pyuff) only of a struct.
-constexpr std::array<std::string_view, 16> axis_names = {
+constexpr std::array<std::string_view, 17> axis_names = {
     "frequency_hz", "frequency", "freq",           "f",         "freq_hz",     "frequencies",      "freq_domain",     "w",
-    "omega",        "freqs",     "frequency_axis", "freq_axis", "freq_vector", "frequency_vector", "x_values.values", "x"};
+    "omega",        "freqs",     "frequency_axis", "freq_axis", "freq_vector", "frequency_vector", "x_values.values", "abscissa", "x"};
 constexpr std::array<std::string_view, 4> axis_unit_names = {"frequency_unit", "freq_unit", "frequency_units",
                                                              "x_values.quantity.label"};
 constexpr double from_rad_per_s = 0.5 / std::numbers::pi;
@@ -48,6 +48,14 @@ bool is_vector(const MatInfo& info) {
 }
 
 char lower_letter(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+/// Of "freq_khz", "w_rad", "rpm"; 1 where a name says no unit.
+double hz_of_name(std::string_view name) {
+  const std::string plain = lower_case(name);
+  if (plain.find("rad") != std::string::npos) return from_rad_per_s;
+  if (plain.ends_with("khz")) return 1000.0;
+  return plain.ends_with("rpm") || plain.ends_with("cpm") ? 1.0 / 60.0 : 1.0;
+}
 
 std::string trimmed_end(std::string text) {
   text.resize(text.find_last_not_of(" \t\r\n") + 1);  // rows of characters are padded with blanks
@@ -155,8 +163,8 @@ double MatLookup::hz_per_unit(const MatInfo& axis) const {
   if (label.empty()) label = file_.note(&axis, "units");
   if (label.empty()) label = text(axis_unit_names);
   const std::string_view own = std::string_view(axis.name).substr(scope_of(axis).size());
-  const bool omega = own == "w" || same_name(own, "omega");
-  if (label.empty()) return omega ? from_rad_per_s : 1.0;
+  const bool omega = own == "w" || own == "W" || same_name(own, "om") || same_name(own, "omega");
+  if (label.empty()) return omega ? from_rad_per_s : hz_of_name(own);
   const double factor = located(file_.file(), place_of(axis.name), [&] { return hertz_per(label).value_or(1.0); });
   if (omega && factor == 1.0) {
     fail(place_of(axis.name), "is an angular frequency by its name and in '" + label + "' by its unit",

@@ -73,6 +73,10 @@ class Reader {
         if (std::string text = file_.note(beside, name); !text.empty()) return text;
       }
     }
+    for (const auto& [name, text] : file_.notes(*frf_.values)) {
+      const std::string plain = lower_case(std::string_view(name).substr(name.rfind('@') + 1));
+      if (plain == "unit" || plain == "units") return text;
+    }
     return lookup_.text(unit_names_of_frfs);
   }
 
@@ -209,11 +213,51 @@ class Reader {
     }
   }
 
+  /// A text that is the unit of an FRF, under a name that nothing reads: a label of a plot, "Accelerance [g/N]".
+  void require_no_unit_in_text() const {
+    constexpr std::size_t most_texts = 200, longest = 64;
+    const std::string scope = scope_of(*frf_.values);
+    std::size_t count = 0;
+    for (const MatInfo& info : file_.variables()) {
+      if (info.kind != MatKind::text || !info.name.starts_with(scope) || size(info) > longest || ++count > most_texts) continue;
+      const std::vector<std::string> texts = file_.read(info).texts;
+      for (const std::string& text : texts) require_no_unit(info.name, text);
+    }
+    for (const auto& [name, text] : file_.notes(*frf_.values)) require_no_unit(name, text);
+  }
+
+  void require_no_unit(const std::string& name, std::string_view text) const {
+    const std::size_t open = text.find_last_of('[');
+    const bool enclosed = open != std::string_view::npos && text.ends_with(']');
+    const std::string_view unit = enclosed ? text.substr(open + 1, text.size() - open - 2) : text;
+    if (unit.size() > 64 || !quantity_of_unit(unit)) return;
+    lookup_.fail(place_of(name), "states the unit '" + shown_label(unit) + "' and is not read",
+                 "did you mean unit? Rename it, or remove it where it is of something else");
+  }
+
+  /// `unit` and `units` that differ, or hold what is no text and no struct.
+  void require_one_unit() const {
+    std::string first;
+    for (const std::string_view name : {"unit", "units"}) {
+      const MatInfo* info = lookup_.find(name);
+      if (info == nullptr) continue;
+      const bool fields = std::ranges::any_of(file_.variables(), [&](const MatInfo& each) { return each.name.starts_with(info->name + "."); });
+      if (info->kind == MatKind::other && !fields && size(*info) > 0)
+        lookup_.fail(place_of(info->name), "is no text that can be read", "store the unit as a text");
+      const std::string text = lookup_.text(std::span(&name, 1));
+      if (!first.empty() && !text.empty() && text != first)
+        lookup_.fail(place_of(info->name), "is '" + shown_label(text) + "', and unit is '" + shown_label(first) + "'", "keep the right one");
+      first = text;
+    }
+  }
+
   double si_of_file() const {
     const FrfHeader& header = set_.header;
+    require_one_unit();
     const std::string label = unit_label();
     if (states_no_unit(label)) {
       require_no_other_unit();
+      require_no_unit_in_text();
       return 1.0;
     }
     const double si = located(header.file, place_of("unit"), [&] { return si_factor(label, header); });

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "frf/set/frf_set.hpp"
@@ -53,6 +54,9 @@ class MatFile {
   /// A text that stands beside a variable (null: beside all of them), an attribute of HDF5, whatever the case of its name; else
   /// empty.
   virtual std::string note(const MatInfo* info, std::string_view name);
+
+  /// All such texts of a variable, of the groups it is in and of the file, by their names behind the place and an @.
+  virtual std::vector<std::pair<std::string, std::string>> notes(const MatInfo& info);
 
   /// Whether read_samples() reads parts of a variable from the file.
   virtual bool reads_samples() const { return false; }

@@ -225,7 +225,7 @@ std::optional<double> hertz_per(std::string_view label) {
   if (states_no_unit(label)) return std::nullopt;
   constexpr double per_minute = 1.0 / 60.0;
   const std::string text = lower_case(plain_label(label));
-  if (text == "r/min" || text == "u/min") return per_minute;
+  if (text == "r/min" || text == "u/min" || text == "r.p.m." || text == "c.p.m.") return per_minute;
   if (text == "c/s") return 1.0;
   const auto unit = parse_unit(label);
   if (unit && is_frequency(*unit) && unit->angle == 1) return without_rounding(unit->si / (2.0 * std::numbers::pi));

@@ -34,7 +34,11 @@ constexpr std::array dos_signs = std::to_array<std::pair<std::string_view, std::
 
 /// Pieces of ASCII that mean one sign or one word, in lower case.
 constexpr std::array pieces = std::to_array<std::pair<std::string_view, std::string_view>>(
-    {{"**", "^"}, {"^-^", "^-"}, {"^^", "^"}, {"pk-pk", "pkpk"}, {"p-p", "pp"}, {"-force", "force"}, {" force", "force"}});
+    {{"**", "^"},         {"^-^", "^-"},      {"^^", "^"},          {"pk-pk", "pkpk"},    {"p-p", "pp"},      {"0-peak", "pk"},
+     {"0-pk", "pk"},      {"0-p", "pk"},      {"-force", "force"},  {" force", "force"},  {", rms", " rms"},  {", pk", " pk"},
+     {", peak", " pk"},   {"lb-f", "lbf"},    {"lb(f)", "lbf"},     {"lb (f)", "lbf"},    {"lb_f", "lbf"},    {"lb f", "lbf"},
+     {"kg-f", "kgf"},     {"kg(f)", "kgf"},   {"kg (f)", "kgf"},    {"kg_f", "kgf"},      {"kg f", "kgf"},    {"milli-", "milli"},
+     {"micro-", "micro"}, {"ms^-2", "m*s^-2"}, {"ms-2", "m*s^-2"},  {"ms^-1", "m*s^-1"},  {"ms-1", "m*s^-1"}, {"g0", "gn"}});
 
 std::string_view sign_of(std::string_view sequence, bool dos) {
   const auto is_it = [&](const auto& sign) { return sign.first == sequence; };

@@ -74,8 +74,8 @@ constexpr std::array known_units = std::to_array<NamedUnit>({
     {"inlb inlbs inlbf lbin lbfin", moment(inch* pound_force)},
     {"ftlb ftlbs ftlbf lbft lbfft", moment(foot* pound_force)},
     {"g G gn g_n g's G's gs gee gees grav gravity gravities gforce", acceleration(standard_gravity), true},
-    {"mg mgn milligee milligees", acceleration(1e-3 * standard_gravity), true},
-    {"ug ugn", acceleration(1e-6 * standard_gravity)},
+    {"mg mgn millig milligee milligees", acceleration(1e-3 * standard_gravity), true},
+    {"ug ugn microg", acceleration(1e-6 * standard_gravity)},
     {"Gal Gals", acceleration(1e-2)},
     {"mGal mGals", acceleration(1e-5)},
     {"ips", {inch, 1, -1, 0}, true},
@@ -97,6 +97,7 @@ constexpr std::array known_units = std::to_array<NamedUnit>({
     {"GHz gigahertz", turns(1e9)},
     {"rps", turns(1.0)},
     {"rpm cpm", turns(1.0 / 60.0)},
+    {"krpm kcpm", turns(1000.0 / 60.0)},
     {"rms eff", amplitude(Amplitude::rms)},
     {"pk peak", amplitude(Amplitude::peak)},
     {"pp pkpk ptp", amplitude(Amplitude::peak_to_peak)},
@@ -175,7 +176,9 @@ UnitWord without_amplitude(std::string_view word) {
 }  // namespace
 
 UnitWord find_unit(std::string_view word) {
-  const std::vector<Match>& found = matches(word);
+  static const std::vector<Match> none;
+  const bool function = word == "H";  // an FRF, "Re(H)", and no hour
+  const std::vector<Match>& found = function ? none : matches(word);
   if (found.empty()) return without_amplitude(word);
   const auto exact = std::ranges::find(found, word, &Match::name);
   const Match& first = exact != found.end() ? *exact : found.front();

@@ -152,7 +152,10 @@ std::vector<Uff55Mode> read_uff55(const std::filesystem::path& path) {
     if (dataset.number != 55 || dataset.binary) continue;
     Uff55Mode mode;
     if (!read_mode(file, dataset, mode)) continue;
-    scale_to_si(mode, units.at(dataset));
+    const uff::UnitFactors factors = units.at(dataset);
+    if (!factors.contradiction.empty())
+      dataset.place.fail("modal masses", factors.contradiction, "correct dataset 164, which their unit is taken from");
+    scale_to_si(mode, factors);
     modes.push_back(std::move(mode));
   }
   if (modes.empty()) {

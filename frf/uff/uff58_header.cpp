@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/text/label_text.hpp"
+#include "frf/text/unit_names.hpp"
 #include "frf/uff/uff_text.hpp"
 
 namespace jointid::frf::uff {
@@ -144,11 +145,35 @@ void parse_data_form(Header58& header, const std::string& line, const Place& pla
   header.abscissa_step = record.real(30 + wide, wide, "abscissa increment");
 }
 
+bool is_of_type(const Unit& unit, int type) {
+  const auto is = [&](int length, int time, int force) { return unit.same_dimension({1.0, length, time, force}); };
+  const bool motion = is(1, 0, 0) || is(1, -1, 0) || is(1, -2, 0);
+  if (type == type_displacement || type == type_velocity || type == type_acceleration)
+    return motion || (unit.force == -1 && unit.length <= 1);
+  if (type == type_force) return is(0, 0, 1) || is(1, 0, 1);
+  if (type == type_frequency) return unit.length == 0 && unit.time == -1 && unit.force == 0 && unit.angle == 1;
+  return type < 2 && (motion || is(0, 0, 1) || unit.force == -1);
+}
+
+/// The unit in the name of an axis, "Acceleration [g]", "NONE g" or "g", where the field of units is blank; empty where it has none.
+std::string unit_in_name(std::string_view name, int type) {
+  if (name.starts_with("NONE ")) name.remove_prefix(5);
+  const std::size_t open = name.find_last_of("[(");
+  const bool enclosed = open != std::string_view::npos && open > 0 && (name.ends_with(']') || name.ends_with(')'));
+  for (const std::string_view text : {enclosed ? name.substr(open + 1, name.size() - open - 2) : std::string_view(), name}) {
+    const auto unit = parse_unit(text);
+    if (unit && is_of_type(*unit, type)) return std::string(text);
+    if (enclosed && text != name && !not_a_unit(text).empty()) return std::string(text);
+  }
+  return {};
+}
+
 AxisRecord parse_axis(const std::string& line, int number, const Place& place) {
   const RecordLine record(line, number, place);
   AxisRecord axis;
   axis.data_type = record.code(0, 10, "specific data type", 0, 999);
   axis.unit = record.text_behind_name(47, 20);
+  if (axis.unit.empty()) axis.unit = unit_in_name(record.text(26, 20), axis.data_type);
   return axis;
 }
 

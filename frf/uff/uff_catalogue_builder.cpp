@@ -112,6 +112,9 @@ class CatalogueBuilder {
     header_.quantity = first.quantity;
     if (first.stated && *first.stated != first.quantity) header_.changes.push_back(taken_for(first.quantity, *first.stated));
     header_.nodes = read_nodes(file_, datasets_, units);
+    const std::string contradiction = units.at(datasets_[records.front()]).contradiction;
+    if (!contradiction.empty() && !header_.nodes.empty())
+      header_.doubts.push_back(contradiction + ": positions of nodes are read by the factors");
     if (!spectra_) attach_coherences(file_, catalogue_);
     validate(header_);
     forget_id_lines();

@@ -1,6 +1,9 @@
 #include "frf/uff/uff_unit_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <string>
@@ -11,13 +14,40 @@
 namespace jointid::frf::uff {
 namespace {
 
+/// The units codes of the format with their factors; 9 is defined by the user.
+struct CodedUnits {
+  std::int64_t code;
+  const char* name;
+  double length, force;
+};
+constexpr double foot = 0.3048, pound_force = 4.4482216152605, gravity = 9.80665, poundal = 0.138254954376;
+constexpr std::array coded_units = std::to_array<CodedUnits>({{1, "m and N", 1.0, 1.0},
+                                                              {2, "ft and lbf", 1.0 / foot, 1.0 / pound_force},
+                                                              {3, "m and kgf", 1.0, 1.0 / gravity},
+                                                              {4, "ft and poundal", 1.0 / foot, 1.0 / poundal},
+                                                              {5, "mm and mN", 1e3, 1e3},
+                                                              {6, "cm and cN", 1e2, 1e2},
+                                                              {7, "in and lbf", 12.0 / foot, 1.0 / pound_force},
+                                                              {8, "mm and kgf", 1e3, 1.0 / gravity},
+                                                              {10, "mm and N", 1e3, 1.0}});
+
+std::string contradiction_of(std::int64_t code, double length, double force) {
+  constexpr double tolerance = 0.01;
+  const auto found = std::ranges::find(coded_units, code, &CodedUnits::code);
+  if (found == coded_units.end()) return {};
+  const auto off = [](double stated, double coded) { return std::abs(stated - coded) > tolerance * coded; };
+  if (!off(length, found->length) && !off(force, found->force)) return {};
+  return fmt::format("dataset 164 has units code {}, {}, whose factors are {:.5g} and {:.5g}, and the factors {:.5g} and {:.5g}", code,
+                     found->name, found->length, found->force, length, force);
+}
+
 UnitFactors parse_factors(ByteFile& file, const Dataset& dataset) {
-  std::string line;
+  std::string codes, line;
   std::string_view next;
   file.seek(dataset.payload_begin);
   for (int lines = 0; lines < 2 && file.position() < dataset.payload_end && file.next_line(next);) {
     if (trim(next).empty()) continue;
-    if (++lines == 2) line = next;
+    (++lines == 1 ? codes : line) = next;
   }
   const auto length = parse_real(column(line, 0, 25));
   const auto force = parse_real(column(line, 25, 25));
@@ -25,7 +55,7 @@ UnitFactors parse_factors(ByteFile& file, const Dataset& dataset) {
     dataset.place.fail("record 2", "'" + line + "' does not begin with two positive unit factors",
                        "correct the factors of length and force");
   }
-  return {*length, *force};
+  return {*length, *force, contradiction_of(parse_integer(column(codes, 0, 10)).value_or(0), *length, *force)};
 }
 
 }  // namespace

@@ -202,6 +202,10 @@ Ordinate interpret_labelled(const Header58& header, const UnitFactors& factors, 
   ordinate.quantity = resolve_quantity(types, labels.quantity, given, header, place);
   ordinate.stated = types ? types : labels.quantity;
   if (labels.quantity && labels.quantity != ordinate.quantity) drop_motion(labels, header, ordinate.quantity, place);
+  if ((!labels.numerator || !labels.denominator) && !factors.contradiction.empty()) {
+    place.fail("records 9 and 10", "no unit of " + std::string(labels.numerator ? "the force" : "the motion") + ", and " + factors.contradiction,
+               "correct dataset 164, or " + std::string(give_unit));
+  }
   const double motion = header.response.is_rotation() ? 1.0 : 1.0 / factors.length;
   const double load = (header.reference.is_rotation() ? 1.0 / factors.length : 1.0) / factors.force;
   ordinate.to_si = labels.numerator.value_or(motion) / labels.denominator.value_or(load);

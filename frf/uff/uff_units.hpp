@@ -14,6 +14,7 @@ namespace jointid::frf::uff {
 struct UnitFactors {
   double length = 1.0;
   double force = 1.0;
+  std::string contradiction{};  ///< what its units code says otherwise; empty: nothing
 };
 
 /// What the user says of the FRFs of a file: their quantity, and their unit in place of all labels; empty: nothing.

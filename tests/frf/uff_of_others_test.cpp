@@ -279,9 +279,52 @@ TEST(UffOfOthers, OptionsThatDoNotApplyAreErrors) {
             HasSubstr("rename")));
   EXPECT_THAT(refusal_of(accelerance().str(), named({}, {"8:+X"})), HasSubstr("its references are given"));
   expect_right(read(accelerance().str(), named({"1:+Z"}, {"1:+Z"})));  // no contradiction
-  const std::string table = "# quantity = receptance\nfrequency_hz, 1:Y/1:Y re, 1:Y/1:Y im\n10, 1, 0\n";
-  EXPECT_THAT(refusal_of(table, said("g/lbf")),
-              HasSubstr("the unit 'g/lbf' is given, and a file of format CSV has a place of its own for it"));
+}
+
+TEST(UffOfOthers, TheUnitInTheNameOfAnAxis) {
+  const auto named_axes = [](const std::string& above, const std::string& below) {
+    std::string text = accelerance(1.0).str();
+    const auto put = [&](const char* type, const std::string& name) {
+      const std::size_t at = text.find(type) + 26;
+      text.replace(at, 20, name + std::string(20 - name.size(), ' '));
+    };
+    put("        12    0    0    0 ", above);
+    put("        13    0    0    0 ", below);
+    return text;
+  };
+  const auto ratio = [&](const std::string& above, const std::string& below) {
+    const FrfSet plain = read(accelerance().str()), set = read(named_axes(above, below));
+    return std::abs(set.values[4] / plain.values[4]);
+  };
+  EXPECT_NEAR(ratio("Acceleration [g]", "Force (lbf)"), gravity / pound, 1e-9);
+  EXPECT_NEAR(ratio("NONE g", "lbf"), gravity / pound, 1e-9);
+  EXPECT_NEAR(ratio("Response (top)", "Hammer"), 1.0, 1e-12);
+  EXPECT_THAT(refusal_of(named_axes("Acceleration (V)", "Force")), HasSubstr("record 9 (byte 7): unknown unit 'V'"));
+}
+
+TEST(UffOfOthers, ACodeOfUnitsThatItsFactorsContradict) {
+  const auto coded = [](int code, double length, double force) {
+    std::string text = units_164(length, force);
+    return text.replace(text.find("         9user"), 10, format("%10d", code));
+  };
+  const double foot = 0.3048;
+  struct Coded {
+    int code;
+    double length, force;  // SI units in one of the file's
+  };
+  for (const auto& [code, length, force] :
+       {Coded{1, 1.0, 1.0}, {2, foot, pound}, {3, 1.0, gravity}, {4, foot, 0.45359237 * foot}, {5, 1e-3, 1e-3}, {6, 1e-2, 1e-2},
+        {7, foot / 12, pound}, {8, 1e-3, gravity}, {9, 0.5, 7.0}, {10, 1e-3, 1.0}}) {
+    const FrfSet plain = read(accelerance().str()), set = read(coded(code, 1.0 / length, 1.0 / force) + accelerance().str());
+    EXPECT_NEAR(std::abs(set.values[4] / plain.values[4]), length / force, 1e-9 * length / force) << code;
+  }
+  const std::string feet = coded(1, 1.0 / foot, 1.0 / pound);
+  EXPECT_THAT(refusal_of(feet + accelerance().str()),
+              AllOf(HasSubstr("dataset 164 has units code 1, m and N, whose factors are 1 and 1, and the factors 3.2808 and 0.22481"),
+                    HasSubstr("--unit")));
+  EXPECT_THAT(refusal_of(coded(7, foot / 12, pound) + accelerance().str()), HasSubstr("units code 7"));
+  expect_right(read(feet + accelerance(1.0, "m/s^2", "N").str()));  // labels hold
+  expect_right(read(feet + accelerance().str(), said("m/s^2/N")));
 }
 
 TEST(UffOfOthers, NamesOfPoints) {

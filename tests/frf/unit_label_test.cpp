@@ -76,6 +76,16 @@ const std::vector<Label> accelerations = {
     {"FT/SEC^2", foot, 1, -2, 0},
     {"feet/second^2", foot, 1, -2, 0},
     {"mil/s^2", inch * 1e-3, 1, -2, 0},
+    {"g (0-pk)", g, 1, -2, 0},
+    {"g 0-pk", g, 1, -2, 0},
+    {"m/s^2, rms", 1, 1, -2, 0},
+    {"m/s^2 (0-Peak)", 1, 1, -2, 0},
+    {"milli-g", g * 1e-3, 1, -2, 0},
+    {"micro-g", g * 1e-6, 1, -2, 0},
+    {"g0", g, 1, -2, 0},
+    {"ms-2", 1, 1, -2, 0},
+    {"ms⁻²", 1, 1, -2, 0},
+    {"mms^-2", 1e-3, 1, -2, 0},
     {"g", g, 1, -2, 0},
     {"G", g, 1, -2, 0},
     {"gn", g, 1, -2, 0},
@@ -152,6 +162,11 @@ const std::vector<Label> motions = {
 };
 
 const std::vector<Label> forces = {
+    {"lb-f", lbf, 0, 0, 1},
+    {"lb_f", lbf, 0, 0, 1},
+    {"LB(F)", lbf, 0, 0, 1},
+    {"lb f", lbf, 0, 0, 1},
+    {"kg-f", g, 0, 0, 1},
     {"N", 1, 0, 0, 1},
     {"n", 1, 0, 0, 1},
     {"Newton", 1, 0, 0, 1},
@@ -242,6 +257,7 @@ const std::vector<Label> ratios = {
 
 /// Not understood, whatever stands for them.
 const std::vector<std::string> refused = {
+    "(H) (m/s^2/N)",
     "",
     " ",
     "NONE",

@@ -177,6 +177,44 @@ TEST(InterruptedCommand, EndsByItselfWhereNothingAsks) {
   }
 }
 
+/// A pipe that is full and that nobody reads.
+class FullPipe {
+ public:
+  FullPipe() {
+    if (::pipe2(ends_.data(), O_CLOEXEC | O_NONBLOCK) != 0) throw std::runtime_error("no pipe");
+    const std::array<char, 4096> piece{};
+    while (::write(ends_[1], piece.data(), piece.size()) > 0) {
+    }
+    ::fcntl(ends_[1], F_SETFL, 0);
+  }
+  ~FullPipe() {
+    for (const int end : ends_) ::close(end);
+  }
+  FullPipe(const FullPipe&) = delete;
+  FullPipe& operator=(const FullPipe&) = delete;
+  int descriptor() const { return ends_[1]; }
+
+ private:
+  std::array<int, 2> ends_{};
+};
+
+TEST(InterruptedCommand, EndsAlthoughNobodyReadsWhatItPrints) {
+  const InputFolder folder;
+  const FullPipe pipe;
+  for (const bool both : {false, true}) {
+    Command command(folder.path(), {"info", "A1_assembly.h5"}, {.out = pipe.descriptor(), .err = both ? pipe.descriptor() : -1});
+    command.wait_until_it_catches();
+    ::usleep(300'000);  // now it waits for the pipe
+    ASSERT_FALSE(command.has_ended());
+    command.interrupt();
+    for (int tenths = 0; tenths < 50 && !command.has_ended(); ++tenths) ::usleep(100'000);
+    ASSERT_TRUE(command.has_ended()) << both;
+    const Outcome outcome = command.wait();
+    EXPECT_EQ(outcome.code, 130);
+    if (!both) EXPECT_EQ(outcome.err, said + "jointid: error: interrupted\n");
+  }
+}
+
 TEST(InterruptedCommand, EndsAtOnceWhenItIsAskedTwice) {
   Hanging command;
   command->interrupt(SIGTERM);
