@@ -257,7 +257,8 @@ bool is_poor(const LikelihoodJudgement& fit, double ratio, bool estimated) {
 /// What errors and intervals are worth.
 std::string worth_of_errors(const LikelihoodJudgement& fit, double ratio, bool poor) {
   if (fit.includes_misfit && ratio <= hopeless_with_misfit) {
-    return " Standard errors and intervals include the model error, as blocks of lines that are left out tell it.";
+    return " Standard errors and intervals include the model error, as blocks of lines that are left out tell it; an error that is alike "
+           "on all lines, as of a sensor off its place, can move the joint by more.";
   }
   return poor ? " No standard errors or intervals are given, they would not hold." : " Standard errors and intervals are too small.";
 }

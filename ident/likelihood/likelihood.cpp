@@ -407,6 +407,30 @@ struct Widened {
   double likely = 0.0;
 };
 
+/// A stretch of frequencies at three standard deviations or more; nullptr: none is seen.
+const FileGain* seen_stretch(const TriedErrors& tried) {
+  constexpr double seen = 3.0;
+  const FileGain* const stretch = tried.stretch();
+  return stretch != nullptr && std::abs(stretch->score) >= seen ? stretch : nullptr;
+}
+
+/// χ² over degrees of freedom once a stretch is taken off: as much of its excess goes as of the lines as they count.
+double ratio_without(const Plan& plan, const Fitted& all, const FileGain* stretch) {
+  if (stretch == nullptr) return all.ratio;
+  const Observations& observations = *likelihood_plan(plan)->observations;
+  double excess = 0.0;
+  for (std::size_t i = 0; i < all.fit.line_weight.size(); ++i) {
+    const double weight = all.fit.line_weight[i], by_line = all.chi_square.by_line[i];
+    if (!(weight > 0.0 && std::isfinite(by_line))) continue;
+    excess += weight * (by_line - 1.0) * observations.lines()[i].redundancy(observations.layout());
+  }
+  const double explained = std::pow(stretch->score * all.tried->inflation, 2);
+  return explained >= excess ? std::min(all.ratio, 1.0) : 1.0 + (all.ratio - 1.0) * (1.0 - explained / excess);
+}
+
+/// Where there is misfit, what a stretch does not explain of it is looked for at one standard deviation, not at five.
+constexpr double still_there = 0.2;
+
 Widened widened(const Plan& plan, const Fitted& all, const Eigen::MatrixXd& information, Solution& out) {
   const ChiSquare& chi_square = all.chi_square;
   const std::size_t joint = plan.columns->size();
@@ -417,16 +441,17 @@ Widened widened(const Plan& plan, const Fitted& all, const Eigen::MatrixXd& info
   if (!tried.files.empty() && !tried.is_calibration_stated) to.intervals.add_gain(tried.files.front());
   note_calibration(to.intervals.cost(), all.without, tried, out);
   tell_shared_errors(plan, tried, information, to.intervals, out);
-  if (tried.stretch) tell_stretch(*tried.stretch, to.intervals, out);
+  const FileGain* const stretch = seen_stretch(tried);
+  if (stretch != nullptr) tell_stretch(plan, all.fit, *stretch, to.intervals, out);
   if (!all.without && !tried.is_calibration_stated) tell_unexplained_gain(tried, to.intervals, out);
-  const Eigen::Index size = at(all.fit.theta.size());
-  const auto jackknife =
-      tried.blocks->jackknife({tried.scores.information.topLeftCorner(size, size), tried.scores.gradient.head(size)});
-  const bool exceeds = all.ratio > to.likely;
-  if (!jackknife || !(exceeds || (jackknife->tells_more() && !tried.shared.are_seen()))) return to;
-  to.intervals.include_misfit(*jackknife, exceeds ? tried.inflation : 1.0);
-  to.includes_misfit = exceeds;
-  if (!exceeds) tell_scatter(*jackknife, out);
+  const double left = ratio_without(plan, all, stretch);
+  to.includes_misfit = all.ratio > to.likely;
+  const bool exceeds = to.includes_misfit && left > 1.0 + still_there * (to.likely - 1.0);
+  const auto jackknife = tried.jackknife(all.fit.theta.size(), stretch);
+  const bool scatters = jackknife && jackknife->tells_more() && !tried.shared.are_seen();
+  if (jackknife && (exceeds || scatters)) to.intervals.include_misfit(*jackknife, exceeds ? std::sqrt(std::max(1.0, left)) : 1.0);
+  if (scatters && !to.includes_misfit) tell_scatter(*jackknife, out);
+  to.includes_misfit = to.includes_misfit && (jackknife || !exceeds);
   return to;
 }
 

@@ -24,7 +24,7 @@ Control control_of(Detail detail = Detail::estimates) {
   return control;
 }
 
-Solution solved(const Scene& scene, const Measurement& data, Detail detail = Detail::full) {
+Solution solution_of(const Scene& scene, const Measurement& data, Detail detail = Detail::full) {
   return solve(*problems::plan(scene, data), control_of(detail));
 }
 
@@ -56,7 +56,7 @@ double share_inside(const Solution& found, const problems::Problem& problem) {
 TEST(UnstatedErrors, OfCleanDataMoveNoEstimateAndCostLittle) {
   const LikelihoodCase a1("A1", 0.01);
   const Measurement data = problems::polluted(a1.problem, 1, 0);
-  const Solution found = solved(a1.scene, data), exact = solved(calibrated(a1.scene), data);
+  const Solution found = solution_of(a1.scene, data), exact = solution_of(calibrated(a1.scene), data);
   EXPECT_EQ(found.status, Status::ok) << found.message;
   EXPECT_THAT(found.systematic, IsEmpty());
   for (std::size_t u = 0; u < found.unknowns.size(); ++u) {
@@ -83,7 +83,7 @@ TEST(UnstatedErrors, ACommonGainIsFoundAndTakenOff) {
   EXPECT_LT(*found.systematic[0].std_error, 1e-3);
   expect_all_within(found, a1.problem, 4.0);
   for (std::size_t u = 0; u < found.unknowns.size(); ++u) EXPECT_EQ(found.unknowns[u].value, again.unknowns[u].value);
-  const Solution exact = solved(calibrated(a1.scene), data);
+  const Solution exact = solution_of(calibrated(a1.scene), data);
   EXPECT_THAT(exact.systematic, IsEmpty());
   EXPECT_NE(exact.status, Status::ok);
 }
@@ -121,7 +121,7 @@ TEST(UnstatedErrors, NoiseOfTheForceIsNamedAndIntervalsReachOverItsBias) {
   rig.scene.noise.reset();
   rig.scene.frequency.step_hz = 16.0;
   const problems::Problem& of = rig.problem;
-  const Solution found = solved(rig.scene, {{hit(of.substructures[0], 0), hit(of.substructures[1], 1)}, hit(of.assembly, 2)});
+  const Solution found = solution_of(rig.scene, {{hit(of.substructures[0], 0), hit(of.substructures[1], 1)}, hit(of.assembly, 2)});
   EXPECT_EQ(found.status, Status::doubtful) << found.message;
   EXPECT_THAT(found.message, HasSubstr("Noise of the force's signal"));
   EXPECT_THAT(found.variances.front().note, HasSubstr("alike"));
@@ -132,7 +132,7 @@ TEST(UnstatedErrors, CoherencesWithoutSharedErrorsAreNotedOnce) {
   LikelihoodCase rig("rig1");
   rig.scene.noise.reset();
   rig.scene.frequency.step_hz = 16.0;
-  const Solution found = solved(rig.scene, problems::polluted(rig.problem, 1, 0));
+  const Solution found = solution_of(rig.scene, problems::polluted(rig.problem, 1, 0));
   EXPECT_EQ(found.status, Status::ok) << found.message;
   EXPECT_THAT(found.variances[0].note, HasSubstr("taken as independent"));
   EXPECT_THAT(found.variances[1].note, IsEmpty());
@@ -154,7 +154,7 @@ Jackknife jackknife_of(const std::function<double(std::size_t)>& error) {
     blocks.add(line);
     whole.add(line);
   }
-  return blocks.jackknife(whole).value();
+  return blocks.jackknife(whole, Eigen::VectorXd()).value();
 }
 
 TEST(BlockJackknife, OfIndependentErrorsTellsTheVarianceOfTheMean) {

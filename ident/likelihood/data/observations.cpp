@@ -159,23 +159,30 @@ void Observations::read_chunk(std::span<const std::size_t> substructure_lines, s
   }
 }
 
-/// H' by the function (a + bω)/(1 + cω) through the lines on both sides, one mode and a constant: the product of both divided
-/// differences over that of the outer lines; their mean where that is far more than either.
-Complex Observations::slope(std::size_t own_line, bool of_assembly, Element at) const {
-  constexpr double most = 4.0;
-  if (own_line == 0 || own_line + 1 >= raw_.size()) return nan;
-  std::array<double, 3> omega{};
-  std::array<Complex, 3> value{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Raw& raw = raw_[own_line - 1 + k];
-    omega[k] = plan_lines_[own_lines_.first + own_line - 1 + k].frequency_hz;
-    value[k] = (of_assembly ? raw.assembly : raw.substructures).at(at.row, at.column).value;
+/// From the lines around, at either end from those beside; empty of fewer than three lines.
+std::optional<FrfSlopes> Observations::slopes(std::size_t own_line, bool of_assembly) const {
+  const std::size_t count = raw_.size() < FrfSlopes::most_lines ? 3 : FrfSlopes::most_lines;
+  if (raw_.size() < count) return std::nullopt;
+  const std::size_t first = std::min(own_line - std::min(own_line, count / 2), raw_.size() - count);
+  std::vector<double> frequency;
+  std::vector<const Symmetric<Measured>*> lines;
+  for (std::size_t k = first; k < first + count; ++k) {
+    frequency.push_back(plan_lines_[own_lines_.first + k].frequency_hz);
+    lines.push_back(of_assembly ? &raw_[k].assembly : &raw_[k].substructures);
   }
-  const auto divided = [&](std::size_t a, std::size_t b) { return (value[b] - value[a]) / (omega[b] - omega[a]); };
-  const Complex left = divided(0, 1), right = divided(1, 2);
-  Complex derivative = left * right / divided(0, 2);
-  if (!(std::abs(derivative) <= most * std::max(std::abs(left), std::abs(right)))) derivative = 0.5 * (left + right);
-  return -(omega[1] * derivative / value[1] + 2.0);
+  return FrfSlopes(layout_.coordinates.size(), frequency, std::move(lines), own_line - first);
+}
+
+std::shared_ptr<const SystematicFrfs> Observations::systematic_frfs(std::size_t line, const SystematicLines& errors) const {
+  const std::size_t own = line - own_lines_.first;
+  std::array<std::optional<FrfSlopes>, 2> slopes;
+  const auto slope = [&](bool of_assembly, Element at) -> Complex {
+    std::optional<FrfSlopes>& of = slopes[of_assembly ? 1 : 0];
+    if (!of) of = this->slopes(own, of_assembly);
+    const Complex value = (of_assembly ? raw_[own].assembly : raw_[own].substructures).at(at.row, at.column).value;
+    return of ? -(plan_lines_[line].frequency_hz * of->of(at) / value + 2.0) : Complex(nan);
+  };
+  return errors.of(own, layout_, raw_[own], slope);
 }
 
 LineData Observations::data_of(std::size_t own_line, double omega) const {

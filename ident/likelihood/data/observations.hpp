@@ -1,8 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "ident/likelihood/data/estimated_frfs.hpp"
+#include "ident/likelihood/data/frf_slopes.hpp"
 #include "ident/likelihood/data/likelihood_data.hpp"
 #include "ident/likelihood/data/systematic_lines.hpp"
 #include "ident/plan/line.hpp"
@@ -57,10 +59,7 @@ class Observations final : public LikelihoodData {
   const SystematicPlan* systematic_plan() const { return systematic_lines_ ? &systematic_lines_->plan() : nullptr; }
 
   /// Where systematic errors that the scene says nothing of would be on a line of this process.
-  std::shared_ptr<const SystematicFrfs> systematic_frfs(std::size_t line, const SystematicLines& errors) const {
-    const std::size_t own = line - own_lines_.first;
-    return errors.of(own, layout_, raw_[own], [&](bool of_assembly, Element at) { return slope(own, of_assembly, at); });
-  }
+  std::shared_ptr<const SystematicFrfs> systematic_frfs(std::size_t line, const SystematicLines& errors) const;
 
   /// Of the measured FRFs and their weights.
   std::size_t bytes() const;
@@ -72,7 +71,7 @@ class Observations final : public LikelihoodData {
     std::shared_ptr<const LineErrors> substructures, assembly;
   };
 
-  Complex slope(std::size_t own_line, bool of_assembly, Element at) const;
+  std::optional<FrfSlopes> slopes(std::size_t own_line, bool of_assembly) const;
   void read_chunk(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines);
   LineData data_of(std::size_t own_line, double omega) const;
   void reweigh(const std::vector<Element>& elements, Element origin, const SymmetricFrfs& system,

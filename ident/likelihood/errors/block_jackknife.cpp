@@ -12,17 +12,34 @@ namespace {
 
 constexpr std::size_t least_lines = 3, most_blocks = 20, least_blocks = 6;
 
+/// Of the unknowns, where the others are `taken`.
+Scores without(const Scores& all, const Eigen::VectorXd& taken) {
+  const Eigen::Index n = all.gradient.size() - taken.size();
+  return {all.information.topLeftCorner(n, n), all.gradient.head(n) - all.information.topRightCorner(n, taken.size()) * taken};
+}
+
 }  // namespace
 
-BlockScores::BlockScores(std::size_t lines, std::size_t unknowns)
-    : lines_(lines), unknowns_(unknowns), blocks_(std::clamp<std::size_t>(lines / least_lines, 1, most_blocks)) {}
+BlockScores::BlockScores(std::size_t lines, std::size_t unknowns, std::size_t first, std::size_t more)
+    : lines_(lines),
+      unknowns_(unknowns),
+      first_(first),
+      more_(more),
+      blocks_(std::clamp<std::size_t>(lines / least_lines, 1, most_blocks)) {}
 
 Scores& BlockScores::block(std::size_t b) {
-  if (blocks_[b].gradient.size() == 0) blocks_[b] = Scores::none(unknowns_);
+  if (blocks_[b].gradient.size() == 0) blocks_[b] = Scores::none(unknowns_ + more_);
   return blocks_[b];
 }
 
-void BlockScores::add(const ScoredLine& line) { block(line.line * blocks_.size() / lines_).add(line); }
+void BlockScores::add(const ScoredLine& line) {
+  std::vector<std::size_t> columns = line.columns;
+  for (std::size_t& column : columns) {
+    if (column < unknowns_) continue;
+    column = column >= first_ && column < first_ + more_ ? unknowns_ + column - first_ : unknowns_ + more_;
+  }
+  block(line.line * blocks_.size() / lines_).add({line.line, line.weight, columns, line.reduced, line.data});
+}
 
 BlockScores& BlockScores::operator+=(const BlockScores& other) {
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -51,20 +68,23 @@ void BlockScores::take(const std::vector<double>& numbers) {
   }
 }
 
-std::optional<Jackknife> BlockScores::jackknife(const Scores& whole) const {
+std::optional<Jackknife> BlockScores::jackknife(const Scores& whole, const Eigen::VectorXd& taken) const {
   if (blocks_.size() < least_blocks) return std::nullopt;
-  const Eigen::Index n = whole.information.rows();
+  const Scores all = without(whole, taken);
+  const Eigen::Index n = all.information.rows();
   const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(n, n);
-  const Eigen::MatrixXd inverse = minimise::covariance_of(whole.information);
+  const Eigen::MatrixXd inverse = minimise::covariance_of(all.information);
+  const Eigen::VectorXd place = inverse * all.gradient;
   Eigen::VectorXd squares = Eigen::VectorXd::Zero(n), expected = squares;
   std::vector<Eigen::MatrixXd> moves;  // covariances of the moves without a block
-  Jackknife out{.variance = {}, .step = inverse * whole.gradient, .blocks = blocks_.size()};
-  for (const Scores& block : blocks_) {
-    if (block.gradient.size() == 0) continue;
-    const auto rest = dense::solve_definite(whole.information - block.information, whole.gradient - block.gradient);
+  Jackknife out{.variance = {}, .step = inverse * whole.gradient.head(n), .blocks = blocks_.size()};
+  for (const Scores& each : blocks_) {
+    if (each.gradient.size() == 0) continue;
+    const Scores block = without(each, taken);
+    const auto rest = dense::solve_definite(all.information - block.information, all.gradient - block.gradient);
     if (!rest || !(rest->reciprocal_condition > 1e-13)) return std::nullopt;
-    squares += (rest->x - out.step).cwiseAbs2();
-    moves.push_back(dense::solve_positive(whole.information - block.information, unit) - inverse);
+    squares += (rest->x - place).cwiseAbs2();
+    moves.push_back(dense::solve_positive(all.information - block.information, unit) - inverse);
     expected += moves.back().diagonal();
   }
   if (!(expected.minCoeff() > 0.0)) return std::nullopt;

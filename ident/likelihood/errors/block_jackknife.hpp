@@ -22,22 +22,21 @@ struct Jackknife {
 /// Scores of the unknowns of a fit by blocks of neighbouring lines.
 class BlockScores {
  public:
-  /// Of `lines` lines; three lines a block at least, 20 blocks at most.
-  BlockScores(std::size_t lines, std::size_t unknowns);
+  /// Of `lines` lines; three lines a block at least, 20 blocks at most. `more` unknowns from `first` on are others that may be taken off.
+  BlockScores(std::size_t lines, std::size_t unknowns, std::size_t first = 0, std::size_t more = 0);
   void add(const ScoredLine& line);
   BlockScores& operator+=(const BlockScores& other);
   std::vector<double> numbers();
   void take(const std::vector<double>& numbers);
 
-
-  /// `whole`: information I with priors and gradient of all lines. Empty where a block alone fixes an unknown, or there are fewer than
-  /// six.
-  std::optional<Jackknife> jackknife(const Scores& whole) const;
+  /// `whole`: information I with priors and gradient of all lines, of the unknowns and the others; `taken`: what the others are, of which
+  /// the moves are then free. Empty where a block alone fixes an unknown, or there are fewer than six.
+  std::optional<Jackknife> jackknife(const Scores& whole, const Eigen::VectorXd& taken) const;
 
  private:
   Scores& block(std::size_t b);
 
-  std::size_t lines_, unknowns_;
+  std::size_t lines_, unknowns_, first_, more_;
   std::vector<Scores> blocks_;  ///< those without a line yet are empty
 };
 

@@ -32,7 +32,7 @@ std::vector<FileGain> file_gains(const ErrorTrials& trials, const Scores& scores
   for (Eigen::Index f = 0; f < count; ++f) {
     const double all = scores.information(first + f, first + f), left = all - cross.col(f).dot(solved.col(f));
     const auto file = static_cast<std::size_t>(f);
-    FileGain of{.file = file < trials.files.size() ? trials.files[file] : FileTrial{}, .answer = -solved.col(f)};
+    FileGain of{.file = trials.files[file % trials.files.size()], .answer = -solved.col(f)};
     if (left > least_left * all) {
       const double gradient = scores.gradient[first + f] - cross.col(f).dot(solved.col(count));
       of.error = inflation / std::sqrt(left);

@@ -25,7 +25,7 @@ struct FileGain {
   double posterior_mean() const;
 };
 
-/// Of all files tried and, where it is, the stretch after them, from the scores of the unknowns of a fit, of sensors, and of these.
+/// Of all files tried and, after these, of their stretches, from the scores of the unknowns of a fit, of sensors, and of these.
 std::vector<FileGain> file_gains(const ErrorTrials& trials, const Scores& scores, std::size_t known, double inflation);
 
 /// The gain that the data call for: of the largest score, at 4.5 standard deviations or more; nullptr: none.

@@ -60,9 +60,9 @@ void ErrorTrials::add_files(const Plan& of) {
   });
 }
 
-void ErrorTrials::add_stretch() {
-  plan.add({{Systematic::stretch, 1.0}, "stretch", "", 0.0}, roles.front());
-  has_stretch = true;
+void ErrorTrials::add_stretches() {
+  for (const std::vector<SensorRole>& of_file : roles) plan.add({{Systematic::stretch, 1.0}, "stretch", "", 0.0}, of_file);
+  stretches = roles.size();
 }
 
 void ErrorTrials::add_references(const Plan& of) {

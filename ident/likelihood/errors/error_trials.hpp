@@ -34,7 +34,7 @@ struct ReferenceTrial {
 struct ErrorTrials {
   std::vector<SensorTrial> sensors;
   std::vector<FileTrial> files;
-  bool has_stretch = false;  ///< of the assembly, see Systematic::stretch
+  std::size_t stretches = 0;  ///< of the frequencies of `files`, see Systematic::stretch
   std::vector<std::vector<SensorRole>> roles;  ///< of the files' FRFs
   std::vector<ReferenceTrial> references;
   SystematicPlan plan;
@@ -43,13 +43,14 @@ struct ErrorTrials {
   void add_sensors(const Plan& of);
   /// First the assembly, then the parts.
   void add_files(const Plan& of);
-  /// After add_files().
-  void add_stretch();
+  /// Of all files; after add_files().
+  void add_stretches();
   /// Of all files whose variances come from averages without what FRFs have in common; after add_files().
   void add_references(const Plan& of);
 
-  /// Those that all lines share: of sensors and files, and the stretch.
-  std::size_t shared_by_lines() const { return sensors.size() + files.size() + (has_stretch ? 1 : 0); }
+  std::size_t first_stretch() const { return sensors.size() + files.size(); }
+  /// Those that all lines share: of sensors and files, and the stretches.
+  std::size_t shared_by_lines() const { return first_stretch() + stretches; }
   std::size_t size() const { return shared_by_lines() + references.size(); }
 };
 

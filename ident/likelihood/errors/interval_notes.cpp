@@ -29,6 +29,27 @@ Eigen::VectorXd bias_of(const TriedErrors& tried, Eigen::Index joint) {
   return out;
 }
 
+/// How uncertain that is: the files apart.
+Eigen::MatrixXd bias_scatter_of(const TriedErrors& tried, Eigen::Index joint) {
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(joint, joint);
+  for (std::size_t f = 0; f < tried.files.size(); ++f) {
+    const Eigen::VectorXd each = tried.shared.bias_deviation(f) * tried.files[f].answer.head(joint);
+    out += each * each.transpose();
+  }
+  return out;
+}
+
+/// dθ/dδ of a joint that is not stretched with the assembly that is measured: K and D twice, C once.
+Eigen::VectorXd of_a_free_joint(const Plan& plan, const LikelihoodFit& fit) {
+  Eigen::VectorXd out(at(plan.columns->size()));
+  for (std::size_t column = 0; column < plan.columns->size(); ++column) {
+    using enum restrictions::Kind;
+    const restrictions::Kind kind = plan.restriction.unknowns[plan.columns->unknown_of(column)].kind;
+    out[at(column)] = fit.theta[column] * (kind == mass ? 0.0 : kind == viscous_damping ? 1.0 : 2.0);
+  }
+  return out;
+}
+
 double largest_bias(const TriedErrors& tried) {
   double out = 0.0;
   for (std::size_t f = 0; f < tried.files.size(); ++f) out = std::max(out, tried.shared.bias(f));
@@ -39,7 +60,7 @@ double largest_bias(const TriedErrors& tried) {
 
 bool has_better_explanation(const TriedErrors& tried, const FileGain& gain) {
   if (tried.shared.are_seen()) return true;
-  if (tried.stretch && std::abs(tried.stretch->score) > std::abs(gain.score)) return true;
+  if (tried.stretch() && std::abs(tried.stretch()->score) > std::abs(gain.score)) return true;
   const auto suspects = suspect_gains(tried, static_cast<std::size_t>(gain.answer.size()));
   return !suspects.empty() && std::abs(suspects.front().score) > std::abs(gain.score);
 }
@@ -64,7 +85,7 @@ void tell_shared_errors(const Plan& plan, const TriedErrors& tried, const Eigen:
   intervals.add_shared(tried.shared, information);
   const Eigen::VectorXd bias = bias_of(tried, at(plan.columns->size()));
   const double part = largest_part(bias, intervals);
-  intervals.add_bias(bias);
+  intervals.add_bias({bias}, bias_scatter_of(tried, bias.size()));
   add_note(0,
            "errors of FRFs of one hit are alike, as noise of the force's signal makes them: intervals have it, and a bias of H1 up to " +
                percent(largest_bias(tried)) + ", and are up to " + digits(intervals.cost() / before, "%.2g") + " times as wide",
@@ -77,13 +98,17 @@ void tell_shared_errors(const Plan& plan, const TriedErrors& tried, const Eigen:
            "force does not bias (H2, Hv), or a force with less noise.");
 }
 
-void tell_stretch(const FileGain& stretch, Intervals& intervals, Solution& out) {
-  constexpr double seen = 3.0, told = 4.5;
-  if (!(std::abs(stretch.score) >= seen)) return;
-  intervals.add_bias(stretch.gain * stretch.answer);
-  if (!(std::abs(stretch.score) >= told)) return;
+void tell_stretch(const Plan& plan, const LikelihoodFit& fit, const FileGain& stretch, Intervals& intervals, Solution& out) {
+  constexpr double told = 4.5, told_if_wide = 3.5;
+  const Eigen::VectorXd answer = stretch.answer.head(at(plan.columns->size()));
+  std::vector<Eigen::VectorXd> shifts = {stretch.gain * answer};
+  if (stretch.file.of_assembly) shifts.push_back(shifts.front() + stretch.gain * of_a_free_joint(plan, fit));
+  const bool is_wide = largest_part(shifts.front(), intervals) > 1.0;
+  intervals.add_bias(shifts, stretch.error * stretch.error * answer * answer.transpose());
+  if (!(std::abs(stretch.score) >= (is_wide ? told_if_wide : told))) return;
   tell(out, Status::doubtful,
-       "The assembly fits the parts better with frequencies " + digits(100.0 * std::abs(stretch.gain), "%.2g") + " % " +
+       (stretch.file.of_assembly ? "The assembly fits the parts" : stretch.file.name + " fits the other files") +
+           " better with frequencies " + digits(100.0 * std::abs(stretch.gain), "%.2g") + " % " +
            (stretch.gain > 0.0 ? "lower" : "higher") + " (" + digits(std::abs(stretch.score), "%.2g") +
            " standard deviations): was the temperature another one, or a clock? Intervals reach from none to all of what that does.");
 }
@@ -99,7 +124,8 @@ void tell_unexplained_gain(const TriedErrors& tried, Intervals& intervals, Solut
   constexpr double more = 3.0 * 4.5;
   const FileGain* const gain = telling_gain(tried.files);
   if (gain == nullptr || (tried.shared.are_seen() && std::abs(gain->score) < more)) return;
-  if (!gain->file.of_assembly) intervals.add_bias(gain->gain * gain->answer);
+  if (tried.stretch() && std::abs(tried.stretch()->score) > std::abs(gain->score)) return;
+  if (!gain->file.of_assembly) intervals.add_bias({gain->gain * gain->answer.head(intervals.covariance().rows())}, {});
   tell(out, Status::doubtful,
        "The FRFs of " + (gain->file.of_assembly ? std::string("the assembly") : gain->file.name) + " fit the others better with a " +
            "common gain of " + digits(1.0 + gain->gain, "%.4f") + " (" + digits(std::abs(gain->score), "%.2g") +

@@ -19,12 +19,14 @@ void tell_shared_errors(const Plan& plan, const TriedErrors& tried, const Eigen:
 /// Status doubtful: blocks of lines scatter by more than their errors. Nothing where χ² says so already.
 void tell_scatter(const Jackknife& jackknife, Solution& out);
 
-/// Takes a stretch of the assembly's frequencies into the intervals, from none to all of it, where it is seen at three standard
-/// deviations; status doubtful from 4.5 on.
-void tell_stretch(const FileGain& stretch, Intervals& intervals, Solution& out);
+/// Takes a stretch of a file's frequencies into the intervals, from none to all of it; status doubtful from 4.5 standard deviations on,
+/// from 3.5 where it moves an unknown by more than half the width of its interval.
+/// Of the assembly's the joint itself may be free: all K and D are then as much stiffer or softer as the frequencies' squares.
+void tell_stretch(const Plan& plan, const LikelihoodFit& fit, const FileGain& stretch, Intervals& intervals, Solution& out);
 
 /// Status doubtful: the data call for a common gain that was not taken off, because a sensor or another error explains them better, or it
-/// does not explain them. Intervals reach from none to all of it. Where responses to a hit share errors three times as much is asked for.
+/// does not explain them. Intervals reach from none to all of it. Where responses to a hit share errors three times as much is asked for,
+/// and more than of a stretch.
 void tell_unexplained_gain(const TriedErrors& tried, Intervals& intervals, Solution& out);
 
 /// Status doubtful: the data call for this gain.

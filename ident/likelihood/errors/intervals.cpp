@@ -1,6 +1,7 @@
 #include "ident/likelihood/errors/intervals.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
@@ -11,7 +12,8 @@
 namespace jointid::ident {
 
 Intervals::Intervals(Eigen::MatrixXd covariance)
-    : first_(covariance.diagonal().cwiseSqrt()), quantile_(normal_95) {
+    : first_(covariance.diagonal().cwiseSqrt()), width_(Eigen::VectorXd::Zero(covariance.rows())),
+      quantile_(Eigen::VectorXd::Constant(covariance.rows(), normal_95)) {
   cases_.push_back({Eigen::VectorXd::Zero(covariance.rows()), std::move(covariance)});
 }
 
@@ -32,35 +34,63 @@ void Intervals::add_shared(const SharedErrors& shared, const Eigen::MatrixXd& in
   for (Case& each : cases_) each.covariance += more;
 }
 
-void Intervals::add_bias(const Eigen::VectorXd& shift) {
+void Intervals::add_bias(const std::vector<Eigen::VectorXd>& shifts, const Eigen::MatrixXd& scatter) {
   const std::size_t count = cases_.size();
-  for (std::size_t i = 0; i < count; ++i) cases_.push_back({cases_[i].shift + shift.head(first_.size()), cases_[i].covariance});
+  Eigen::VectorXd low = Eigen::VectorXd::Zero(first_.size()), high = low;
+  for (const Eigen::VectorXd& shift : shifts) {
+    for (std::size_t i = 0; i < count; ++i) {
+      cases_.push_back({cases_[i].shift + shift, cases_[i].covariance});
+      if (scatter.size() > 0) cases_.back().covariance += scatter;
+    }
+    low = low.cwiseMin(shift);
+    high = high.cwiseMax(shift);
+  }
+  width_ += high - low;
 }
 
 void Intervals::include_misfit(const Jackknife& jackknife, double inflation) {
+  const boost::math::students_t_distribution<double> student(static_cast<double>(jackknife.blocks) - 1.0);
+  const double t = boost::math::quantile(student, 0.975);
   const Eigen::VectorXd now = covariance().diagonal().cwiseSqrt();
   Eigen::VectorXd factor(first_.size());
   for (Eigen::Index u = 0; u < first_.size(); ++u) {
-    factor[u] = std::max({1.0, inflation, std::sqrt(jackknife.variance[u]) / now[u]});
+    const double scattered = std::sqrt(jackknife.variance[u]) / now[u];
+    factor[u] = std::max({1.0, inflation, scattered});
+    quantile_[u] = std::max(normal_95, t * scattered / factor[u]);
   }
   for (Case& each : cases_) each.covariance = factor.asDiagonal() * each.covariance * factor.asDiagonal();
-  const boost::math::students_t_distribution<double> t(static_cast<double>(jackknife.blocks) - 1.0);
-  quantile_ = boost::math::quantile(t, 0.975);
-  add_bias(jackknife.step);
+  add_bias({jackknife.step.head(first_.size())}, {});
 }
 
 const Eigen::MatrixXd& Intervals::covariance() const { return cases_.front().covariance; }
 
+/// By bisection between the quantiles of two ends and of one.
+double Intervals::quantile(Eigen::Index unknown) const {
+  constexpr double covered = 0.95;
+  const boost::math::normal_distribution<double> normal;
+  double deviation = 0.0;
+  for (const Case& each : cases_) deviation = std::max(deviation, std::sqrt(each.covariance(unknown, unknown)));
+  const double wide = quantile_[unknown] / normal_95, width = width_[unknown] / (wide * deviation);
+  if (!(width > 1e-3)) return quantile_[unknown];
+  double low = 0.0, high = normal_95;
+  while (high - low > 1e-9) {
+    const double middle = 0.5 * (low + high);
+    (boost::math::cdf(normal, middle + width) - boost::math::cdf(normal, -middle) < covered ? low : high) = middle;
+  }
+  return wide * high;
+}
+
 std::array<double, 2> Intervals::ends(Eigen::Index unknown) const {
   std::array<double, 2> out = {0.0, 0.0};
+  const double quantile = this->quantile(unknown);
   for (const Case& each : cases_) {
-    const double half = quantile_ * std::sqrt(each.covariance(unknown, unknown));
+    const double half = quantile * std::sqrt(each.covariance(unknown, unknown));
     out = {std::min(out[0], each.shift[unknown] - half), std::max(out[1], each.shift[unknown] + half)};
   }
   return out;
 }
 
-Eigen::VectorXd Intervals::half_widths() const { return quantile_ * covariance().diagonal().cwiseSqrt(); }
+Eigen::VectorXd Intervals::half_widths() const { return quantile_.cwiseProduct(covariance().diagonal().cwiseSqrt()); }
 
 double Intervals::cost() const {
   double cost = 1.0;
@@ -82,7 +112,7 @@ void Intervals::state(const Plan& plan, Solution& out) const {
     const auto [low, high] = ends(c);
     estimate.std_error = std::sqrt(own(c, c)) * unit;
     if (cases_.size() == 1) {
-      const double half = quantile_ * *estimate.std_error;
+      const double half = quantile_[c] * *estimate.std_error;
       estimate.ci95 = {estimate.value - half, estimate.value + half};
     } else {
       estimate.ci95 = {estimate.value + low * unit, estimate.value + high * unit};

@@ -6,7 +6,8 @@ namespace jointid::ident {
 
 /// The 95 % intervals of the joint's scaled unknowns: first those of the noise that variances tell, then what else may be in the data.
 /// An interval holds all that is within the quantile of the standard deviations of each of several cases: the estimate as it is, and
-/// as it would be without an error that the data leave open.
+/// as it would be without an error that the data leave open. Of a bias between none and all, wide beside the deviation σ, the truth can
+/// lie beyond one end only: the quantile c is that of Φ(c + width/σ) − Φ(−c) = 0.95 (Imbens & Manski 2004), 1.96 to 1.64.
 class Intervals {
  public:
   explicit Intervals(Eigen::MatrixXd covariance);
@@ -19,11 +20,11 @@ class Intervals {
   /// variances.
   void add_shared(const SharedErrors& shared, const Eigen::MatrixXd& information);
 
-  /// An error between none and all of this.
-  void add_bias(const Eigen::VectorXd& shift);
+  /// An error between none and one of these, all of which are uncertain by `scatter` (empty: they are not).
+  void add_bias(const std::vector<Eigen::VectorXd>& shifts, const Eigen::MatrixXd& scatter);
 
-  /// As large as misfit makes them: variances `inflation`² times, or what the jackknife says, with the quantile of Student's t; and the
-  /// step that is left.
+  /// As large as misfit makes them: deviations `inflation` times as large, or what the jackknife says with the quantile of Student's t,
+  /// whichever is wider; and the step that is left.
   void include_misfit(const Jackknife& jackknife, double inflation);
 
   /// Of the estimate as it is: of noise, shared errors and misfit, without what calibration costs.
@@ -41,10 +42,12 @@ class Intervals {
     Eigen::MatrixXd covariance;
   };
   std::array<double, 2> ends(Eigen::Index unknown) const;
+  double quantile(Eigen::Index unknown) const;
 
   std::vector<Case> cases_;
   Eigen::VectorXd first_;  ///< standard deviations in the beginning
-  double quantile_;
+  Eigen::VectorXd width_;  ///< of all biases
+  Eigen::VectorXd quantile_;
 };
 
 }  // namespace jointid::ident

@@ -10,9 +10,16 @@
 namespace jointid::ident {
 namespace {
 
-constexpr double seen = 5.0;  ///< standard deviations
+constexpr double seen = 5.0;   ///< standard deviations
+constexpr double apart = 3.0;  ///< of the difference of real parts and phases
 
-Eigen::Index kind_of(const ReferenceTrial& trial) { return at(2 * trial.file + (trial.is_phase ? 1 : 0)); }
+std::size_t kind_of(const ReferenceTrial& trial) { return 2 * trial.file + (trial.is_phase ? 1 : 0); }
+
+std::vector<std::size_t> kinds_of(const ErrorTrials& trials) {
+  std::vector<std::size_t> out;
+  for (const ReferenceTrial& trial : trials.references) out.push_back(kind_of(trial));
+  return out;
+}
 
 std::vector<Complex> weights_of(const LineData& line) {
   std::vector<Complex> out;
@@ -29,27 +36,24 @@ bool SharedErrors::are_seen() const {
 }
 
 Eigen::MatrixXd SharedErrors::scatter() const {
-  Eigen::MatrixXd out;
-  for (const OfFile& file : files) {
-    if (file.significance < seen) continue;
-    if (out.size() == 0) out = Eigen::MatrixXd::Zero(file.scatter.rows(), file.scatter.cols());
-    out += file.share * file.scatter;
-  }
+  if (!are_seen()) return {};
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(files.front().scatter.rows(), files.front().scatter.cols());
+  for (const OfFile& file : files) out += file.share * file.scatter;
   return out;
 }
 
 double SharedErrors::bias(std::size_t file) const {
-  const OfFile& of = files[file];
-  if (of.significance < seen) return 0.0;
-  return 2.0 * of.averages * of.share;
+  return are_seen() ? 2.0 * std::max(0.0, files[file].averages - 1.0) * files[file].share : 0.0;
 }
 
-SharedErrorSums::SharedErrorSums(const ErrorTrials& trials, std::size_t unknowns)
+double SharedErrors::bias_deviation(std::size_t file) const {
+  return are_seen() ? 2.0 * std::max(0.0, files[file].averages - 1.0) * files[file].deviation : 0.0;
+}
+
+SharedErrorSums::SharedErrorSums(const ErrorTrials& trials, std::size_t lines, std::size_t unknowns)
     : trials_(&trials),
       unknowns_(unknowns),
-      squares_(Eigen::MatrixXd::Zero(at(2 * trials.files.size()), at(2 * trials.files.size()))),
-      excess_(Eigen::VectorXd::Zero(at(2 * trials.files.size()))),
-      information_(excess_),
+      squares_(lines, kinds_of(trials), 2 * trials.files.size()),
       scatter_(trials.files.size(), Eigen::MatrixXd::Zero(at(unknowns), at(unknowns))),
       variance_(Eigen::VectorXd::Zero(at(trials.files.size()))),
       count_(variance_) {}
@@ -75,23 +79,19 @@ void SharedErrorSums::add(const ScoredLine& line) {
   const std::size_t references = trials_->references.size();
   if (references == 0 || line.weight < 0.5) return;
   note_variances(line);
-  const std::size_t first = line.columns.size() - references;
+  const Eigen::Index first = at(line.columns.size() - references);
+  Eigen::VectorXd scale(at(references));
+  for (std::size_t k = 0; k < references; ++k) scale[at(k)] = trials_->references[k].is_phase ? 1.0 / line.data.omega : 1.0;
   const Eigen::MatrixXd& information = line.reduced.information;
-  std::vector<double> scale(references);
-  for (std::size_t k = 0; k < references; ++k) scale[k] = trials_->references[k].is_phase ? 1.0 / line.data.omega : 1.0;
+  if (squares_.keeps(line.line)) {
+    squares_.add(line.line, scale.cwiseProduct(line.reduced.gradient.tail(at(references))),
+                 scale.asDiagonal() * information.bottomRightCorner(at(references), at(references)) * scale.asDiagonal());
+  }
   for (std::size_t k = 0; k < references; ++k) {
-    const Eigen::Index kind = kind_of(trials_->references[k]);
-    const double gradient = scale[k] * line.reduced.gradient[at(first + k)];
-    const double own = scale[k] * scale[k] * information(at(first + k), at(first + k));
-    excess_[kind] += gradient * gradient - own;
-    information_[kind] += own;
-    for (std::size_t l = 0; l < references; ++l) {
-      const double cross = scale[k] * scale[l] * information(at(first + k), at(first + l));
-      squares_(kind, kind_of(trials_->references[l])) += cross * cross;
-    }
     Eigen::VectorXd answer = Eigen::VectorXd::Zero(at(unknowns_));
-    for (std::size_t i = 0; i < first; ++i) {
-      if (line.columns[i] < unknowns_) answer[at(line.columns[i])] = scale[k] * line.weight * information(at(i), at(first + k));
+    for (Eigen::Index i = 0; i < first; ++i) {
+      const std::size_t unknown = line.columns[static_cast<std::size_t>(i)];
+      if (unknown < unknowns_) answer[at(unknown)] = scale[at(k)] * line.weight * information(i, first + at(k));
     }
     scatter_[trials_->references[k].file] += answer * answer.transpose();
   }
@@ -99,8 +99,6 @@ void SharedErrorSums::add(const ScoredLine& line) {
 
 SharedErrorSums& SharedErrorSums::operator+=(const SharedErrorSums& other) {
   squares_ += other.squares_;
-  excess_ += other.excess_;
-  information_ += other.information_;
   for (std::size_t f = 0; f < scatter_.size(); ++f) scatter_[f] += other.scatter_[f];
   variance_ += other.variance_;
   count_ += other.count_;
@@ -108,11 +106,8 @@ SharedErrorSums& SharedErrorSums::operator+=(const SharedErrorSums& other) {
 }
 
 std::vector<double> SharedErrorSums::numbers() const {
-  std::vector<double> out;
+  std::vector<double> out = squares_.numbers();
   const auto put = [&](const auto& of) { out.insert(out.end(), of.data(), of.data() + of.size()); };
-  put(squares_);
-  put(excess_);
-  put(information_);
   for (const Eigen::MatrixXd& of : scatter_) put(of);
   put(variance_);
   put(count_);
@@ -120,49 +115,46 @@ std::vector<double> SharedErrorSums::numbers() const {
 }
 
 void SharedErrorSums::take(const std::vector<double>& numbers) {
-  auto from = numbers.begin();
+  const std::size_t rest = scatter_.size() * (unknowns_ * unknowns_ + 2);
+  const auto middle = numbers.end() - static_cast<std::ptrdiff_t>(rest);
+  squares_.take({numbers.begin(), middle});
+  auto from = middle;
   const auto get = [&](auto& to) {
     std::copy_n(from, to.size(), to.data());
     from += to.size();
   };
-  get(squares_);
-  get(excess_);
-  get(information_);
   for (Eigen::MatrixXd& of : scatter_) get(of);
   get(variance_);
   get(count_);
 }
 
-/// A gain of a file is an error of real parts, a delay one of phases: what both have is shared on a line alone.
+/// Noise of the force makes errors of real parts and of phases alike; where these differ by more than chance it is the less: a gain of a
+/// file is an error of real parts, a delay one of phases.
 SharedErrors SharedErrorSums::result() const {
   SharedErrors out;
-  const auto files = static_cast<std::size_t>(variance_.size());
-  std::vector<Eigen::Index> there;
-  for (Eigen::Index kind = 0; kind < excess_.size(); ++kind) {
-    if (squares_(kind, kind) > 0.0) there.push_back(kind);
+  const Eigen::Index files = variance_.size();
+  Eigen::VectorXd most = Eigen::VectorXd::Zero(2 * files);
+  for (Eigen::Index f = 0; f < files; ++f) {
+    if (count_[f] > 0.0) most[2 * f] = most[2 * f + 1] = std::exp(variance_[f] / count_[f]);
   }
-  for (std::size_t f = 0; f < files; ++f) {
-    const double variance = count_[at(f)] > 0.0 ? std::exp(variance_[at(f)] / count_[at(f)]) : 0.0;
-    const bool is_tried = variance > 0.0;
-    out.files.push_back({.share = variance,
-                         .significance = is_tried ? std::numeric_limits<double>::infinity() : 0.0,
-                         .variance = variance,
-                         .scatter = scatter_[f],
-                         .averages = trials_->files[f].averages});
+  const Eigen::VectorXd significance = squares_.significance(most);
+  for (Eigen::Index f = 0; f < files; ++f) {
+    const auto file = static_cast<std::size_t>(f);
+    out.files.push_back({.significance = most[2 * f] > 0.0 ? std::min(significance[2 * f], significance[2 * f + 1]) : 0.0,
+                         .variance = most[2 * f],
+                         .scatter = scatter_[file],
+                         .averages = trials_->files[file].averages});
   }
-  if (there.empty()) return out;
-  Eigen::MatrixXd rate = squares_(there, there);
-  for (std::size_t i = 0; i < there.size(); ++i) {
-    const double variance = out.files[static_cast<std::size_t>(there[i] / 2)].variance, square = squares_(there[i], there[i]);
-    if (variance > 0.0) rate(at(i), at(i)) -= std::min(information_[there[i]] / variance, 0.5 * square);
-  }
-  const Eigen::VectorXd share = dense::solve_symmetric(rate, excess_(there));
-  const Eigen::MatrixXd squares = squares_(there, there);
-  const Eigen::MatrixXd covariance = 2.0 * dense::solve_symmetric(squares, Eigen::MatrixXd::Identity(squares.rows(), squares.cols()));
-  for (std::size_t i = 0; i < there.size(); ++i) {
-    SharedErrors::OfFile& of = out.files[static_cast<std::size_t>(there[i] / 2)];
-    of.share = std::clamp(share[at(i)], 0.0, of.share);
-    of.significance = std::min(of.significance, share[at(i)] / std::sqrt(covariance(at(i), at(i))));
+  if (!out.are_seen()) return out;
+  const SharedVariances::Found found = squares_.estimate(most);
+  for (Eigen::Index f = 0; f < files; ++f) {
+    SharedErrors::OfFile& of = out.files[static_cast<std::size_t>(f)];
+    const double real = found.variance[2 * f], phase = found.variance[2 * f + 1];
+    const Eigen::Matrix2d covariance = found.covariance.block<2, 2>(2 * f, 2 * f);
+    const double difference = covariance(0, 0) + covariance(1, 1) - 2.0 * covariance(0, 1);
+    const bool differ = std::abs(real - phase) > apart * std::sqrt(difference);
+    of.share = std::clamp(differ ? std::min(real, phase) : 0.5 * (real + phase), 0.0, of.variance);
+    of.deviation = std::sqrt(differ ? covariance(real < phase ? 0 : 1, real < phase ? 0 : 1) : 0.25 * covariance.sum());
   }
   return out;
 }

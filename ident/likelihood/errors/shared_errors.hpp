@@ -4,6 +4,7 @@
 
 #include "ident/likelihood/errors/error_trials.hpp"
 #include "ident/likelihood/errors/line_scores.hpp"
+#include "ident/likelihood/errors/shared_variances.hpp"
 
 namespace jointid::ident {
 
@@ -13,6 +14,7 @@ namespace jointid::ident {
 struct SharedErrors {
   struct OfFile {
     double share = 0.0;         ///< τ²
+    double deviation = 0.0;     ///< standard deviation of it
     double significance = 0.0;  ///< standard deviations above zero; of real parts and phases the less
     double variance = 0.0;      ///< median relative variance of a part of an FRF, that of its file
     Eigen::MatrixXd scatter;    ///< of the gradient of the unknowns, for τ² = 1
@@ -20,19 +22,21 @@ struct SharedErrors {
   };
   std::vector<OfFile> files;  ///< as ErrorTrials::files
 
+  /// In one file or more: all are then taken to have them, as large as estimated.
   bool are_seen() const;
-  /// Of the gradient by the errors that are seen; empty: none.
+  /// Of the gradient by the errors; empty: none are seen.
   Eigen::MatrixXd scatter() const;
-  /// By how much H1 may be too low in a file, relative: 2 n τ² of n averages; 0 where nothing is seen. τ² is at most σ²,
-  /// so that this is not more than the coherences lack.
+  /// By how much H1 may be too low in a file, relative, were all of it noise of the force: 2 (n − 1) τ² of n averages; 0 where nothing is
+  /// seen. τ² is at most σ², so that this is not more than the coherences lack.
   double bias(std::size_t file) const;
+  /// Standard deviation of bias().
+  double bias_deviation(std::size_t file) const;
 };
 
-/// Sums over lines, one of them per run: E[g_k² − I_kk] = Σ_k' τ²_k' I_kk'² − τ²_k I_kk/σ² for the score g and information I of e_k at
-/// the estimate, σ² the relative variance of a part of an FRF, of which τ² is a part.
+/// Sums over lines, one of them per run.
 class SharedErrorSums {
  public:
-  SharedErrorSums(const ErrorTrials& trials, std::size_t unknowns);
+  SharedErrorSums(const ErrorTrials& trials, std::size_t lines, std::size_t unknowns);
   void add(const ScoredLine& line);
   SharedErrorSums& operator+=(const SharedErrorSums& other);
   std::vector<double> numbers() const;
@@ -44,9 +48,7 @@ class SharedErrorSums {
 
   const ErrorTrials* trials_;
   std::size_t unknowns_;
-  Eigen::MatrixXd squares_;  ///< Σ I_kk'², by the kinds of k and k': file, real part or phase
-  Eigen::VectorXd excess_;   ///< Σ g_k² − I_kk, by kind
-  Eigen::VectorXd information_;  ///< Σ I_kk, by kind
+  SharedVariances squares_;  ///< kinds: file, real part or phase
   std::vector<Eigen::MatrixXd> scatter_;
   Eigen::VectorXd variance_, count_;  ///< Σ of logarithms of relative variances
 };

@@ -23,7 +23,7 @@ ErrorTrials trials_of(const Plan& plan, const Control& control) {
   if (trials.sensors.size() > most_trials) trials = {};
   if (observations.systematic_plan() != nullptr) return trials;
   trials.add_files(plan);
-  trials.add_stretch();
+  trials.add_stretches();
   ErrorTrials more = trials;
   more.add_references(plan);
   const bool correlated = observations.shares().any(!are_independent(observations));
@@ -78,7 +78,9 @@ std::optional<TriedErrors> try_errors(const Plan& plan, const LikelihoodEstimato
   const LikelihoodPlan& own = *likelihood_plan(plan);
   const std::size_t known = fit.theta.size(), summed = known + out.trials.shared_by_lines();
   const SystematicLines lines(out.trials.plan, *plan.substructures, *plan.assembly, own.observations->layout().coordinates);
-  const Sums none{Scores::none(summed), SharedErrorSums(out.trials, known), BlockScores(fit.line_weight.size(), known)};
+  const std::size_t count = fit.line_weight.size();
+  const Sums none{Scores::none(summed), SharedErrorSums(out.trials, count, known),
+                  BlockScores(count, known, known + out.trials.first_stretch(), out.trials.stretches)};
   std::vector<Sums> runs(most_runs, none);
   score_lines(plan, estimator, fit, lines, control, [&](std::size_t run, const ScoredLine& line) { runs[run].add(line); });
   Sums all = total(std::move(runs), own.observations->shares());
@@ -92,11 +94,27 @@ std::optional<TriedErrors> try_errors(const Plan& plan, const LikelihoodEstimato
   out.inflation = std::sqrt(std::max(1.0, chi_square));
   out.is_calibration_stated = !plan.scene.data.gains.empty();
   if (!out.trials.files.empty()) out.files = file_gains(out.trials, out.scores, known, out.inflation);
-  if (out.trials.has_stretch) {
-    out.stretch = std::move(out.files.back());
-    out.files.pop_back();
+  const auto gains = out.files.begin() + static_cast<std::ptrdiff_t>(out.files.size() - out.trials.stretches);
+  out.stretches.assign(gains, out.files.end());
+  out.files.erase(gains, out.files.end());
+  return out;
+}
+
+const FileGain* TriedErrors::stretch() const {
+  const FileGain* out = nullptr;
+  for (const FileGain& each : stretches) {
+    if (out == nullptr || std::abs(each.score) > std::abs(out->score) + 1.0) out = &each;
   }
   return out;
+}
+
+std::optional<Jackknife> TriedErrors::jackknife(std::size_t known, const FileGain* taken) const {
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(at(stretches.size()));
+  if (taken != nullptr) change[taken - stretches.data()] = taken->gain;
+  std::vector<Eigen::Index> which;
+  for (std::size_t u = 0; u < known; ++u) which.push_back(at(u));
+  for (std::size_t s = 0; s < stretches.size(); ++s) which.push_back(at(known + trials.first_stretch() + s));
+  return blocks->jackknife({scores.information(which, which), scores.gradient(which)}, change);
 }
 
 }  // namespace jointid::ident

@@ -17,9 +17,14 @@ struct TriedErrors {
   double inflation = 1.0;  ///< of errors, √(χ² over degrees of freedom) of the lines that count, at least 1
   std::vector<FileGain> files;  ///< empty where gains or masses are unknowns
   bool is_calibration_stated = false;  ///< [[data.gains]]
-  std::optional<FileGain> stretch{};   ///< of the assembly, in place of a gain
+  std::vector<FileGain> stretches{};   ///< of the files' frequencies, in place of a gain
   SharedErrors shared;
-  std::optional<BlockScores> blocks{};
+  std::optional<BlockScores> blocks{};  ///< of the unknowns of the fit and, after them, of the stretches
+
+  /// The stretch of the largest score, of the assembly where that of a part is not a standard deviation more; nullptr: none was tried.
+  const FileGain* stretch() const;
+  /// Without a block: from the estimate, or from where a stretch moves it.
+  std::optional<Jackknife> jackknife(std::size_t known, const FileGain* taken) const;
 };
 
 /// In one pass over the lines. Sensors are tried with Detail::full and up to 256 of them; files where no systematic errors are

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "ident/likelihood/data/symmetric_frfs.hpp"
+
+namespace jointid::ident {
+
+/// Derivatives of the FRFs of a system on a line by the frequency. Its FRFs have poles in common: through 2d + 1 neighbouring lines, five
+/// or three of them, each is a polynomial of degree d over one denominator of degree d for all, which least squares weighed by the
+/// errors find. Lines may be farther apart than resonances are wide.
+class FrfSlopes {
+ public:
+  static constexpr std::size_t most_lines = 5;
+
+  /// `frequency` of the lines, an odd number of them, and their FRFs between `coordinates`; `own`: where the derivatives are.
+  FrfSlopes(std::size_t coordinates, const std::vector<double>& frequency, std::vector<const Symmetric<Measured>*> lines,
+            std::size_t own);
+
+  /// By the unit of `frequency`; NaN where the FRF is not known on all lines.
+  Complex of(Element element) const;
+
+ private:
+  static constexpr int most = static_cast<int>(most_lines);
+  using Numbers = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1>;
+  using Values = Eigen::Matrix<Complex, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1>;
+  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, most>;
+
+  bool take(Element element, Values& values) const;
+  void find_denominator(std::size_t coordinates, const Square& across);
+
+  std::vector<const Symmetric<Measured>*> lines_;
+  Numbers place_;       ///< of the lines, 0: own
+  Values denominator_;  ///< on the lines
+  Complex rate_;        ///< its derivative at own, where it is 1
+  Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, most> numerator_;  ///< [2, lines]: value and derivative at own of the
+                                                                                  ///< polynomial through numbers on the lines
+  double unit_ = 1.0;  ///< of place_, in that of the frequency
+};
+
+}  // namespace jointid::ident
