@@ -8,11 +8,13 @@
 #include "ident/check/check.hpp"
 #include "ident/check/rest.hpp"
 #include "ident/judgement/judge.hpp"
+#include "ident/judgement/tell_errors.hpp"
 #include "ident/likelihood/data/systematic_plan.hpp"
 #include "ident/modal_regeneration.hpp"
 #include "ident/plan/data_source.hpp"
 #include "ident/prepare_plan.hpp"
 #include "ident/scene/scene_failure.hpp"
+#include "ident/wild_lines.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -60,6 +62,42 @@ void check_briefly(Plan& plan, const Control& control, Solution& out) {
   if (out.status != Status::poor_fit || out.check->verdict != Verdict::clean) return;
   const std::string band = out.fit.chi_square ? worst_band(plan.lines, out.fit.chi_square->by_line) : "";
   out.message += (band.empty() ? " " : " The misfit is" + band.substr(1) + ". ") + other_causes(plan.scene) + ".";
+}
+
+/// A plan like this one without some of its lines, on the same files; null where FRFs are synthesised or parts were coupled before.
+std::unique_ptr<Plan> plan_without(const Plan& plan, const std::vector<double>& lines_hz) {
+  constexpr double rounding = 1e-9;
+  if (!plan.regenerated.empty() || !plan.scene.couple_first.pairs.empty()) return nullptr;
+  Scene scene = plan.scene;
+  scene.identify.automatic = false;
+  for (const double hz : lines_hz) scene.frequency.exclude_hz.push_back({hz * (1.0 - rounding), hz * (1.0 + rounding)});
+  try {
+    auto out = make_plan(scene, plan.substructures, plan.assembly);
+    out->chosen = plan.chosen;
+    return out;
+  } catch (const InputError&) {
+    return nullptr;  // too few lines are left
+  }
+}
+
+/// Values that no structure has would stop or ruin any estimate: their lines are left out of the plan.
+WildLines leave_out_absurd_lines(Plan& plan, const Control& control) {
+  if (control.detail != Detail::full || control.judgement != Judgement::data || control.shares.size() > 1) return {};
+  WildLines wild = find_wild_lines(plan, control);
+  if (wild.absurd_hz.empty()) return wild;
+  if (auto without = plan_without(plan, wild.absurd_hz)) {
+    plan = std::move(*without);
+    for (std::string& each : wild.absurd) each += "; the line is left out";
+  }
+  wild.named.insert(wild.named.begin(), wild.absurd.begin(), wild.absurd.end());
+  return wild;
+}
+
+void tell_wild_lines(const WildLines& wild, Solution& out) {
+  if (wild.named.empty()) return;
+  std::string text = "Wild values: " + wild.named.front();
+  if (wild.named.size() > 1) text += ", and " + std::to_string(wild.named.size() - 1) + " more (`jointid info`)";
+  tell(out, Status::doubtful, text + ". Put the file right, or leave the line out (exclude in [frequency]).");
 }
 
 }  // namespace
@@ -146,6 +184,7 @@ Solution solve(Plan& plan, const Control& asked) {
     };
   }
   refuse_unshared(plan, control);
+  const WildLines wild = leave_out_absurd_lines(plan, control);
   out.dofs = plan.coordinates.joint;
   for (const ModalRegeneration& each : plan.regenerated) {
     if (!each.harm.empty()) out.warnings.push_back(note(each));
@@ -156,6 +195,7 @@ Solution solve(Plan& plan, const Control& asked) {
   out.used = {plan.scene.identify.method, plan.equations, plan.scene.identify.weighting,
               plan.scene.identify.delta,  plan.solver,    plan.chosen};
   plan.method->solve(plan, control, out);
+  tell_wild_lines(wild, out);
   check_briefly(plan, control, out);
   out.runtime_s.total = seconds_since(start);
   return out;

@@ -12,13 +12,15 @@
 #include "ident/check/rest.hpp"
 #include "ident/identify.hpp"
 #include "ident/likelihood/findings/variance_sources.hpp"
+#include "ident/plan/expected_time.hpp"
 #include "ident/scene/variance_origin.hpp"
 
 namespace jointid::ident {
 namespace {
 
-constexpr std::size_t fitted_frfs = 2500, fitted_lines = 24;
-constexpr double beyond = 1.5;  ///< χ² over degrees of freedom
+constexpr std::size_t fitted_frfs = 2500, least_fitted = 32, most_fitted = 96;
+constexpr double moment = 0.4;          ///< s of the reference machine
+constexpr double least_misfit = 1.005;  ///< χ² over degrees of freedom
 
 std::size_t frfs_of(const frf::FrfSystem& system) {
   std::size_t sum = 0;
@@ -43,53 +45,114 @@ bool knows_variances(const Plan& plan) {
   });
 }
 
-/// Few lines, evenly spread; null where the scene is too large, or variances are not known.
+/// As many lines as are fitted within a moment, by counted operations, so that the same is found on every machine.
+std::size_t affordable_lines(const Plan& plan) {
+  const double seconds = expected_seconds(plan.cost, 1);
+  if (!(seconds > 0.0)) return least_fitted;
+  const double lines = moment * static_cast<double>(plan.lines.size()) / seconds;
+  return static_cast<std::size_t>(std::clamp(lines, static_cast<double>(least_fitted), static_cast<double>(most_fitted)));
+}
+
+/// Some lines, evenly spread; null where the scene is too large, or variances are not known.
 std::unique_ptr<Plan> small_plan(Scene scene) {
   auto plan = make_plan(scene);
   if (!knows_variances(*plan)) return nullptr;
   if (frfs_of(*plan->substructures) + frfs_of(*plan->assembly) > fitted_frfs || !plan->regenerated.empty()) return nullptr;
-  if (plan->lines.size() <= fitted_lines) return plan;
+  const std::size_t lines = affordable_lines(*plan);
+  if (plan->lines.size() <= lines) return plan;
   const double first = plan->lines.front().frequency_hz, last = plan->lines.back().frequency_hz;
   scene.frequency.range_hz = {first, last};
-  scene.frequency.step_hz = (last - first) / static_cast<double>(fitted_lines - 1);
+  scene.frequency.step_hz = (last - first) / static_cast<double>(lines - 1);
   return make_plan(scene);
 }
 
-std::optional<Suspect> fit_suspect(const Scene& scene, const Control& control) {
+Suspect no_joint_explains(const Plan& plan, double ratio, const ChiSquare& chi_square) {
+  return {.kind = SuspectKind::nonlinear,
+          .file = "",
+          .dofs = {},
+          .evidence = "each file agrees with itself, but no joint of this scene explains the FRFs: they are off by " +
+                      digits(std::sqrt(ratio)) + " times their standard errors (χ² over degrees of freedom " +
+                      digits(ratio, "%.3g") + ")" + worst_band(plan.lines, chi_square.by_line) + ". " + other_causes(plan.scene),
+          .confidence = 0.6,
+          .remedy = ""};
+}
+
+/// Lines that the fit sets aside, beyond what chance makes of the worst.
+std::optional<Suspect> set_aside(const Plan& plan, const ChiSquare& chi_square) {
+  constexpr double far = 6.0;  // χ² over its expectation
+  const auto tested =
+      static_cast<double>(std::ranges::count_if(chi_square.by_line, [](double each) { return !std::isnan(each); }));
+  const double freedom = std::max(1.0, chi_square.degrees_of_freedom / std::max(1.0, tested));
+  const double limit = std::max(far, chi_square_quantile(freedom, 5.0) / freedom);
+  std::string at, ranges;
+  std::size_t count = 0;
+  double worst = 0.0;
+  for (std::size_t l = 0; l < std::min(plan.lines.size(), chi_square.by_line.size()); ++l) {
+    if (!(chi_square.by_line[l] > limit)) continue;
+    const std::string hz = digits(plan.lines[l].frequency_hz, "%.9g");
+    if (count < 6) at += (count > 0 ? ", " : "") + hz;
+    ranges += (count > 0 ? ", [" : "[") + hz + ", " + hz + "]";
+    worst = std::max(worst, chi_square.by_line[l]);
+    ++count;
+  }
+  if (count == 0 || 3 * count > chi_square.by_line.size()) return std::nullopt;
+  return Suspect{
+      .kind = SuspectKind::outlier,
+      .file = "",
+      .dofs = {},
+      .evidence = std::to_string(count) + " of " + std::to_string(chi_square.by_line.size()) + " lines, at " + at +
+                  (count > 6 ? " and more" : "") + " Hz, are off by up to " + digits(std::sqrt(worst)) +
+                  " times their standard errors, and a fit sets them aside: a dropout, an overload, or no excitation there",
+      .confidence = 0.7,
+      .remedy = "[frequency]\nexclude = [" + ranges + "]"};
+}
+
+/// Of a file that was opened, as the scene names it.
+std::string name_in(const Scene& scene, const std::string& file) {
+  const std::string text = Path(file).lexically_relative(scene.file.parent_path()).generic_string();
+  return text.empty() || text.starts_with("..") ? file : text;
+}
+
+/// Empty where nothing was fitted.
+std::optional<std::vector<Suspect>> suspects_of_fit(const Scene& scene, const Control& control) {
   try {
     const auto plan = small_plan(likelihood_of(scene));
     if (!plan) return std::nullopt;
-    const Solution fit = solve(*plan, {.threads = control.threads,
-                                       .progress = {},
-                                       .interrupted = control.interrupted,
-                                       .detail = Detail::estimates,
-                                       .judgement = Judgement::none});
-    if (!fit.fit.chi_square || fit.status != Status::ok) return std::nullopt;
-    const double freedom = std::max(1.0, fit.fit.chi_square->degrees_of_freedom), ratio = fit.fit.chi_square->value / freedom;
-    if (!(ratio > std::max(beyond, chi_square_quantile(freedom, 5.0) / freedom))) return std::nullopt;
-    return Suspect{.kind = SuspectKind::nonlinear,
-                   .file = "",
-                   .dofs = {},
-                   .evidence = "each file agrees with itself, but no joint of this scene explains the FRFs: they are off by " +
-                               digits(std::sqrt(ratio)) + " times their standard errors (χ² over degrees of freedom " +
-                               digits(ratio, "%.3g") + ")" + worst_band(plan->lines, fit.fit.chi_square->by_line) + ". " +
-                               other_causes(scene),
-                   .confidence = 0.6,
-                   .remedy = ""};
+    const Solution fit = solve(*plan, {.threads = control.threads, .progress = {}, .interrupted = control.interrupted});
+    if (!fit.fit.chi_square || !(is_usable(fit.status) || fit.status == Status::poor_fit)) return std::nullopt;
+    const ChiSquare& chi_square = *fit.fit.chi_square;
+    const double ratio = chi_square.value / std::max(1.0, chi_square.degrees_of_freedom);
+    std::vector<Suspect> found;
+    if (auto lines = set_aside(*plan, chi_square)) found.push_back(std::move(*lines));
+    if (ratio > std::max(chi_square.likely, least_misfit)) {
+      found.push_back(no_joint_explains(*plan, ratio, chi_square));
+      return found;
+    }
+    for (Suspect suspect : fit.suspects) {
+      suspect.file = suspect.file.empty() ? "" : name_in(scene, suspect.file);
+      found.push_back(std::move(suspect));
+    }
+    return found;
   } catch (const InputError&) {
     return std::nullopt;  // solve says so
   }
+}
+
+/// A gain of a whole file that forces at the joint call for, whatever they are: the joint of the scene tells that better.
+bool is_gain_of_file(const Suspect& suspect) {
+  return suspect.kind == SuspectKind::gain && suspect.dofs.empty() && suspect.confidence < 0.8;
 }
 
 }  // namespace
 
 CheckResult check_whole(const Scene& scene, const Control& control) {
   CheckResult result = check_scene(scene, control);
-  if (!result.suspects.empty()) return result;
-  if (auto suspect = fit_suspect(scene, control)) {
-    result.suspects.push_back(std::move(*suspect));
-    result.verdict = Verdict::suspicious;
-  }
+  if (!std::ranges::all_of(result.suspects, is_gain_of_file)) return result;
+  auto fitted = suspects_of_fit(scene, control);
+  if (!fitted) return result;
+  const bool confirmed = std::ranges::any_of(*fitted, is_gain_of_file) && !result.suspects.empty();
+  if (!confirmed) result.suspects = std::move(*fitted);
+  result.verdict = result.suspects.empty() ? Verdict::clean : Verdict::suspicious;
   return result;
 }
 

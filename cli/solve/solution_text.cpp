@@ -91,7 +91,7 @@ std::string estimate_note(const ident::Solution& solution) {
   }
   const bool bias = std::ranges::any_of(solution.unknowns, [](const auto& u) { return u.bias.has_value(); });
   return bias ? "  error estimate: scatter between groups of lines, and the bias that noise in the coefficients makes, to first "
-                "order\n"
+                "order; of H1 from coherences its bias, too\n"
               : "  error estimate: scatter between groups of lines; the bias that noise in the coefficients makes is not known "
                 "and not in it\n";
 }
@@ -194,9 +194,8 @@ std::string time_text(const ident::RunTime& time) {
 
 std::string solution_text(const ident::Solution& solution, const std::string& title, const std::string& units) {
   return head(solution, title) + matrices_text(solution, units) + unknowns_text(solution) + constraints_text(solution) +
-         systematic_text(solution) + identifiability_text(solution) +
-         fit_text(solution) + search_text(solution) + variances_text(solution.variances) +
-         quality_text(solution.quality) + time_text(solution.runtime_s);
+         systematic_text(solution) + identifiability_text(solution) + fit_text(solution) + search_text(solution) +
+         variances_text(solution.variances) + quality_text(solution.quality) + time_text(solution.runtime_s);
 }
 
 std::string unknowns_csv(const ident::Solution& solution) {

@@ -23,10 +23,26 @@ double typical_of(std::span<double> values) {
   return *middle;
 }
 
+std::vector<std::size_t> mirrors_of(const FrfHeader& header) {
+  const std::size_t columns = header.reference.size();
+  std::vector<std::size_t> row_of, column_of;  // of each reference its row, of each response its column
+  for (const Dof& dof : header.reference) row_of.push_back(find_coordinate(header.response, dof));
+  for (const Dof& dof : header.response) column_of.push_back(find_coordinate(header.reference, dof));
+  std::vector<std::size_t> out(header.entries(), npos);
+  for (std::size_t entry = 0; entry < out.size(); ++entry) {
+    const std::size_t row = row_of[entry % columns], column = column_of[entry / columns];
+    if (row != npos && column != npos && row * columns + column != entry) out[entry] = row * columns + column;
+  }
+  return out;
+}
+
 }  // namespace
 
 WildSearch::WildSearch(const FrfHeader& header)
-    : header_(header), missing_(header.entries(), 0), open_(header.entries(), {npos, npos, npos, npos}) {
+    : header_(header),
+      mirror_(mirrors_of(header)),
+      missing_(header.entries(), 0),
+      open_(header.entries(), {npos, npos, npos, npos}) {
   for (auto& line : values_) line.resize(header.entries());
   for (auto& line : magnitudes_) line.resize(header.entries());
 }
@@ -96,16 +112,38 @@ void WildSearch::judge(std::size_t line, std::size_t entry, double floor) {
   const double under = typical_of(std::span(above).first(count)), over = typical_of(std::span(below).first(count));
   if (under > 0.0 && size > std::max(large_factor * under, floor)) {
     if (size > no_resonance * under || !is_resonance(line, entry)) note(WildKind::large, line, entry, size / under);
-  } else if (over > floor && size * small_factor < over && is_dropout(line, entry, over)) {
+  } else if (over > floor && size * small_factor < over && is_dropout(line, entry, over) && !mirror_falls(line, entry)) {
     note(WildKind::small, line, entry, size / over);
   }
 }
 
 bool WildSearch::is_resonance(std::size_t line, std::size_t entry) const {
-  if (line < 2 || line + 2 >= lines_) return false;
+  if (line < 2 || line + 2 >= lines_) return others_rise(line, entry);
   const Complex left = value(line - 1, entry), right = value(line + 1, entry);
   return std::abs(left) >= rise * std::abs(value(line - 2, entry)) &&
          std::abs(right) >= rise * std::abs(value(line + 2, entry)) && std::abs(left + right) < opposite * std::abs(left - right);
+}
+
+/// A resonance that falls on one line lifts most FRFs.
+bool WildSearch::others_rise(std::size_t line, std::size_t entry) const {
+  constexpr double high = 10.0;
+  std::size_t risen = 0, others = 0;
+  for (std::size_t i = 0; i < magnitudes_[line % kept].size(); ++i) {
+    double beside = 0.0;
+    if (line > 0 && magnitude(line - 1, i) > beside) beside = magnitude(line - 1, i);
+    if (line + 1 < lines_ && magnitude(line + 1, i) > beside) beside = magnitude(line + 1, i);
+    if (i == entry || !(beside > 0.0) || std::isnan(magnitude(line, i))) continue;
+    ++others;
+    risen += magnitude(line, i) > high * beside ? 1 : 0;
+  }
+  return risen > 0 && 3 * risen >= others;
+}
+
+bool WildSearch::mirror_falls(std::size_t line, std::size_t entry) const {
+  constexpr double low = 30.0;
+  const std::size_t mirror = mirror_[entry];
+  if (mirror == npos || line == 0 || line + 1 >= lines_) return false;
+  return low * magnitude(line, mirror) < std::min(magnitude(line - 1, mirror), magnitude(line + 1, mirror));
 }
 
 bool WildSearch::is_dropout(std::size_t line, std::size_t entry, double typical) const {

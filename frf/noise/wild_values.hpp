@@ -40,10 +40,12 @@ inline constexpr std::size_t most_judged_frfs = std::size_t{1} << 18;  ///< seve
 /// middle one of fewer), each times (f_n/f_l)² where that makes the case weaker, since a receptance may fall with the square of
 /// the frequency.
 ///   - large: |H| > 500 M. A resonance between two lines is left out: |H_{l±1}| ≥ 1.3 |H_{l±2}| on both sides and
-///     |H_{l−1} + H_{l+1}| < 0.7 |H_{l−1} − H_{l+1}|, unless |H| > 10⁵ M;
+///     |H_{l−1} + H_{l+1}| < 0.7 |H_{l−1} − H_{l+1}|, unless |H| > 10⁵ M; on the two lines at either end, where a third of all
+///     other FRFs are 10 times their nearest neighbours;
 ///   - small: |H| < M/1000 and its nearest neighbours that are not small themselves, one on each side, agree: their difference is
 ///   at most
-///     their mean. So an antiresonance, where they have opposite signs, is left out, and so are the ends;
+///     their mean. So an antiresonance, where they have opposite signs, is left out, and so are the ends, and where H_ji of H_ij
+///     is 30 times below its neighbours on the same line;
 ///   - what is below 10⁻¹⁰ of the largest FRF on lines about it is rounding: H of a large, M of a small one;
 ///   - an FRF that is nowhere a number or zero everywhere, and all values at 0 Hz, are left out.
 /// Gaussian noise alone makes about one value in ten million small.
@@ -65,6 +67,8 @@ class WildSearch {
   void judge(std::size_t line);
   void judge(std::size_t line, std::size_t entry, double floor);
   bool is_resonance(std::size_t line, std::size_t entry) const;
+  bool others_rise(std::size_t line, std::size_t entry) const;
+  bool mirror_falls(std::size_t line, std::size_t entry) const;
   bool is_dropout(std::size_t line, std::size_t entry, double typical) const;
   Complex value(std::size_t line, std::size_t entry) const { return values_[line % kept][entry]; }
   double magnitude(std::size_t line, std::size_t entry) const { return magnitudes_[line % kept][entry]; }
@@ -76,6 +80,7 @@ class WildSearch {
   std::array<std::vector<Complex>, kept> values_;
   std::array<std::vector<double>, kept> magnitudes_;  ///< max(|re|, |im|); NaN where that is no finite number or at 0 Hz
   std::array<double, kept> maxima_{};                 ///< of all FRFs
+  std::vector<std::size_t> mirror_;                   ///< of each FRF H_ij the place of H_ji, npos where there is none or i = j
   std::vector<std::size_t> missing_;                  ///< of each FRF, lines that are no number
   std::vector<std::array<std::size_t, 4>> open_;      ///< of each FRF and kind, the run in found_ that goes on, or npos
   std::vector<WildValue> found_;

@@ -277,8 +277,38 @@ struct MirrorLaw {
 }  // namespace
 
 bool Agreement::tells_gain() const {
-  return excess_deviation > 0.0 && ratio_without < just_noise &&
+  constexpr double most_gain =
+      0.1;  // larger ones heal so much that trials find them; here few lines with noise at the joint look so
+  return excess_deviation > 0.0 && ratio_without < just_noise && std::abs(excess) < most_gain &&
          std::abs(excess) > std::max({least_gain, sure_deviations * excess_deviation, excess_doubt});
+}
+
+std::vector<std::size_t> Agreement::outlying_lines() const {
+  constexpr double far = 100.0;
+  std::vector<double> tested = by_line;
+  std::erase_if(tested, [](double each) { return std::isnan(each); });
+  if (tested.empty()) return {};
+  const double limit = far * std::max(1.0, median(tested));
+  std::vector<std::size_t> lines;
+  for (std::size_t l = 0; l < by_line.size(); ++l) {
+    if (by_line[l] > limit) lines.push_back(l);
+  }
+  return 5 * lines.size() <= tested.size() ? lines : std::vector<std::size_t>{};
+}
+
+Agreement Agreement::without(const std::vector<std::size_t>& lines) const {
+  Agreement out = *this;
+  for (const std::size_t l : lines) out.by_line[l] = nan;
+  double sum = 0.0, kept = 0.0, tested = 0.0;
+  for (std::size_t l = 0; l < by_line.size(); ++l) {
+    tested += std::isnan(by_line[l]) ? 0.0 : 1.0;
+    if (std::isnan(out.by_line[l])) continue;
+    sum += out.by_line[l];
+    kept += 1.0;
+  }
+  out.ratio = kept > 0.0 ? sum / kept : 0.0;
+  out.freedom = tested > 0.0 ? freedom * kept / tested : 0.0;
+  return out;
 }
 
 bool Agreement::contradicts() const {

@@ -31,7 +31,11 @@ struct Agreement {
 
   /// Whether that is more than chance and the uncertainty of noise laws make.
   bool contradicts() const;
-  /// Whether the excess is beyond 0.3 %, six deviations and its doubt, and leaves no more than noise.
+  /// Lines whose χ² is 100 times that of the middle line, and at least 100 times its expectation, where they are a fifth at most.
+  std::vector<std::size_t> outlying_lines() const;
+  /// Ratio and freedom without some lines; the rest as it is.
+  Agreement without(const std::vector<std::size_t>& lines) const;
+  /// Whether the excess is beyond 0.3 %, up to 10 %, six deviations and its doubt, and leaves no more than noise.
   bool tells_gain() const;
 };
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ident/check/noise_laws.hpp"
+#include "ident/variance/noise_laws.hpp"
 #include "ident/plan/plan.hpp"
 #include "ident/result/suspect.hpp"
 #include "ident/variance/covariance_law.hpp"

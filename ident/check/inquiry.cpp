@@ -77,6 +77,15 @@ class Inquiry {
         trials_(lines_for(setups_, trial_lines, trial_work)),
         threads_(screening_ < screening_lines ? threads_or_cores(control.threads) : 1) {}
 
+  /// Of the files as they are, at the lines of the last test.
+  std::vector<ReciprocityMap> reciprocity() const {
+    std::vector<ReciprocityMap> maps;
+    for (const CheckedFile& file : lines_of(all_, lines_for(setups_, rest_lines, rest_work))) {
+      if (ReciprocityMap map = reciprocity_map(file); !map.dofs.empty()) maps.push_back(std::move(map));
+    }
+    return maps;
+  }
+
   std::vector<Suspect> suspects() {
     std::vector<Suspect> found;
     const Files lines = lines_of(all_, screening_);
@@ -87,7 +96,8 @@ class Inquiry {
     const std::size_t rounds = all_.size() + 2;
     for (std::size_t round = 0; round < rounds && one_round(screening, found); ++round)
       screening = screen(lines_of(all_, screening_), setups_, threads_);
-    if (found.empty()) found = unexplained(lines_of(all_, lines_for(setups_, rest_lines, rest_work)), setups_, screening, noise_);
+    const std::size_t rest = lines_for(setups_, rest_lines, rest_work);
+    if (found.empty()) found = unexplained(lines_of(all_, rest), setups_, screening, noise_, with_axis_);
     return found;
   }
 
@@ -212,16 +222,15 @@ CheckResult inquire(std::vector<CheckedFile> files, const Dofs& joint, const Con
     result.suspects.insert(result.suspects.end(), file.wild.begin(), file.wild.end());
     for (Suspect& suspect : take_out_dead_and_copied(file)) result.suspects.push_back(std::move(suspect));
     for (Suspect& suspect : find_copied_columns(file)) result.suspects.push_back(std::move(suspect));
-    if (ReciprocityMap map = reciprocity_map(at_lines(file, spread_lines(file.frfs.size(), screening_lines))); !map.dofs.empty())
-      result.reciprocity.push_back(std::move(map));
   }
   result.notes = missing_points(files, joint);
   std::erase_if(files, [](const CheckedFile& file) { return file.responses.empty() || file.references.empty(); });
   if (!files.empty()) {
     for (Suspect& label : find_labels(files, joint)) result.suspects.push_back(std::move(label));
     for (Suspect& mass : find_wrong_masses(files, joint)) result.suspects.push_back(std::move(mass));
-    for (Suspect& suspect : Inquiry(std::move(files), joint, control, with_axis).suspects())
-      result.suspects.push_back(std::move(suspect));
+    Inquiry inquiry(std::move(files), joint, control, with_axis);
+    result.reciprocity = inquiry.reciprocity();
+    for (Suspect& suspect : inquiry.suspects()) result.suspects.push_back(std::move(suspect));
   }
   std::ranges::stable_sort(result.suspects, std::ranges::greater{}, &Suspect::confidence);
   leave_out_repeated(result.suspects);

@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "frf/noise/variance_law.hpp"
 #include "ident/check/agreement.hpp"
+#include "ident/check/dropouts.hpp"
 #include "ident/check/reference_groups.hpp"
 
 namespace jointid::ident {
@@ -58,17 +59,6 @@ WorstPlaces worst_places(const Agreement& test) {
     }
   }
   return out;
-}
-
-/// Whether one FRF at one line is what the others do not agree with.
-bool is_one_number(const Agreement& test) { return test.worst_share > 0.6 && test.worst_ratio > 50.0; }
-
-/// log |H| of a place against the mean of its neighbour lines.
-double jump(const CheckedFile& file, const frf::Dof& response, const frf::Dof& reference, std::size_t line) {
-  const std::size_t r = place_of(file.responses, response), c = place_of(file.references, reference);
-  if (r == frf::npos || c == frf::npos || line == 0 || line + 1 >= file.frfs.size()) return 0.0;
-  const auto size = [&](std::size_t l) { return std::log(std::abs(file.frfs[l](at(r), at(c))) + 1e-300); };
-  return std::abs(size(line) - 0.5 * (size(line - 1) + size(line + 1)));
 }
 
 std::string value_text(const CheckedFile& file, const frf::Dof& response, const frf::Dof& reference, std::size_t line) {
@@ -265,10 +255,11 @@ std::string worst_band(const std::vector<Line>& lines, const std::vector<double>
 }
 
 std::vector<Suspect> unexplained(const Files& files, const std::vector<SpanSetup>& setups, const Screening& screening,
-                                 const std::vector<double>& noise) {
+                                 const std::vector<double>& noise, bool names_lines) {
   std::vector<Suspect> found;
   std::vector<Agreement> mirror, span;
-  for (const CheckedFile& file : files) mirror.push_back(mirror_agreement(file));
+  Dropouts dropouts(files);
+  for (std::size_t f = 0; f < files.size(); ++f) mirror.push_back(dropouts.take_out(f, mirror_agreement(files[f])));
   for (std::size_t f = 0; f < files.size(); ++f) {
     if (activity(files[f], noise[f]) > 1.5) found.push_back(not_passive(files[f]));
     if (auto suspect = not_reciprocal(files[f], mirror[f], screening.reciprocity[f], noise[f]))
@@ -276,9 +267,12 @@ std::vector<Suspect> unexplained(const Files& files, const std::vector<SpanSetup
   }
   const bool one = std::ranges::any_of(found, [](const Suspect& suspect) { return suspect.kind == SuspectKind::outlier; });
   if (!one) {
-    for (const SpanSetup& setup : setups) span.push_back(span_agreement(setup, files));
+    for (const SpanSetup& setup : setups) span.push_back(dropouts.take_out(setup, span_agreement(setup, files)));
   }
-  if (found.empty()) {
+  if (names_lines) {
+    for (Suspect& lines : dropouts.suspects()) found.push_back(std::move(lines));
+  }
+  if (found.empty() && dropouts.empty()) {
     for (Suspect& gain : small_gains(files, setups, span)) found.push_back(std::move(gain));
   }
   const WorstSpan worst = one ? WorstSpan{} : worst_span(files, setups, mirror, std::move(span));

@@ -8,6 +8,7 @@
 #include "base/eigen.hpp"
 #include "base/text.hpp"
 #include "ident/judgement/dominant_line.hpp"
+#include "ident/judgement/h1_bias.hpp"
 #include "ident/judgement/line_jackknife.hpp"
 #include "ident/judgement/passivity.hpp"
 #include "ident/judgement/predicted_fit.hpp"
@@ -82,14 +83,16 @@ struct Unbiased {
   Eigen::MatrixXd covariance;
 };
 
-/// Error estimates from the scatter and, where a fit without bias is there, the difference to that.
+/// Error estimates from the scatter and, where a fit without bias is there, the difference to that; and from what the coherences
+/// leave open of H1, which moves all unknowns in proportion.
 void fill_errors(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& scatter,
                  const std::optional<Unbiased>& fit, Solution& out) {
+  const double too_low = h1_bias(plan);
   for (std::size_t column = 0; column < out.unknowns.size(); ++column) {
     const auto c = at(column);
     Estimate& estimate = out.unknowns[column];
     const double unit = std::abs(plan.unscale(column));
-    double square = scatter(c, c);
+    double square = scatter(c, c) + std::pow(too_low * theta[column], 2);
     if (fit) {
       const double bias = theta[column] - fit->theta[column];
       square += std::max(0.0, bias * bias - fit->covariance(c, c));
@@ -181,9 +184,8 @@ void withhold_errors(Solution& out) {
   if (!out.identifiability) return;
   out.identifiability->weakest.clear();
   out.identifiability->largest_relative_error = std::numeric_limits<double>::quiet_NaN();
-  std::erase_if(out.identifiability->findings, [](const Finding& finding) {
-    return finding.kind != FindingKind::misfit && finding.kind != FindingKind::gain;
-  });
+  std::erase_if(out.identifiability->findings,
+                [](const Finding& finding) { return finding.kind != FindingKind::misfit && finding.kind != FindingKind::gain; });
 }
 
 }  // namespace
@@ -260,7 +262,8 @@ std::string worth_of_errors(const LikelihoodJudgement& fit, double ratio, bool p
     return " Standard errors and intervals include the model error, as blocks of lines that are left out tell it; an error that is alike "
            "on all lines, as of a sensor off its place, can move the joint by more.";
   }
-  return poor ? " No standard errors or intervals are given, they would not hold." : " Standard errors and intervals are too small.";
+  return poor ? " No standard errors or intervals are given, they would not hold."
+              : " Standard errors and intervals are too small.";
 }
 
 void tell_chi_square(const Plan& plan, const LikelihoodJudgement& fit, Solution& out) {

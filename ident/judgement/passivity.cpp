@@ -81,6 +81,24 @@ void find_negative(const Plan& plan, const OneMatrix& matrix, const std::optiona
   }
 }
 
+/// Of every coordinate 1/√ of the largest element among those of its kind, translation or rotation.
+VectorXd unit_of_kind(const MatrixXd& x, const Dofs& dofs) {
+  double largest[] = {0.0, 0.0};
+  for (Index i = 0; i < x.rows(); ++i) {
+    for (Index j = 0; j < x.cols(); ++j) {
+      const bool rotation = dofs[static_cast<std::size_t>(i)].is_rotation();
+      if (rotation != dofs[static_cast<std::size_t>(j)].is_rotation()) continue;
+      largest[rotation ? 1 : 0] = std::max(largest[rotation ? 1 : 0], std::abs(x(i, j)));
+    }
+  }
+  VectorXd out(x.rows());
+  for (Index i = 0; i < x.rows(); ++i) {
+    const double own = largest[dofs[static_cast<std::size_t>(i)].is_rotation() ? 1 : 0];
+    out[i] = own > 0.0 ? 1.0 / std::sqrt(own) : 0.0;
+  }
+  return out;
+}
+
 /// K, C and D of every band.
 template <class Look>
 void each_matrix(const Plan& plan, const Look& look) {
@@ -122,6 +140,20 @@ std::vector<NegativeDiagonal> negative_diagonals(const Plan& plan, const std::ve
     find_negative(plan, matrix, band, theta, covariance, deviations, out);
   });
   std::ranges::stable_sort(out, {}, [](const NegativeDiagonal& each) { return each.value / each.deviation; });
+  return out;
+}
+
+std::vector<Indefinite> indefinite_matrices(const Plan& plan, const std::vector<double>& theta, double share) {
+  std::vector<Indefinite> out;
+  each_matrix(plan, [&](const OneMatrix& matrix, const std::optional<Range>& band) {
+    const MatrixXd x = matrix.at(theta, at(plan.restriction.dofs.size()));
+    if (!x.allFinite()) return;
+    const VectorXd scale = unit_of_kind(x, plan.restriction.dofs);
+    const VectorXd values = dense::symmetric_eigen(scale.asDiagonal() * x * scale.asDiagonal()).values;
+    const double largest = values.cwiseAbs().maxCoeff();
+    if (values.minCoeff() < -share * largest) out.push_back({matrix.terms.kind, band, values.minCoeff() / largest});
+  });
+  std::ranges::stable_sort(out, {}, &Indefinite::share);
   return out;
 }
 

@@ -35,6 +35,17 @@ struct NegativeDiagonal {
 std::vector<NegativeDiagonal> negative_diagonals(const Plan& plan, const std::vector<double>& theta,
                                                  const Eigen::MatrixXd& covariance, double deviations);
 
+/// A matrix with an eigenvalue that is negative by much of the largest.
+struct Indefinite {
+  restrictions::Kind kind = restrictions::Kind::stiffness;
+  std::optional<Range> band_hz;
+  double share = 0.0;  ///< the eigenvalue over the size of the largest
+};
+
+/// Those of K, C and D whose smallest eigenvalue is below −`share` of the largest size, worst first. Translations and rotations are each
+/// scaled by the largest element of their own. Where the joint is passive the error of such a matrix is at least that large.
+std::vector<Indefinite> indefinite_matrices(const Plan& plan, const std::vector<double>& theta, double share);
+
 /// "hysteretic damping D".
 std::string of_matrix(restrictions::Kind kind);
 

@@ -41,6 +41,24 @@ void tell_negative(const Plan& plan, const std::vector<double>& theta, const Eig
            ". No springs and dampers have that: do not use this matrix, or restrict it (definite = true).");
 }
 
+/// Joints that springs and dampers cannot be by half of their size, however large their errors: these are as large then. Of
+/// methods without FRFs at the assembly's joint, where another joint may explain the rest as well.
+void tell_indefinite(const Plan& plan, const std::vector<double>& theta, Solution& out) {
+  constexpr double half = 0.5;
+  if (out.status != Status::ok || traits(plan.scene.identify.method).joint_on_assembly) return;
+  const bool has_stiffness = plan.restriction.has(restrictions::Kind::stiffness);
+  for (const Indefinite& each : indefinite_matrices(plan, theta, half)) {
+    if (has_stiffness && each.kind != restrictions::Kind::stiffness) continue;
+    tell(out, Status::doubtful,
+         "The joint is not passive, or its errors are as large as it is: " + of_matrix(each.kind) + " has the eigenvalue " +
+             digits(each.share) +
+             " of its largest, where springs and dampers have none below zero. Another joint may explain the FRFs as well: "
+             "measure the "
+             "assembly at the joint, or restrict the matrix (definite = true, springs).");
+    return;
+  }
+}
+
 double error_of(const Estimate& unknown) {
   if (!unknown.determined) return std::numeric_limits<double>::infinity();
   return unknown.std_error ? *unknown.std_error : unknown.error_estimate.value_or(0.0);
@@ -97,8 +115,8 @@ std::vector<WithoutDigit> without_digit(const Plan& plan, const Solution& out) {
 }
 
 std::string text(const WithoutDigit& of) {
-  return of_matrix(of.kind) + " has no valid digit in " + of.unit + ": errors reach " +
-         digits(of.share) + " times its largest value";
+  return of_matrix(of.kind) + " has no valid digit in " + of.unit + ": errors reach " + digits(of.share) +
+         " times its largest value";
 }
 
 void tell_useless(const Plan& plan, Solution& out) {
@@ -133,6 +151,7 @@ void tell(Solution& out, Status status, const std::string& sentence) {
 void tell_errors(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& covariance, Solution& out) {
   tell_negative(plan, theta, covariance, out);
   tell_useless(plan, out);
+  tell_indefinite(plan, theta, out);
 }
 
 }  // namespace jointid::ident

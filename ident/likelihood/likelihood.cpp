@@ -25,6 +25,7 @@
 #include "ident/likelihood/findings/bound_of.hpp"
 #include "ident/likelihood/errors/chi_square_law.hpp"
 #include "ident/likelihood/findings/findings.hpp"
+#include "ident/likelihood/findings/fit_suspects.hpp"
 #include "ident/likelihood/findings/gain_scores.hpp"
 #include "ident/likelihood/findings/identifiability.hpp"
 #include "ident/likelihood/errors/interval_notes.hpp"
@@ -478,6 +479,9 @@ void estimate(Plan& plan, const Control& control, Solution& out) {
   out.fit.equations_used = equations_used(observations, fit.line_weight);
   out.fit.iterations = fit.iterations;
   out.fit.chi_square = all.chi_square;
+  out.fit.chi_square->likely = widest.likely;
+  if (all.tried && all.may_widen(plan))
+    out.suspects = fit_suspects(*all.tried, all.without, widest.intervals.covariance(), all.fit.theta.size());
   if (control.so_far) control.so_far(out);
   if (plan.scene.identify.bootstrap > 0 && !fit.hopeless) bootstrap_errors(plan, all.estimator, fit, control, out);
   out.runtime_s.intervals = seconds_since(solved);

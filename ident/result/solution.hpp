@@ -77,6 +77,7 @@ struct ChiSquare {
   double degrees_of_freedom = 0.0;
   std::size_t outlying_lines = 0;  ///< lines that fit so badly that they count for less than half
   std::vector<double> by_line;     ///< χ² over its expectation, one per line; NaN for a line without redundancy
+  double likely = 0.0;  ///< value over degrees of freedom that chance exceeds once in three million times; 0: not told
 };
 
 struct Fit {
@@ -171,6 +172,7 @@ struct Solution {
   std::vector<std::string> warnings;      ///< what makes the numbers doubtful though they were found, one sentence each
   std::optional<CheckResult> check{};     ///< of the data, its short form (quick_check()); with Detail::full
   std::vector<SystematicEstimate> systematic{};  ///< of [[data.gains]] and [[data.masses]]
+  std::vector<Suspect> suspects{};  ///< of method likelihood: what the fit itself says against its data; files as they were opened
   std::vector<VarianceSource> variances;  ///< per file, of methods that weigh FRFs by their variances
 };
 

@@ -5,10 +5,10 @@
 namespace jointid::ident {
 
 std::string name(SuspectKind kind) {
-  static constexpr std::array<const char*, 19> names = {
+  static constexpr std::array<const char*, 20> names = {
       "sign", "swap", "label", "gain",  "unit",     "quantity",    "conjugate",      "delay",    "axis",
       "mass", "dead", "copy",  "loose", "exchange", "not_passive", "not_reciprocal", "nonlinear", "direction",
-      "outlier"};
+      "outlier", "force_noise"};
   return names[static_cast<std::size_t>(kind)];
 }
 

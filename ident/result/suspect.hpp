@@ -29,7 +29,8 @@ enum class SuspectKind : std::uint8_t {
   not_reciprocal,  ///< H_ij and H_ji differ for no reason above
   nonlinear,       ///< the assembly does not follow from its parts by forces at the joint, for no reason above
   direction,       ///< a sensor or impact of a virtual point points another way than stated
-  outlier          ///< one number, far from what its neighbours and the other FRFs make of it
+  outlier,         ///< one number, or a few lines, far from what the neighbours and the other FRFs make of them
+  force_noise      ///< noise of the force's signal makes H1 too low, as far as the coherences allow
 };
 
 /// "sign", "swap", …, as in JSON.

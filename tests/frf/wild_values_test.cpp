@@ -59,6 +59,43 @@ TEST(WildValues, ResonancesAntiresonancesAndTheFallFromZeroHertzAreNone) {
   }
 }
 
+/// Two points, both hit, of one mode of hardly any damping on line `on`, and of a second one above.
+FrfSet square_structure(std::size_t on, double product) {
+  FrfSet set = set_of(12, 2, 20.0, 16.0);
+  set.header.reference.push_back({2, Direction::z, 1});
+  set.values.assign(set.header.lines() * 4, {});
+  const double own = set.header.frequency_hz[on] + 0.01;
+  for (std::size_t l = 0; l < set.header.lines(); ++l) {
+    const double f = set.header.frequency_hz[l];
+    const Complex first = 1.0 / Complex(own * own - f * f, 1e-4 * own * own), second = 1.0 / Complex(9e4 - f * f, 90.0);
+    for (std::size_t k = 0; k < 4; ++k)
+      set.values[set.index(l, k / 2, k % 2)] = (k == 1 || k == 2 ? product : 1.0) * first + second;
+  }
+  return set;
+}
+
+TEST(WildValues, ResonanceOnTheFirstOrLastLinesLiftsAllFrfsAndIsNone) {
+  for (const std::size_t on : {0UL, 1UL, 10UL, 11UL}) {
+    FrfSet set = square_structure(on, 0.8);
+    EXPECT_GT(std::abs(set.values[set.index(on, 0, 0)]), 400.0 * std::abs(set.values[set.index(on == 0 ? 2 : on - 1, 0, 0)]))
+        << on;
+    EXPECT_TRUE(search(set).found.empty()) << on;
+    set = structure(200, 3, 5.0, 2.0, 0.01);
+    set.values[set.index(on, 1, 0)] *= 1e4;
+    ASSERT_EQ(search(set).found.size(), 1u) << on;
+  }
+}
+
+TEST(WildValues, FrfThatIsSmallBothWaysIsAnAntiresonance) {
+  FrfSet set = square_structure(1, 0.8);
+  const Complex there = set.values[set.index(6, 0, 1)];
+  set.values[set.index(6, 0, 1)] = 1e-4 * there;
+  ASSERT_EQ(search(set).found.size(), 1u);
+  EXPECT_EQ(search(set).found[0].kind, WildKind::small);
+  set.values[set.index(6, 1, 0)] = 0.01 * there;
+  EXPECT_TRUE(search(set).found.empty());
+}
+
 TEST(WildValues, OneWildValueIsFoundOnAnyLineAndByItsFactor) {
   const FrfSet clean = structure(200, 3, 5.0, 2.0, 0.01);
   for (const double factor : {1e3, 1e6, 1e30}) {

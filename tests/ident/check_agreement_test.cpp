@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <random>
 
 #include "frf/file/write.hpp"
@@ -10,12 +11,13 @@
 #include "ident/check/agreement.hpp"
 #include "ident/check/check.hpp"
 #include "ident/check/inquiry.hpp"
-#include "ident/check/noise_laws.hpp"
 #include "ident/check/reference_groups.hpp"
 #include "ident/check/repeated_numbers.hpp"
 #include "ident/check/rest.hpp"
 #include "ident/check/rigid_mass.hpp"
+#include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
+#include "ident/variance/noise_laws.hpp"
 #include "ident/whole_check.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/problem.hpp"
@@ -221,6 +223,75 @@ TEST_F(FilesOfRig, that_no_joint_of_the_scene_explains_are_not_clean) {
   ASSERT_EQ(result.suspects.size(), 1u);
   EXPECT_EQ(result.suspects[0].kind, SuspectKind::nonlinear);
   EXPECT_THAT(result.suspects[0].evidence, HasSubstr("mass at the joint"));
+}
+
+/// What noise of the force's signal of this size relative to it does to H1 of `averages`, and to the coherences.
+void add_force_noise(frf::FrfSet& set, double noise, std::uint64_t seed) {
+  std::mt19937_64 generator(seed);
+  std::normal_distribution<double> normal(0.0, noise / std::sqrt(2.0 * set.header.averages));
+  for (std::size_t l = 0; l < set.header.lines(); ++l) {
+    for (std::size_t c = 0; c < set.header.reference.size(); ++c) {
+      const Complex factor = (1.0 - noise * noise) * (1.0 + Complex(normal(generator), normal(generator)));
+      for (std::size_t r = 0; r < set.header.response.size(); ++r) {
+        const std::size_t at = set.index(l, r, c);
+        set.values[at] *= factor;
+        set.coherence[at] = 1.0 / (1.0 / set.coherence[at] + noise * noise);
+      }
+    }
+  }
+}
+
+TEST_F(FilesOfRig, whose_force_is_noisy_are_named_with_what_the_coherences_leave_of_h1) {
+  std::uint64_t seed = 1;
+  for (frf::FrfSet& set : data_.substructures) add_force_noise(set, 0.14, seed++);
+  add_force_noise(data_.assembly, 0.14, seed);
+  write_all();
+  const ident::CheckResult result = ident::check_whole(scene(problem_.scene));
+  ASSERT_FALSE(result.suspects.empty());
+  for (const ident::Suspect& suspect : result.suspects) EXPECT_EQ(suspect.kind, SuspectKind::force_noise);
+  EXPECT_THAT(result.suspects[0].evidence, testing::ContainsRegex("too low by up to (1\\.[5-9]|2|2\\.[0-4])? ?%"));
+}
+
+TEST_F(FilesOfRig, with_lines_that_contradict_all_others_are_named) {
+  std::mt19937_64 generator(3);
+  std::normal_distribution<double> normal;
+  for (const std::size_t l : {100UL, 101UL, 250UL}) {
+    for (std::size_t at = data_.assembly.index(l, 0, 0); at < data_.assembly.index(l + 1, 0, 0); ++at) {
+      data_.assembly.values[at] *= Complex(1.0 + normal(generator), normal(generator));
+      data_.assembly.coherence[at] = 0.3;
+    }
+  }
+  write_all();
+  const ident::CheckResult result = ident::check_whole(scene(problem_.scene));
+  ASSERT_EQ(result.suspects.size(), 1u);
+  EXPECT_EQ(result.suspects[0].kind, SuspectKind::outlier);
+  EXPECT_TRUE(result.suspects[0].dofs.empty());
+  EXPECT_THAT(result.suspects[0].evidence, HasSubstr(" lines, at "));
+}
+
+/// Of a hit's FRF to 1e135 the file, the DOFs, the line and the value, and the joint as without that line.
+TEST_F(FilesOfRig, with_a_value_that_no_structure_has_are_solved_without_its_line) {
+  const std::size_t line = 200, at = data_.assembly.index(line, 2, 5);
+  data_.assembly.values[at] = 1e135 / std::pow(2.0 * M_PI * data_.assembly.header.frequency_hz[line], 2);  // an accelerance
+  const frf::FrfHeader& header = data_.assembly.header;
+  for (const char* method : {"likelihood", "one"}) {
+    write_all();
+    std::string text = problem_.scene;
+    const std::size_t key = text.find("method");
+    text.replace(key, text.find('\n', key) - key, "method = \"" + std::string(method) + "\"");
+    const auto plan = ident::make_plan(scene(text));
+    ident::Control control;
+    control.judgement = ident::Judgement::data;
+    const std::size_t lines = plan->lines.size();
+    const ident::Solution found = ident::solve(*plan, control);
+    EXPECT_EQ(found.status, ident::Status::doubtful) << method;
+    EXPECT_EQ(found.fit.lines + 1, lines) << method;
+    EXPECT_THAT(found.message, HasSubstr(header.response[2].name() + " over " + header.reference[5].name() + " in " +
+                                         std::filesystem::path(header.file).filename().string()));
+    EXPECT_THAT(found.message, HasSubstr("1e+135"));
+    const double error = std::abs(found.unknowns[0].value / problem_.unknowns[0].value - 1.0);
+    EXPECT_LT(error, std::string(method) == "one" ? 0.5 : 0.05) << method;
+  }
 }
 
 TEST_F(FilesOfRig, a_gain_of_all_frfs_of_one_percent_is_named) {

@@ -53,6 +53,20 @@ Solution h4(const std::string& solver, bool start, bool noise) {
                judged());
 }
 
+/// Case H3 (only H_nn) by method direct: FRFs are explained, by joints that no springs are.
+TEST(Verdict, OfDirectIsNotOkWithAnIndefiniteStiffness) {
+  const problems::Problem problem = problems::make("H3");
+  Scene scene = problems::scene(problem);
+  scene.identify.method = Method::direct;
+  for (const std::uint64_t seed : {101, 12, 7, 15}) {
+    const Solution found = solve(*problems::plan(scene, problems::polluted(problem, seed, 0)), judged());
+    EXPECT_GT(error_of(problem, found), 1.0) << seed;
+    EXPECT_NE(found.status, Status::ok) << seed;
+  }
+  const Solution clean = solve(*problems::plan(scene, {problem.substructures, problem.assembly}), judged());
+  EXPECT_EQ(clean.status, Status::ok) << clean.message;
+}
+
 TEST(Verdict, OfNewtonIsNotOkWhereNoiseLeavesAnotherJoint) {
   for (const char* solver : {"levenberg-marquardt", "newton"}) {
     for (const bool start : {true, false}) {

@@ -53,6 +53,8 @@ std::vector<GainSuspect> suspect_gains(const TriedErrors& tried, std::size_t kno
     const Eigen::Index k = at(best);
     const double information = scores.information(k, k);
     out.push_back({.sensor = sensors[best].dof.name() + " in " + sensors[best].file,
+                   .dof = sensors[best].dof,
+                   .file = sensors[best].file,
                    .gain = std::exp(scores.gradient[k] / information),
                    .error = inflation / std::sqrt(information),
                    .score = z[best],

@@ -8,6 +8,8 @@ namespace jointid::ident {
 /// A sensor whose gain the data say is another than was assumed.
 struct GainSuspect {
   std::string sensor;   ///< "113:+Y in rig1_assembly.h5"
+  frf::Dof dof;         ///< its coordinate
+  std::string file;     ///< as it was opened
   double gain = 1.0;    ///< true FRF = gain · FRF of the file
   double error = 0.0;   ///< standard deviation of it
   double score = 0.0;   ///< (gain − 1)/error

@@ -1,4 +1,4 @@
-#include "ident/check/noise_laws.hpp"
+#include "ident/variance/noise_laws.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace jointid::ident {
 namespace {
 
-constexpr std::size_t usual_lines = 32, least_lines = 8;
+constexpr std::size_t usual_law_lines = 32, least_law_lines = 8;
 constexpr double most_records = 1e6;  ///< numbers read
 
 std::vector<std::size_t> indices_up_to(std::size_t count) {
@@ -58,8 +58,30 @@ std::vector<double> error_squares(frf::FrfSource& source, const frf::Block& bloc
 
 }  // namespace
 
-std::pair<double, double> fit_noise_law(const std::vector<NoiseSample>& samples) {
-  if (samples.size() < 3) return {nan, nan};
+namespace {
+
+/// Without errors of another law than most: dropouts.
+std::vector<NoiseSample> usual_samples(const std::vector<NoiseSample>& samples) {
+  constexpr double dropout = 300.0;  // times what the middle ones of error over square and over factor make together
+  std::vector<double> of_squares, of_factors;
+  for (const auto& [error, square, factor] : samples) {
+    if (square > 0.0) of_squares.push_back(error / square);
+    if (factor > 0.0) of_factors.push_back(error / factor);
+  }
+  if (of_squares.empty() || of_factors.empty()) return samples;
+  const double a = median(of_squares), b = median(of_factors);
+  if (!(a > 0.0 && b > 0.0)) return samples;
+  std::vector<NoiseSample> usual = samples;
+  std::erase_if(usual,
+                [&](const NoiseSample& each) { return each.error_square > dropout * (a * each.square + b * each.factor); });
+  return usual;
+}
+
+}  // namespace
+
+std::pair<double, double> fit_noise_law(const std::vector<NoiseSample>& all) {
+  if (all.size() < 3) return {nan, nan};
+  const std::vector<NoiseSample> samples = usual_samples(all);
   double v = 0.0, x = 0.0, y = 0.0;
   for (const auto& [error, square, factor] : samples) {
     v += error;
@@ -104,7 +126,7 @@ std::shared_ptr<const NoiseLaws> recorded_laws(frf::FrfSource& source, const std
   const auto affordable = static_cast<std::size_t>(most_records / static_cast<double>(entries));
   std::vector<std::size_t> lines;
   std::vector<Complex> some;
-  for (const std::size_t l : spread_lines(source_lines.size(), std::clamp(affordable, least_lines, usual_lines))) {
+  for (const std::size_t l : spread_lines(source_lines.size(), std::clamp(affordable, least_law_lines, usual_law_lines))) {
     lines.push_back(source_lines[l]);
     const auto line = values.subspan(l * entries, entries);
     some.insert(some.end(), line.begin(), line.end());
