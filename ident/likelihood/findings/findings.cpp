@@ -13,7 +13,7 @@ namespace {
 constexpr double bad = 0.1;  ///< relative error
 constexpr double hardly_seen = 5.0, loose = 0.5, held = 0.01;  ///< effect, deformation: see JointVisibility
 constexpr std::size_t most_lines = 3;
-constexpr double outlying = 3.0;  // about where a line counts for less than half
+constexpr double hardly_counts = 3.0;  // about where a line counts for less than half
 
 std::string listed(const std::vector<std::string>& names) {
   std::string out = names.front();
@@ -89,7 +89,7 @@ void add_misfit(const Fit& fit, const std::vector<double>& frequency_hz, double 
     out.push_back(
         {FindingKind::misfit, std::to_string(chi_square.outlying_lines) +
                                   " outlying lines are set aside: they count for little in the joint, and not in chi-square." +
-                                  worst_lines(chi_square, frequency_hz, outlying)});
+                                  worst_lines(chi_square, frequency_hz, hardly_counts)});
     return;
   }
   out.push_back({FindingKind::misfit, "Joint model, variances or some lines do not fit: chi-square is " +

@@ -76,23 +76,21 @@ void add_sensors(const TriedErrors& tried, std::size_t known, std::vector<Suspec
 }
 
 void add_stretch(const TriedErrors& tried, std::vector<Suspect>& found) {
-  if (!tried.stretch || !(std::abs(tried.stretch->score) >= telling_stretch) || tried.files.empty()) return;
-  const double stretch = tried.stretch->gain;
+  const FileGain* const stretch = tried.stretch();
+  if (stretch == nullptr || !(std::abs(stretch->score) >= telling_stretch)) return;
   found.push_back({.kind = SuspectKind::axis,
-                   .file = tried.files.front().file.name,
+                   .file = stretch->file.name,
                    .dofs = {},
                    .evidence = fmt::format(
-                       "the assembly fits the parts better with frequencies {:.2g} % {} ({} standard deviations): another "
-                       "temperature, or another clock",
-                       100.0 * std::abs(stretch), stretch > 0.0 ? "lower" : "higher", digits(std::abs(tried.stretch->score))),
+                       "{} with frequencies {:.2g} % {} ({} standard deviations): another temperature, or another clock",
+                       stretch->file.of_assembly ? "the assembly fits the parts better" : "it fits the other files better",
+                       100.0 * std::abs(stretch->gain), stretch->gain > 0.0 ? "lower" : "higher", digits(std::abs(stretch->score))),
                    .confidence = suspect_confidence,
                    .remedy = ""});
 }
 
 void add_scatter(const TriedErrors& tried, std::size_t known, std::vector<Suspect>& found) {
-  const Eigen::Index size = at(known);
-  const auto jackknife =
-      tried.blocks->jackknife({tried.scores.information.topLeftCorner(size, size), tried.scores.gradient.head(size)});
+  const auto jackknife = tried.jackknife(known, nullptr);
   if (!jackknife || !jackknife->tells_more()) return;
   found.push_back(
       {.kind = SuspectKind::nonlinear,
