@@ -24,7 +24,7 @@ void add_open_options(CLI::App* command, frf::OpenOptions& open) {
         of_option("--unit", [&] { frf::require_frf_unit(text); });
         open.unit = text;
       },
-      "UFF, text exports: unit of the FRFs in place of what the file says, e.g. g/lbf");
+      "UFF, CSV, text exports: unit of the FRFs in place of what the file says, e.g. g/lbf");
   const auto dofs = [command](const char* name, std::vector<frf::Dof>& to, const char* what) {
     command
         ->add_option_function<std::vector<std::string>>(

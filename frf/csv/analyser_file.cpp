@@ -23,7 +23,8 @@ constexpr std::size_t most_label_lines = 60;
 /// Without units in the titles: those are read as CSV.
 bool is_heading_row(std::string_view line) {
   const std::string text = lower_case(trimmed(line));
-  return text.find_first_of("[(") == std::string::npos && text.starts_with("frequency") && text.find('\t') != std::string::npos && text.find("real") != std::string::npos;
+  if (text.find_first_of("[(") != std::string::npos) return false;
+  return text.starts_with("frequency") && text.find('\t') != std::string::npos && text.find("real") != std::string::npos;
 }
 
 /// Bytes above 127 that begin no UTF-8 character are Latin-1.

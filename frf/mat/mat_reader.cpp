@@ -241,12 +241,15 @@ class Reader {
     for (const std::string_view name : {"unit", "units"}) {
       const MatInfo* info = lookup_.find(name);
       if (info == nullptr) continue;
-      const bool fields = std::ranges::any_of(file_.variables(), [&](const MatInfo& each) { return each.name.starts_with(info->name + "."); });
+      const std::string inside = info->name + ".";
+      const bool fields =
+          std::ranges::any_of(file_.variables(), [&](const MatInfo& each) { return each.name.starts_with(inside); });
       if (info->kind == MatKind::other && !fields && size(*info) > 0)
         lookup_.fail(place_of(info->name), "is no text that can be read", "store the unit as a text");
       const std::string text = lookup_.text(std::span(&name, 1));
       if (!first.empty() && !text.empty() && text != first)
-        lookup_.fail(place_of(info->name), "is '" + shown_label(text) + "', and unit is '" + shown_label(first) + "'", "keep the right one");
+        lookup_.fail(place_of(info->name), "is '" + shown_label(text) + "', and unit is '" + shown_label(first) + "'",
+                     "keep the right one");
       first = text;
     }
   }

@@ -203,7 +203,8 @@ Ordinate interpret_labelled(const Header58& header, const UnitFactors& factors, 
   ordinate.stated = types ? types : labels.quantity;
   if (labels.quantity && labels.quantity != ordinate.quantity) drop_motion(labels, header, ordinate.quantity, place);
   if ((!labels.numerator || !labels.denominator) && !factors.contradiction.empty()) {
-    place.fail("records 9 and 10", "no unit of " + std::string(labels.numerator ? "the force" : "the motion") + ", and " + factors.contradiction,
+    const std::string what = labels.numerator ? "the force" : "the motion";
+    place.fail("records 9 and 10", "no unit of " + what + ", and " + factors.contradiction,
                "correct dataset 164, or " + std::string(give_unit));
   }
   const double motion = header.response.is_rotation() ? 1.0 : 1.0 / factors.length;

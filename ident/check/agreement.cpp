@@ -277,7 +277,9 @@ struct MirrorLaw {
 }  // namespace
 
 bool Agreement::tells_gain() const {
-  return excess_deviation > 0.0 && ratio_without < just_noise &&
+  constexpr double most_gain =
+      0.1;  // larger ones heal so much that trials find them; here few lines with noise at the joint look so
+  return excess_deviation > 0.0 && ratio_without < just_noise && std::abs(excess) < most_gain &&
          std::abs(excess) > std::max({least_gain, sure_deviations * excess_deviation, excess_doubt});
 }
 

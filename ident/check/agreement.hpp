@@ -35,7 +35,7 @@ struct Agreement {
   std::vector<std::size_t> outlying_lines() const;
   /// Ratio and freedom without some lines; the rest as it is.
   Agreement without(const std::vector<std::size_t>& lines) const;
-  /// Whether the excess is beyond 0.3 %, six deviations and its doubt, and leaves no more than noise.
+  /// Whether the excess is beyond 0.3 %, up to 10 %, six deviations and its doubt, and leaves no more than noise.
   bool tells_gain() const;
 };
 

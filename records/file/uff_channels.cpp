@@ -71,6 +71,10 @@ void interpret(const Header58& header, const frf::uff::UnitFactors& factors, boo
     out.kind = labelled, out.to_si = unit->si, out.unit = si_unit(*labelled, rotation);
     return;
   }
+  if (typed && says_nothing && !factors.contradiction.empty()) {
+    out.problem = "no unit stands at it, and " + factors.contradiction;
+    return;
+  }
   if (typed && says_nothing) {
     const bool force = *typed == ChannelKind::force;
     const double length = force == rotation ? 1.0 / factors.length : 1.0;

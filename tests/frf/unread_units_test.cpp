@@ -38,7 +38,8 @@ OpenOptions of_point(std::optional<Quantity> quantity = Quantity::accelerance) {
 }
 
 TEST_F(UnreadUnits, InCommentsAreErrors) {
-  for (const char* line : {"# Einheit = g/N", "# unité: g/N", "# y-axis: (g)/(lbf)", "# EU: m/s²/N", "# unit g/N", "# g/lbf", "% scale = g/N"})
+  for (const char* line :
+       {"# Einheit = g/N", "# unité: g/N", "# y-axis: (g)/(lbf)", "# EU: m/s²/N", "# unit g/N", "# g/lbf", "% scale = g/N"})
     EXPECT_THAT(error(key + line + "\n" + titles + numbers), HasSubstr("line 2: ")) << line;
   EXPECT_THAT(error(key + "# Einheit = g/N\n" + titles + numbers),
               HasSubstr("the unit 'g/N' of the key 'Einheit' is not read; did you mean # unit = g/N?"));

@@ -153,7 +153,7 @@ std::string uff58(int node, int direction, int type, const std::string& unit, co
 }
 
 const std::string uff_units =
-    "    -1\n   164\n         1SI: Meter (newton)           2\n"
+    "    -1\n   164\n         9user: mm (kilonewton)        2\n"
     "  1.00000000000000000D+03  1.00000000000000000D-03  1.00000000000000000D+00\n"
     "  2.73149999999999977D+02\n    -1\n";
 
@@ -171,6 +171,10 @@ TEST_F(RecordFile, UffUnitsWithoutALabelAreThoseOfDataset164) {
       read_records(write("a.uff", uff_units + uff58(1, 3, 13, "NONE", {0, 5, 1}) + uff58(4, 3, 12, "NONE", {0, 1, -2})), {});
   EXPECT_THAT(records[0].channels[0].samples, ElementsAre(0.0, 5000.0, 1000.0));
   EXPECT_THAT(records[0].channels[1].samples, ElementsAre(0.0, 0.001, -0.002));
+  std::string si = uff_units;
+  si.replace(si.find("         9"), 10, "         1");
+  EXPECT_THAT(message(write("b.uff", si + uff58(1, 3, 13, "NONE", {0, 5, 1})), {}),
+              HasSubstr("dataset 164 has units code 1, m and N, whose factors are 1 and 1, and the factors 1000 and 0.001"));
 }
 
 TEST_F(RecordFile, UffThatDoesNotFitIsSaid) {

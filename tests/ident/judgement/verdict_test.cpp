@@ -58,7 +58,7 @@ TEST(Verdict, OfDirectIsNotOkWithAnIndefiniteStiffness) {
   const problems::Problem problem = problems::make("H3");
   Scene scene = problems::scene(problem);
   scene.identify.method = Method::direct;
-  for (const std::uint64_t seed : {101, 12, 7, 15}) {
+  for (const std::uint64_t seed : {101U, 12U, 7U, 15U}) {
     const Solution found = solve(*problems::plan(scene, problems::polluted(problem, seed, 0)), judged());
     EXPECT_GT(error_of(problem, found), 1.0) << seed;
     EXPECT_NE(found.status, Status::ok) << seed;
