@@ -11,6 +11,7 @@
 #include "frf/set/unit_label.hpp"
 #include "frf/set/units.hpp"
 #include "frf/text/number_text.hpp"
+#include "frf/text/unit_names.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -62,9 +63,10 @@ std::string_view near_key(const std::string& key) {
 /// "# y-axis: g/N", "# unit g/N", "# g/N": the unit of an FRF that nothing reads.
 bool is_unit_in_comment(std::string_view comment) {
   constexpr std::size_t longest = 60;
-  const std::string_view word = comment.substr(0, comment.find_first_of(" \t"));
-  const bool named = word == "unit" || word == "units" || word == "Unit" || word == "Units" || word == "UNIT" || word == "UNITS";
-  const std::string_view text = trimmed(named ? comment.substr(word.size()) : comment);
+  const std::string_view first = comment.substr(0, comment.find_first_of(" \t"));
+  const std::string word = lower_case(first);
+  const bool named = word == "unit" || word == "units";
+  const std::string_view text = trimmed(named ? comment.substr(first.size()) : comment);
   return text.size() <= longest && quantity_of_unit(text).has_value();
 }
 

@@ -32,9 +32,9 @@ std::vector<std::string> lines_of(ByteFile& file, const Dataset& dataset) {
 
 std::array<double, 3> numbers_of(const Dataset& dataset, const std::string& line) {
   std::array<double, 3> out{};
-  const auto parts = words(line);  // three of them are the numbers, whatever their columns
+  const auto texts = three_fields(line, 0, 25);
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto value = parse_real(parts.size() == 3 ? parts[i] : column(line, 25 * i, 25));
+    const auto value = parse_real(texts[i]);
     if (!value || !std::isfinite(*value)) {
       fail(dataset, "'" + to_utf8(one_byte_per_column(trim(line))) + "' is not three numbers of 25 columns");
     }

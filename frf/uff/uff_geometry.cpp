@@ -50,10 +50,9 @@ class NodeReader {
   void finish(const Dataset& dataset, std::string_view line, std::size_t begin, std::size_t width,
               double length) {
     std::array<double, 3> local{};
-    const auto parts = words(line);  // of dataset 2411 three of them are the numbers, whatever their columns
-    const bool free = begin == 0 && parts.size() == 3;
+    const auto texts = three_fields(line, begin, width);
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto value = parse_real(free ? parts[i] : column(line, begin + i * width, width));
+      const auto value = parse_real(texts[i]);
       if (!value || !std::isfinite(*value)) fail(dataset, line);
       local[i] = *value;
     }

@@ -83,6 +83,11 @@ std::string_view column(std::string_view line, std::size_t begin, std::size_t wi
   return begin >= line.size() ? std::string_view() : trim(line.substr(begin, width));
 }
 
+std::array<std::string_view, 3> three_fields(std::string_view line, std::size_t begin, std::size_t width) {
+  if (const auto parts = words(line); begin == 0 && parts.size() == 3) return {parts[0], parts[1], parts[2]};
+  return {column(line, begin, width), column(line, begin + width, width), column(line, begin + 2 * width, width)};
+}
+
 bool has_wide_characters(std::string_view line) {
   if (is_ascii(line)) return false;
   bool wide = false;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -32,6 +33,9 @@ bool has_wide_characters(std::string_view line);
 
 /// The blank-separated words of a line.
 std::vector<std::string_view> words(std::string_view line);
+
+/// Three columns of that width; of a line that is three words from its begin on, those, whatever their columns.
+std::array<std::string_view, 3> three_fields(std::string_view line, std::size_t begin, std::size_t width);
 
 /// A whole decimal integer; blank is 0 as in Fortran.
 std::optional<std::int64_t> parse_integer(std::string_view text);
