@@ -18,6 +18,7 @@
 #include "ident/admissible/outcome.hpp"
 #include "ident/equations/linear_plan.hpp"
 #include "ident/judgement/judge.hpp"
+#include "ident/judgement/tell_errors.hpp"
 #include "ident/judgement/whitened_fit.hpp"
 #include "ident/likelihood/bundle/bundle.hpp"
 #include "ident/likelihood/data/likelihood_plan.hpp"
@@ -456,6 +457,13 @@ Widened widened(const Plan& plan, const Fitted& all, const Eigen::MatrixXd& info
   return to;
 }
 
+/// Standard errors do not hold a bias of H1, and intervals that of the files where it is seen.
+void tell_force_noise(Solution& out) {
+  const auto found = std::ranges::find(out.suspects, SuspectKind::force_noise, &Suspect::kind);
+  if (out.status != Status::ok || found == out.suspects.end()) return;
+  tell(out, Status::doubtful, "Noise of the force's signal: " + found->evidence + ". Use H2 or Hv, or a force with less noise.");
+}
+
 void estimate(Plan& plan, const Control& control, Solution& out) {
   const Clock::time_point start = Clock::now();
   Observations& observations = *likelihood_plan(plan)->observations;
@@ -481,7 +489,8 @@ void estimate(Plan& plan, const Control& control, Solution& out) {
   out.fit.chi_square = all.chi_square;
   out.fit.chi_square->likely = widest.likely;
   if (all.tried && all.may_widen(plan))
-    out.suspects = fit_suspects(*all.tried, all.without, widest.intervals.covariance(), all.fit.theta.size());
+    out.suspects = fit_suspects(*all.tried, all.without, widest.intervals.covariance(), all.fit.theta);
+  tell_force_noise(out);
   if (control.so_far) control.so_far(out);
   if (plan.scene.identify.bootstrap > 0 && !fit.hopeless) bootstrap_errors(plan, all.estimator, fit, control, out);
   out.runtime_s.intervals = seconds_since(solved);

@@ -24,13 +24,17 @@ double in_deviations(const Eigen::VectorXd& shift, const Eigen::MatrixXd& covari
   return most;
 }
 
-/// Each file whose responses to a hit are seen to share errors.
-void add_force_noise(const TriedErrors& tried, const Eigen::MatrixXd& covariance, std::vector<Suspect>& found) {
+/// Each file whose responses to a hit are seen to share errors. The hammer is one: the others may be as low, which moves the
+/// joint in proportion.
+void add_force_noise(const TriedErrors& tried, const Eigen::VectorXd& joint, const Eigen::MatrixXd& covariance,
+                     std::vector<Suspect>& found) {
   if (!tried.shared.are_seen()) return;
   Eigen::VectorXd shift = Eigen::VectorXd::Zero(covariance.rows());
   for (std::size_t f = 0; f < tried.files.size(); ++f)
     shift += tried.shared.bias(f) * tried.files[f].answer.head(covariance.rows());
-  const double moved = in_deviations(shift, covariance);
+  double most = 0.0;
+  for (std::size_t f = 0; f < tried.files.size(); ++f) most = std::max(most, tried.shared.bias(f));
+  const double moved = std::max(in_deviations(shift, covariance), in_deviations(most * joint, covariance));
   if (!(moved > 1.0)) return;
   for (std::size_t f = 0; f < tried.files.size(); ++f) {
     const double bias = tried.shared.bias(f);
@@ -105,11 +109,11 @@ void add_scatter(const TriedErrors& tried, std::size_t known, std::vector<Suspec
 }  // namespace
 
 std::vector<Suspect> fit_suspects(const TriedErrors& tried, const std::optional<FileGain>& without,
-                                  const Eigen::MatrixXd& covariance, std::size_t known) {
+                                  const Eigen::MatrixXd& covariance, const std::vector<double>& theta) {
   constexpr double beyond_shared = 3.0;  // as much is asked for where responses to a hit share errors
   std::vector<Suspect> found;
   if (!covariance.allFinite()) return found;
-  add_force_noise(tried, covariance, found);
+  add_force_noise(tried, Eigen::Map<const Eigen::VectorXd>(theta.data(), covariance.rows()), covariance, found);
   const bool shared = tried.shared.are_seen();
   if (without) {
     found.push_back(gain_of(*without));
@@ -119,8 +123,8 @@ std::vector<Suspect> fit_suspects(const TriedErrors& tried, const std::optional<
   }
   add_stretch(tried, found);
   if (shared) return found;
-  add_sensors(tried, known, found);
-  if (found.empty() && tried.blocks) add_scatter(tried, known, found);
+  add_sensors(tried, theta.size(), found);
+  if (found.empty() && tried.blocks) add_scatter(tried, theta.size(), found);
   return found;
 }
 
