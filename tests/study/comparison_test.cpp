@@ -51,13 +51,13 @@ TEST(Spread, LeavesOutWhatIsNoNumber) {
 TEST(Combinations, AreTheProductAndFallBackToTheScene) {
   ident::IdentifySection own;
   own.equations = nn_nj;
-  own.solver = "qr";
+  own.solver = ident::Solver::qr;
   const auto ways = combinations(own, {.methods = {ident::Method::one, ident::Method::two}, .equations = {}, .weightings = {},
                                        .deltas = {0.0, 0.1}, .solvers = {}});
   ASSERT_EQ(ways.size(), 4u);
   EXPECT_EQ(ways[1].equations, nn_nj);
   EXPECT_EQ(ways[1].delta, 0.1);
-  EXPECT_EQ(ways[1].solver, "qr");
+  EXPECT_EQ(ways[1].solver, ident::Solver::qr);
   EXPECT_EQ(ways[2].method, ident::Method::two);
   EXPECT_TRUE(ways[2].equations.empty()) << "the scene's equations are those of method one";
 }
@@ -132,7 +132,7 @@ TEST(Comparison, LeavesOutWhatCannotBe) {
   EXPECT_EQ(found.left_out[0].way.method, ident::Method::two);
   ASSERT_EQ(found.combinations.size(), 1u);
   EXPECT_EQ(found.combinations[0].way.equations.size(), 4u) << "all that the data allow";
-  EXPECT_EQ(found.combinations[0].way.solver, "qr");
+  EXPECT_EQ(found.combinations[0].way.solver, ident::Solver::qr);
   EXPECT_THROW(compared("A1", {{ident::Method::two, {ident::Equation::nn}, Weighting::wb, 0.0, "qr"}}, {.trials = 2}), InputError);
 }
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "ident/plan/impedance_terms.hpp"
+#include "restrictions/impedance_terms.hpp"
 
 namespace jointid::ident {
 

@@ -69,7 +69,7 @@ TEST(Bundle, OfCeresIsThatEstimateWithCovariancesToo) {
   for (frf::FrfSet& set : data.substructures) pollute(set);
   pollute(data.assembly);
   const auto solved = [&](const char* solver) {
-    example.scene.identify.solver = solver;
+    example.scene.identify.solver = parse_solver(solver);
     return solve(*problems::plan(example.scene, data), {.threads = 1, .progress = {}, .interrupted = {}, .detail = Detail::estimates});
   };
   const Solution own = solved("auto"), ceres = solved("ceres");

@@ -174,7 +174,7 @@ RC_GTEST_PROP(JointImpedance, IsThatOfTheMatrices, (unsigned seed)) {
 TEST(JointImpedance, HasNoColumnsOutsideOfTheBands) {
   const FourMatrices sample;
   const UnknownColumns columns(sample.restriction, {sample.spec});
-  EXPECT_TRUE(JointImpedance(sample.restriction, columns, 40.0, 2.0 * M_PI * 5.0).columns().empty());
+  EXPECT_TRUE(joint_at(sample.restriction, columns, 40.0, 2.0 * M_PI * 5.0).columns().empty());
 }
 
 TEST(Covariance, IsTheInverseWhateverTheUnits) {
