@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "base/eigen.hpp"
+#include "coupling/joint_loop.hpp"
 #include "coupling/jumps.hpp"
 #include "dense/cholesky.hpp"
-#include "dense/lu.hpp"
 
 namespace jointid::coupling {
 namespace {

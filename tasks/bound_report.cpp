@@ -71,7 +71,7 @@ class Baseline {
 std::unique_ptr<ident::Plan> likelihood_plan(const ident::Plan& plan, ident::Scene scene) {
   scene.identify.method = ident::Method::likelihood;
   scene.identify.automatic = false;
-  scene.identify.solver = Solver::automatic;
+  scene.identify.solver = ident::Solver::automatic;
   // A start that is not used saves planning a linear estimate.
   if (scene.identify.start.empty()) scene.identify.start = scene.truth;
   scene.couple_first = {};  // done already

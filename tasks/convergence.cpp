@@ -18,7 +18,7 @@ class Follower final : public ident::ChunkWorker {
         points_(points),
         assembler_(linear_plan(plan)->spec),
         accumulator_(plan.columns->size(),
-                     plan.solver == Solver::normal ? minimise::Reduction::normal : minimise::Reduction::orthogonal),
+                     plan.solver == ident::Solver::normal ? minimise::Reduction::normal : minimise::Reduction::orthogonal),
         out_(out) {}
 
   void read(std::size_t first, std::size_t last) override {

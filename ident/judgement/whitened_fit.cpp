@@ -215,7 +215,7 @@ class WhitenedEquations {
     std::vector<double> lines;
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       if (joints_[i].columns().empty()) continue;
-      const MatrixXcd none = MatrixXcd::Zero(joints_[i].known.rows(), joints_[i].known.cols());
+      const MatrixXcd none = MatrixXcd::Zero(joints_[i].known().rows(), joints_[i].known().cols());
       const LineResidual now = residual_of(data_, data_.lines[i], none);
       const double used = (now.weight.array() > 0.0).cast<double>().sum();
       if (used > 0.0) lines.push_back((now.weight.array() > 0.0).select(now.weight.cwiseProduct(now.r.cwiseAbs2()), 0.0).sum() / used);

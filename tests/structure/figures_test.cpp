@@ -15,11 +15,11 @@
 namespace jointid::structure {
 namespace {
 
-const std::filesystem::path root = JOINTID_SOURCE_DIR;
+const std::filesystem::path tree = JOINTID_SOURCE_DIR;
 
 /// The "now" of each row of the table of figures in docs/architecture.md.
 std::map<std::string, std::string> figures_of_the_docs() {
-  std::ifstream markdown(root / "docs/architecture.md");
+  std::ifstream markdown(tree / "docs/architecture.md");
   static const std::regex row(R"(^\| ([^|]*) \| [^|]* \| ([^|]*) \| [^|]* \|$)");
   std::map<std::string, std::string> out;
   bool inside = false;
@@ -38,7 +38,7 @@ std::string text_of(const std::filesystem::path& path) {
 
 /// Folders of the product.
 std::vector<std::string> folders() {
-  std::ifstream markdown(root / "docs/architecture.md");
+  std::ifstream markdown(tree / "docs/architecture.md");
   std::vector<std::string> out;
   for (const auto& row : read_table(markdown)) {
     if (row.first.find('/') == std::string::npos) out.push_back(row.first);
@@ -49,7 +49,7 @@ std::vector<std::string> folders() {
 std::map<std::string, std::size_t> lines_by_folder() {
   std::map<std::string, std::size_t> out;
   for (const std::string& folder : folders()) {
-    for (const auto& path : sources(root / folder)) {
+    for (const auto& path : sources(tree / folder)) {
       const std::string text = text_of(path);
       out[folder] += static_cast<std::size_t>(std::ranges::count(text, '\n'));
     }
@@ -62,7 +62,7 @@ std::size_t matches(const std::regex& pattern) {
   static const std::regex constant(R"(const (ident::)?Plan&)");
   std::set<std::string> found;
   for (const std::string& folder : folders()) {
-    for (const auto& path : sources(root / folder)) {
+    for (const auto& path : sources(tree / folder)) {
       const std::string text = std::regex_replace(text_of(path), constant, "");
       for (std::sregex_iterator at(text.begin(), text.end(), pattern); at != std::sregex_iterator(); ++at) found.insert((*at)[1]);
     }
@@ -74,7 +74,7 @@ std::size_t most_files(const std::vector<std::string>& below) {
   std::size_t most = 0;
   for (const std::string& folder : below) {
     std::map<std::filesystem::path, std::size_t> files;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(tree / folder)) {
       if (entry.is_regular_file() && !sources(entry.path().parent_path()).empty()) ++files[entry.path().parent_path()];
     }
     for (const auto& [directory, count] : files) most = std::max(most, count);

@@ -130,7 +130,7 @@ void plan_prediction(const Dofs& joint, const LikelihoodPlan& own, PlannedMethod
 /// Right-hand sides of a line's normal equations where unknowns that act alike share one, see RightSides.
 std::size_t shared_right_sides(const Plan& plan, const LikelihoodPlan& own) {
   const double omega = angular(plan.lines.front().frequency_hz);
-  const JointImpedance joint(plan.restriction, *plan.columns, plan.omega0, omega);
+  const JointImpedance joint = joint_at(plan.restriction, *plan.columns, plan.omega0, omega);
   return joint.shapes().size() + own.observations->systematic().size() + 1;
 }
 
