@@ -38,7 +38,7 @@ ident::Scene likelihood_scene(const problems::Problem& problem) {
   ident::Scene scene = problems::scene(problem);
   scene.identify.method = ident::Method::likelihood;
   scene.identify.automatic = false;
-  scene.identify.solver = "auto";
+  scene.identify.solver = ident::Solver::automatic;
   if (problem.name == "rig1") scene.frequency.step_hz = 12.0;
   const auto& noise = std::get<frf::NoiseModel>(problem.noise);
   if (noise.kind != frf::NoiseKind::hammer) {

@@ -46,7 +46,7 @@ Setting setting_of(const std::string& name, Method method, double level) {
     out.scene.identify.variance = ident::VarianceChoice::noise;  // the coherences of a hammer test do not tell it
   }
   if (method == Method::likelihood && out.scene.identify.method != Method::likelihood) {
-    out.scene.identify.solver = "auto";
+    out.scene.identify.solver = ident::Solver::automatic;
     out.scene.identify.method = method;
     if (out.problem.name != "H4" && out.problem.name != "H3") out.scene.identify.start.clear();
   }

@@ -84,7 +84,7 @@ class Bench {
   ident::Scene scene(const Way& way) const {
     ident::Scene out = base_;
     out.identify.method = way.method;
-    out.identify.solver = way.solver;
+    out.identify.solver = ident::parse_solver(way.solver);
     return out;
   }
 
@@ -145,7 +145,7 @@ class Bench {
     const auto exact = problems::plan(scene, {problem_.substructures, problem_.assembly});
     ident::Scene bounded = scene;
     bounded.identify.method = ident::Method::likelihood;
-    bounded.identify.solver = "auto";
+    bounded.identify.solver = ident::Solver::automatic;
     const std::vector<double> bound =
         tasks::cramer_rao_bound(*problems::plan(bounded, {problem_.substructures, problem_.assembly}), truth_, ident::Control());
     std::vector<double> errors, decibels, ratios, times;

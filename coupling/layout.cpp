@@ -8,8 +8,12 @@
 #include "base/eigen.hpp"
 #include "base/error.hpp"
 #include "coupling/groups.hpp"
+#include "restrictions/impedance_factor.hpp"
 
 namespace jointid::coupling {
+
+using restrictions::Kind;
+
 namespace {
 
 struct Found {
@@ -270,8 +274,13 @@ std::vector<Complex> LayoutJoint::common(const std::string& part, const frf::Dof
 }
 
 ComplexMatrix LayoutJoint::dynamic_stiffness(double omega) const {
-  const Complex i(0.0, 1.0);
-  return (stiffness - omega * omega * mass).cast<Complex>() + i * (omega * viscous_damping + hysteretic_damping).cast<Complex>();
+  ComplexMatrix z = ComplexMatrix::Zero(stiffness.rows(), stiffness.cols());
+  const std::pair<Kind, const Eigen::MatrixXd&> matrices[] = {{Kind::stiffness, stiffness},
+                                                              {Kind::mass, mass},
+                                                              {Kind::viscous_damping, viscous_damping},
+                                                              {Kind::hysteretic_damping, hysteretic_damping}};
+  for (const auto& [kind, matrix] : matrices) restrictions::add_impedance(kind, matrix, omega, z);
+  return z;
 }
 
 Layout make_layout(const std::vector<Part>& parts, const Assembly& assembly, const std::string& where) {

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "base/eigen.hpp"
+#include "coupling/joint_loop.hpp"
 #include "coupling/jumps.hpp"
 #include "dense/cholesky.hpp"
-#include "dense/lu.hpp"
 
 namespace jointid::coupling {
 namespace {
@@ -197,9 +197,7 @@ Sensitivity sensitivity(const MatrixRef& h, const Conditions& conditions, const 
 Sensitivity before(const Sensitivity& conditions, const MatrixRef& h, const std::vector<Index>& at, const MatrixRef& z,
                    const Wanted& wanted) {
   const Index b = conditions.left.cols();
-  const auto n = jointid::at(at.size());
-  const ComplexMatrix system = ComplexMatrix::Identity(n, n) + z * ComplexMatrix(h(at, at));
-  const ComplexMatrix m = dense::solve(system, z);
+  const ComplexMatrix m = force_with_joint(z, ComplexMatrix(h(at, at)), z);
   // Rows of L₁ and columns of R₁ that differ from those of the identity.
   const ComplexMatrix left = ComplexMatrix(h(Eigen::all, at)) * m, right = m * ComplexMatrix(h(at, Eigen::all));
   Sensitivity out = conditions;

@@ -19,8 +19,8 @@ namespace {
 
 constexpr double longest = 60.0;  // s
 
-bool has_solver(Method method, const std::string& solver) {
-  const std::vector<std::string>& own = traits(method).solvers;
+bool has_solver(Method method, Solver solver) {
+  const std::vector<Solver>& own = traits(method).solvers;
   return std::find(own.begin(), own.end(), solver) != own.end();
 }
 
@@ -44,9 +44,9 @@ struct Choice {
 Choice wish(const Scene& scene, const frf::FrfSystem& substructures, const frf::FrfSystem& assembly) {
   const IdentifySection& identify = scene.identify;
   if (!identify.any_weighting) return {Method::one, "the scene names a weighting or a delta"};
-  if (identify.solver != "auto") {
+  if (identify.solver != Solver::automatic) {
     for (const Method method : {Method::likelihood, Method::one, Method::newton}) {
-      if (has_solver(method, identify.solver)) return {method, "it has the solver " + identify.solver};
+      if (has_solver(method, identify.solver)) return {method, "it has the solver " + name(identify.solver)};
     }
   }
   if (!identify.priors.empty() || identify.bootstrap > 0) return {Method::likelihood, "the scene has priors or a bootstrap"};

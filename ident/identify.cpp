@@ -36,10 +36,11 @@ std::unique_ptr<Plan> plan_start(const Plan& plan, const StartChoices& choices) 
   fail(plan.scene, "[identify] start", "the data allow no linear estimate to start from", "add start = { … } to [identify]");
 }
 
-void warn_of_systematic_errors(Plan& plan) {
-  if (plan.scene.identify.method == Method::likelihood || !are_errors_unknown(plan.scene.data)) return;
-  plan.warnings.push_back("Gains of [[data.gains]] are taken for 1 and masses of [[data.masses]] for known: only method \"likelihood\" "
-                          "estimates them.");
+constexpr const char* errors_taken_for_known =
+    "Gains of [[data.gains]] are taken for 1 and masses of [[data.masses]] for known: only method \"likelihood\" estimates them.";
+
+bool ignores_systematic_errors(const Scene& scene) {
+  return scene.identify.method != Method::likelihood && are_errors_unknown(scene.data);
 }
 
 /// What the FRFs' variances do not say of their errors.
@@ -54,7 +55,7 @@ void warn_of_shared_errors(const Plan& plan, Solution& out) {
 }
 
 /// What the short check of the data finds, in status and message.
-void check_briefly(Plan& plan, const Control& control, Solution& out) {
+void check_briefly(const Plan& plan, const Control& control, Solution& out) {
   if (control.detail != Detail::full || control.judgement != Judgement::data) return;
   const Stopwatch watch(out.runtime_s.check);
   out.check = quick_check(plan, control);
@@ -125,9 +126,8 @@ std::unique_ptr<Plan> make_plan(const Scene& scene, std::shared_ptr<frf::FrfSyst
                               [&](const Scene& chosen) { return make_plan(chosen, substructures, assembly); });
   }
   auto plan = prepare_plan(scene, std::move(substructures), std::move(assembly));
-  plan->method = traits(plan->scene.identify.method).plan(*plan, plan_start);
-  complete_plan(*plan);
-  warn_of_systematic_errors(*plan);
+  complete_plan(traits(plan->scene.identify.method).plan(*plan, plan_start), *plan);
+  if (ignores_systematic_errors(scene)) plan->warnings.emplace_back(errors_taken_for_known);
   return plan;
 }
 
@@ -193,7 +193,7 @@ Solution solve(Plan& plan, const Control& asked) {
   choose_weighting(plan, control, out.runtime_s);
   out.warnings.insert(out.warnings.end(), plan.warnings.begin(), plan.warnings.end());
   out.used = {plan.scene.identify.method, plan.equations, plan.scene.identify.weighting,
-              plan.scene.identify.delta,  plan.solver,    plan.chosen};
+              plan.scene.identify.delta,  name(plan.solver), plan.chosen};
   plan.method->solve(plan, control, out);
   tell_wild_lines(wild, out);
   check_briefly(plan, control, out);

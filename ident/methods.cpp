@@ -6,11 +6,11 @@
 namespace jointid::ident {
 namespace {
 
-const std::vector<std::string> linear_solvers = {"qr", "normal", "spqr"};
+const std::vector<Solver> linear_solvers = {Solver::qr, Solver::normal, Solver::spqr};
 
 /// What plans a linear method.
-template <std::unique_ptr<MethodPlan> (*plan_linear)(Plan&)>
-std::unique_ptr<MethodPlan> without_start(Plan& plan, const StartPlanner&) {
+template <PlannedMethod (*plan_linear)(const Plan&)>
+PlannedMethod without_start(const Plan& plan, const StartPlanner&) {
   return plan_linear(plan);
 }
 
@@ -38,7 +38,8 @@ const std::vector<MethodTraits>& all_methods() {
        .inverts_references = true},
       {.method = Method::newton,
        .name = "newton",
-       .solvers = {"levenberg-marquardt", "newton", "ceres", "ipopt", "nlopt", "nlopt-crs2", "nlopt-sbplx", "pattern"},
+       .solvers = {Solver::levenberg_marquardt, Solver::newton, Solver::ceres, Solver::ipopt, Solver::nlopt, Solver::nlopt_crs2,
+                   Solver::nlopt_sbplx, Solver::pattern},
        .phrase = "method \"newton\"",
        .plan = plan_newton,
        .iterates = true,
@@ -46,7 +47,7 @@ const std::vector<MethodTraits>& all_methods() {
        .joint_on_assembly = false},
       {.method = Method::likelihood,
        .name = "likelihood",
-       .solvers = {"gauss-helmert", "iqml", "ceres"},
+       .solvers = {Solver::gauss_helmert, Solver::iqml, Solver::ceres},
        .phrase = "method \"likelihood\"",
        .plan = plan_likelihood,
        .iterates = true,

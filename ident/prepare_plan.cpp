@@ -27,24 +27,25 @@ void refuse_priors(const Scene& scene) {
 }
 
 /// "auto, qr or normal".
-std::string listed(std::vector<std::string> words) {
-  words.insert(words.begin(), "auto");
+std::string listed(const std::vector<Solver>& own) {
+  std::vector<std::string> words = names(own);
+  words.insert(words.begin(), name(Solver::automatic));
   return one_of(words);
 }
 
-void require_solver(const Scene& scene, const std::vector<std::string>& own) {
+void require_solver(const Scene& scene, const std::vector<Solver>& own) {
   const IdentifySection& identify = scene.identify;
-  if (identify.solver != "auto" && std::ranges::find(own, identify.solver) == own.end()) {
-    fail(scene, "[identify] solver", "method \"" + name(identify.method) + "\" has no solver \"" + identify.solver + "\"",
+  if (identify.solver != Solver::automatic && std::ranges::find(own, identify.solver) == own.end()) {
+    fail(scene, "[identify] solver", "method \"" + name(identify.method) + "\" has no solver \"" + name(identify.solver) + "\"",
          "use " + listed(own));
   }
   const auto require = [&](bool (*is_there)(), bool asked, const std::string& library, const std::string& package) {
     if (asked && !is_there()) fail(scene, "[identify] solver", "this build lacks " + library, "use auto, or build with " + package);
   };
-  require(minimise::has_ceres, identify.solver == "ceres", "Ceres", "libceres-dev");
-  require(minimise::has_nlopt, identify.solver.starts_with("nlopt"), "NLopt", "libnlopt-cxx-dev");
-  require(minimise::has_ipopt, identify.solver == "ipopt", "Ipopt", "coinor-libipopt-dev");
-  require(minimise::has_spqr, identify.solver == "spqr", "SPQR", "libsuitesparse-dev");
+  require(minimise::has_ceres, identify.solver == Solver::ceres, "Ceres", "libceres-dev");
+  require(minimise::has_nlopt, name(identify.solver).starts_with("nlopt"), "NLopt", "libnlopt-cxx-dev");
+  require(minimise::has_ipopt, identify.solver == Solver::ipopt, "Ipopt", "coinor-libipopt-dev");
+  require(minimise::has_spqr, identify.solver == Solver::spqr, "SPQR", "libsuitesparse-dev");
 }
 
 void require_method(const Scene& scene) {
@@ -121,6 +122,8 @@ std::unique_ptr<Plan> prepare_plan(const Scene& scene, std::shared_ptr<frf::FrfS
   return plan;
 }
 
+namespace {
+
 /// FRFs that are read for the estimate, its prediction, its judgement and where it starts from are read once when they are not too many.
 void keep_frfs(Plan& plan) {
   constexpr std::size_t most = std::size_t{64} << 20;  // bytes
@@ -131,7 +134,17 @@ void keep_frfs(Plan& plan) {
   plan.keeps_frfs = true;
 }
 
-void complete_plan(Plan& plan) {
+/// What the method decided joins what was prepared.
+void adopt(PlannedMethod decided, Plan& plan) {
+  decided.left_out.insert(decided.left_out.begin(), plan.left_out.begin(), plan.left_out.end());
+  decided.notes.insert(decided.notes.begin(), plan.notes.begin(), plan.notes.end());
+  static_cast<PlannedMethod&>(plan) = std::move(decided);
+}
+
+}  // namespace
+
+void complete_plan(PlannedMethod decided, Plan& plan) {
+  adopt(std::move(decided), plan);
   keep_frfs(plan);
   for (const restrictions::Kind kind : restrictions::all_kinds) {
     if (!plan.restriction.has(kind)) plan.left_out.push_back(restrictions::key(kind) + ": no columns");
@@ -143,7 +156,9 @@ void complete_plan(Plan& plan) {
   }
   if (weighs_equations(plan.scene.identify.method) && plan.scene.identify.delta == 0.0)
     plan.left_out.push_back("the delta filter");
-  warn_of_data(plan);
+  DataDoubts doubts = doubts_of_data(plan);
+  plan.notes.insert(plan.notes.end(), doubts.notes.begin(), doubts.notes.end());
+  plan.warnings.insert(plan.warnings.end(), doubts.warnings.begin(), doubts.warnings.end());
 }
 
 }  // namespace jointid::ident

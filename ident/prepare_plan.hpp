@@ -9,7 +9,7 @@ namespace jointid::ident {
 std::unique_ptr<Plan> prepare_plan(const Scene& scene, std::shared_ptr<frf::FrfSystem> substructures,
                                    std::shared_ptr<frf::FrfSystem> assembly);
 
-/// What of its data the scene does not need, and what is to be said of them, once the plan has its method.
-void complete_plan(Plan& plan);
+/// Gives a plan what its method decided; what of its data the scene does not need, and what is to be said of them, once the plan has its method.
+void complete_plan(PlannedMethod decided, Plan& plan);
 
 }  // namespace jointid::ident

@@ -38,7 +38,7 @@ Scene likelihood_of(const Scene& scene) {
   out.identify.bootstrap = 0;
   if (scene.identify.method != Method::likelihood) {
     out.identify.method = Method::likelihood;
-    out.identify.solver = "auto";
+    out.identify.solver = Solver::automatic;
   }
   return out;
 }

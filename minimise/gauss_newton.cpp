@@ -5,30 +5,29 @@
 #include <utility>
 
 #include "dense/minimum_norm.hpp"
+#include "minimise/damping.hpp"
 
 namespace jointid::minimise {
 namespace {
 
 constexpr double longest_step = 1.0;  ///< as GaussNewtonEnd begins with
-constexpr double first_damping = 1e-4, least_damping = 1e-12, most_damping = 1e12;
 constexpr double no_gain = 1e-10;          ///< of Σr²: steps are no longer judged by it
 constexpr double step_of_rounding = 1e-6;  ///< where Σr² cannot fall any more
 
 double largest_element(const Eigen::VectorXd& step) { return step.size() == 0 ? 0.0 : step.cwiseAbs().maxCoeff(); }
 
 /// A damped step that lowers Σr², more and more damped; false when there is none.
-bool descend(const Residuals& residuals, GaussNewtonResult& result, double& damping) {
+bool descend(const Residuals& residuals, GaussNewtonResult& result, Damping& damping) {
   const double cost = result.at.residual.squaredNorm();
-  for (; damping <= most_damping; damping = std::max(10.0 * damping, least_damping)) {
-    const Eigen::VectorXd tried = result.unknowns + damped_step(result.at, damping);
+  return damping.search([&](double value) {
+    const Eigen::VectorXd tried = result.unknowns + damped_step(result.at, value);
     std::optional<Linearised> next = residuals(tried);
-    if (!next || !(next->residual.squaredNorm() < cost)) continue;
+    if (!next || !(next->residual.squaredNorm() < cost)) return false;
     result.unknowns = tried;
     result.at = std::move(*next);
-    damping = damping * 0.1 < least_damping ? 0.0 : damping * 0.1;
+    damping.less();
     return true;
-  }
-  return false;
+  });
 }
 
 }  // namespace
@@ -80,7 +79,7 @@ GaussNewtonResult gauss_newton(const Residuals& residuals, const Eigen::VectorXd
   if (!first) return result;
   result.defined = true;
   result.at = std::move(*first);
-  double damping = first_damping;
+  Damping damping;
   GaussNewtonEnd end(options);
   for (; result.steps < options.most_steps; ++result.steps) {
     const Eigen::VectorXd full = damped_step(result.at, 0.0), changed = result.at.jacobian * full;

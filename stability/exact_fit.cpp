@@ -212,7 +212,7 @@ class ExactProblem {
   Real<Exact> r_;            ///< RᵀR: the information on θ
 };
 
-std::vector<std::unique_ptr<ExactLine>> likelihood_lines(ident::Plan& plan) {
+std::vector<std::unique_ptr<ExactLine>> likelihood_lines(const ident::Plan& plan) {
   ident::read_observations(plan, ident::Control());
   ident::Observations& observations = *ident::likelihood_plan(plan)->observations;
   observations.weigh_as_measured();
@@ -235,7 +235,7 @@ std::vector<std::unique_ptr<ExactLine>> response_lines(const ident::Plan& plan, 
 
 }  // namespace
 
-ExactEstimate fit_exactly(ident::Plan& plan, const Sets& sets, const std::vector<double>& start) {
+ExactEstimate fit_exactly(const ident::Plan& plan, const Sets& sets, const std::vector<double>& start) {
   Vector theta = Eigen::Map<const Eigen::VectorXd>(start.data(), at(start.size())).cast<Exact>();
   ExactProblem problem(ident::likelihood_plan(plan) != nullptr ? likelihood_lines(plan) : response_lines(plan, sets, theta), start.size());
   for (int iteration = 0; iteration < 12; ++iteration) {

@@ -13,6 +13,6 @@ namespace jointid::stability {
 /// each line's own unknowns are eliminated by QR. Method newton: residuals (6.12) of all lines
 /// (docs/formulas.md §7), weighted by 1/‖J diag θ‖.
 /// Column norms are those of the Jacobian.
-ExactEstimate fit_exactly(ident::Plan& plan, const Sets& sets, const std::vector<double>& start);
+ExactEstimate fit_exactly(const ident::Plan& plan, const Sets& sets, const std::vector<double>& start);
 
 }  // namespace jointid::stability

@@ -6,7 +6,7 @@
 #include "base/eigen.hpp"
 #include "dense/svd.hpp"
 #include "ident/equations/row_expander.hpp"
-#include "ident/plan/scaling.hpp"
+#include "restrictions/impedance_factor.hpp"
 #include "stability/exact_line.hpp"
 #include "weighting/line_weights.hpp"
 
@@ -43,7 +43,7 @@ class Stack {
       const Scalar norm = r.col(j).norm();
       unit.col(j) = Real<Scalar>(r.col(j) / norm).template cast<double>();
       const auto kind = plan_.restriction.unknowns[static_cast<std::size_t>(j)].kind;
-      const double unscale = ident::unscale(kind, plan_.omega0);
+      const double unscale = restrictions::unscale(kind, plan_.omega0);
       out.values.push_back(static_cast<double>(Scalar(y(j, 0) * Scalar(unscale))));
       out.column_norms.push_back(static_cast<double>(norm) / unscale);
     }
@@ -197,7 +197,7 @@ class Stack {
       for (const restrictions::Term& term : matrix.terms) {
         put(term.row, term.column, Scalar(term.coefficient), at(term.unknown));
       }
-      const Scalar scale = Scalar(ident::unscale(matrix.kind, plan_.omega0));
+      const Scalar scale = Scalar(restrictions::unscale(matrix.kind, plan_.omega0));
       for (const restrictions::Known& known : matrix.known) put(known.row, known.column, Scalar(-known.value) / scale, n);
     }
   }

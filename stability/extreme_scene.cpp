@@ -146,7 +146,7 @@ ExtremeProblem make(const ExtremeScene& given) {
 
 std::unique_ptr<ident::Plan> ExtremeProblem::plan(const std::string& solver) const {
   ident::Scene chosen = scene;
-  chosen.identify.solver = solver;
+  chosen.identify.solver = ident::parse_solver(solver);
   return ident::make_plan(chosen, sets.substructures, sets.assembly);
 }
 

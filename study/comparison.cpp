@@ -123,7 +123,7 @@ std::vector<Way> combinations_of_data(const ident::IdentifySection& identify, co
   for (const ident::Method method : or_own(alternatives.methods, identify.method)) {
     const auto own = method == identify.method ? identify.equations : std::vector<ident::Equation>();
     for (const auto& equations : or_own(alternatives.equations, own)) {
-      for (const std::string& solver : or_own(alternatives.solvers, identify.solver)) {
+      for (const ident::Solver solver : or_own(alternatives.solvers, identify.solver)) {
         if (!weighs_equations(method)) {
           ways.push_back({method, equations, identify.weighting, identify.delta, solver, {}});
           continue;

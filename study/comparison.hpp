@@ -17,7 +17,7 @@ struct Way {
   std::vector<ident::Equation> equations;  ///< empty: all that the data allow
   weighting::Weighting weighting = weighting::Weighting::wb;
   double delta = 0.0;  ///< 0 ≤ Δ < 2
-  std::string solver = "auto";
+  ident::Solver solver = ident::Solver::automatic;
   ident::Regeneration regenerate{};  ///< of the data, by modal models
 };
 
@@ -28,7 +28,7 @@ struct Alternatives {
   std::vector<std::vector<ident::Equation>> equations;
   std::vector<weighting::Weighting> weightings;
   std::vector<double> deltas;
-  std::vector<std::string> solvers;
+  std::vector<ident::Solver> solvers;
   std::vector<ident::Regeneration> regenerations{};
 };
 

@@ -10,6 +10,6 @@ namespace jointid::tasks {
 /// Cramér–Rao bound (docs/formulas.md §11g): the smallest standard deviation that any unbiased estimate of each unknown can have
 /// on the data of a plan with method "likelihood", if the joint is `values` (SI, one per column of the plan); infinite for
 /// unknowns that the data do not fix. On exact or model FRFs it is a prediction, on measured ones an estimate.
-std::vector<double> cramer_rao_bound(ident::Plan& plan, const std::vector<double>& values, const ident::Control& control);
+std::vector<double> cramer_rao_bound(const ident::Plan& plan, const std::vector<double>& values, const ident::Control& control);
 
 }  // namespace jointid::tasks

@@ -10,6 +10,7 @@
 #include "ident/check/check.hpp"
 #include "ident/identify.hpp"
 #include "ident/judgement/judge.hpp"
+#include "ident/judgement/measured_rectangle.hpp"
 #include "ident/likelihood/data/likelihood_plan.hpp"
 #include "ident/likelihood/findings/bound_of.hpp"
 #include "ident/likelihood/findings/identifiability.hpp"
@@ -70,7 +71,7 @@ class Baseline {
 std::unique_ptr<ident::Plan> likelihood_plan(const ident::Plan& plan, ident::Scene scene) {
   scene.identify.method = ident::Method::likelihood;
   scene.identify.automatic = false;
-  scene.identify.solver = "auto";
+  scene.identify.solver = ident::Solver::automatic;
   // A start that is not used saves planning a linear estimate.
   if (scene.identify.start.empty()) scene.identify.start = scene.truth;
   scene.couple_first = {};  // done already
@@ -95,13 +96,6 @@ double line_seconds(const ident::Plan& plan) {
   return ident::expected_seconds(cost, 1) / static_cast<double>(std::max<std::size_t>(1, cost.lines));
 }
 
-/// So many lines of a plan, spread over all.
-void keep_lines(ident::Plan& plan, std::size_t count) {
-  const std::vector<ident::Line> all = std::exchange(plan.lines, {});
-  const std::size_t kept = std::min(count, all.size());
-  for (std::size_t i = 0; i < kept; ++i) plan.lines.push_back(all[(2 * i + 1) * all.size() / (2 * kept)]);
-}
-
 /// How many lines are worked out in so many seconds of one core, for so many choices of the data.
 std::size_t affordable_lines(const ident::Plan& plan, double seconds, std::size_t choices) {
   constexpr std::size_t least = 2 * parts;
@@ -123,7 +117,7 @@ class Predictor {
     for (const frf::Dof& dof : candidates) absent_.push_back(find_candidate(plan.scene, coordinates, dof));
     left_out_ = coordinates_of_assembly();
     changes_ = left_out_.size() + absent_.size() + (absent_.size() > 1 ? 1 : 0) + 2;
-    keep_lines(*plan_, affordable_lines(*plan_, most_seconds, 1));
+    plan_->lines = spread_lines(plan_->lines, affordable_lines(*plan_, most_seconds, 1));
   }
 
   BoundReport run() {
@@ -176,7 +170,7 @@ class Predictor {
     const std::size_t lines = affordable_lines(*plan_, 2.0 * most_seconds, changes_);
     Eigen::MatrixXd information = information_;
     if (lines < plan_->lines.size()) {
-      keep_lines(*plan_, lines);
+      plan_->lines = spread_lines(plan_->lines, lines);
       read_observations(*plan_, control_);
       information = of_all(information_without(absent_));
     }
@@ -274,13 +268,14 @@ class Predictor {
   }
 
   /// The bound of another scene on the same files, without the candidates; of its lines the same part is looked at.
-  std::vector<double> bound_of_other(ident::Plan& other) {
+  std::vector<double> bound_of_other(std::unique_ptr<ident::Plan> plan) {
+    ident::Plan& other = *plan;
     std::vector<std::size_t> absent;
     const ident::Dofs& coordinates = likelihood_plan(other)->observations->layout().coordinates;
     const ident::Dofs& own = likelihood_plan(*plan_)->observations->layout().coordinates;
     for (const std::size_t c : absent_) absent.push_back(frf::find_coordinate(coordinates, own[c]));
     const std::size_t all = other.lines.size();
-    keep_lines(other, std::max<std::size_t>(1, all * plan_->lines.size() / all_lines_));
+    other.lines = spread_lines(other.lines, std::max<std::size_t>(1, all * plan_->lines.size() / all_lines_));
     read_observations(other, control_);
     likelihood_plan(other)->observations->leave_out(absent);
     const double share = static_cast<double>(all) / static_cast<double>(other.lines.size());
@@ -290,22 +285,22 @@ class Predictor {
   void add_lines(const Baseline& now, BoundReport& out) {
     ident::Scene wide = plan_->scene;
     wide.frequency = {};
-    const auto other = likelihood_plan(*plan_, wide);
+    auto other = likelihood_plan(*plan_, wide);
     if (other->lines.size() == all_lines_) return;
     const std::string what =
         "all " + std::to_string(other->lines.size()) + " lines of the files, " + range_text(*other, 0, other->lines.size());
-    out.with_more.push_back(now.change(what, bound_of_other(*other)));
+    out.with_more.push_back(now.change(what, bound_of_other(std::move(other))));
   }
 
   void add_equations(const Baseline& now, BoundReport& out) {
     ident::Scene all = plan_->scene;
     all.identify.equations.clear();
-    const auto other = likelihood_plan(*plan_, all);
+    auto other = likelihood_plan(*plan_, all);
     std::string added;
     for (const ident::Equation equation : other->equations) {
       if (std::ranges::find(plan_->equations, equation) == plan_->equations.end()) added += " " + name(equation);
     }
-    if (!added.empty()) out.with_more.push_back(now.change("equations" + added, bound_of_other(*other)));
+    if (!added.empty()) out.with_more.push_back(now.change("equations" + added, bound_of_other(std::move(other))));
   }
 
   std::unique_ptr<ident::Plan> plan_;
@@ -327,9 +322,9 @@ BoundReport predict_bound(const ident::Plan& plan, const ident::Dofs& candidates
   return Predictor(plan, candidates, control, keep).run();
 }
 
-void note_suspect(ident::Plan& plan, const ident::Control& control) {
+std::string suspect_note(const ident::Plan& plan, const ident::Control& control) {
   const ident::CheckResult found = ident::quick_check(plan, control);
-  if (found.verdict != ident::Verdict::clean) plan.notes.push_back(ident::phrase(found.suspects.front()));
+  return found.verdict == ident::Verdict::clean ? "" : ident::phrase(found.suspects.front());
 }
 
 }  // namespace jointid::tasks

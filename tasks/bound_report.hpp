@@ -49,7 +49,7 @@ struct BoundReport {
 BoundReport predict_bound(const ident::Plan& plan, const ident::Dofs& candidates, const ident::Control& control,
                           const std::function<void(const BoundReport&)>& keep = {});
 
-/// Looks at a few lines of the files for mistakes (ident::quick_check()); what stands out first becomes a note of the plan.
-void note_suspect(ident::Plan& plan, const ident::Control& control);
+/// Looks at a few lines of the files for mistakes (ident::quick_check()): what stands out first, in a sentence; empty where nothing does.
+std::string suspect_note(const ident::Plan& plan, const ident::Control& control);
 
 }  // namespace jointid::tasks

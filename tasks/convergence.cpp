@@ -12,13 +12,13 @@ namespace {
 /// Assembles one line after the other and solves what is there in between.
 class Follower final : public ident::ChunkWorker {
  public:
-  Follower(ident::Plan& plan, std::size_t points, std::vector<LineQuality>& out)
+  Follower(const ident::Plan& plan, std::size_t points, std::vector<LineQuality>& out)
       : plan_(plan),
         builder_(*linear_plan(plan)->builder),
         points_(points),
         assembler_(linear_plan(plan)->spec),
         accumulator_(plan.columns->size(),
-                     plan.solver == "normal" ? minimise::Reduction::normal : minimise::Reduction::orthogonal),
+                     plan.solver == ident::Solver::normal ? minimise::Reduction::normal : minimise::Reduction::orthogonal),
         out_(out) {}
 
   void read(std::size_t first, std::size_t last) override {
@@ -59,7 +59,7 @@ class Follower final : public ident::ChunkWorker {
     out_.push_back({i + 1, plan_.lines[i].frequency_hz, solution.quality});
   }
 
-  ident::Plan& plan_;
+  const ident::Plan& plan_;
   ident::EquationBuilder& builder_;
   std::size_t points_;
   ident::LineAssembler assembler_;
@@ -70,7 +70,7 @@ class Follower final : public ident::ChunkWorker {
 
 }  // namespace
 
-std::vector<LineQuality> quality_by_line(ident::Plan& plan, std::size_t points, const ident::Control& control) {
+std::vector<LineQuality> quality_by_line(const ident::Plan& plan, std::size_t points, const ident::Control& control) {
   std::vector<LineQuality> out;
   if (plan.scene.truth.empty() || linear_plan(plan) == nullptr) return out;
   std::vector<std::unique_ptr<ident::ChunkWorker>> workers;

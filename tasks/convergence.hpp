@@ -15,6 +15,6 @@ struct LineQuality {
 /// RJCF and ARVF against the number of frequency lines (docs/formulas.md §6): the scene solved from its first line,
 /// its first two, … Starts where the lines fix every unknown. With more than `points` lines, that many numbers of lines
 /// spread evenly. Empty when the scene tells no truth.
-std::vector<LineQuality> quality_by_line(ident::Plan& plan, std::size_t points, const ident::Control& control = {});
+std::vector<LineQuality> quality_by_line(const ident::Plan& plan, std::size_t points, const ident::Control& control = {});
 
 }  // namespace jointid::tasks

@@ -23,7 +23,7 @@ std::vector<std::size_t> places_of(const ident::Dofs& wanted, const ident::Dofs&
 /// Variances of the measured FRFs of a rectangle, chunk by chunk.
 class MeasuredNoise {
  public:
-  MeasuredNoise(ident::Plan& plan, const EntryErrors& of, const std::vector<ident::Line>& lines)
+  MeasuredNoise(const ident::Plan& plan, const EntryErrors& of, const std::vector<ident::Line>& lines)
       : lines_(lines), entries_(of.rms_db.size()), variances_(*plan.assembly, of.responses, of.references, plan.scene) {
     std::vector<std::size_t> all;
     for (const ident::Line& line : lines) all.push_back(line.assembly);
@@ -63,7 +63,7 @@ class MeasuredNoise {
 };
 
 /// None where the files do not know their errors.
-std::unique_ptr<MeasuredNoise> measured_noise(ident::Plan& plan, const EntryErrors& of, const std::vector<ident::Line>& lines) {
+std::unique_ptr<MeasuredNoise> measured_noise(const ident::Plan& plan, const EntryErrors& of, const std::vector<ident::Line>& lines) {
   try {
     auto noise = std::make_unique<MeasuredNoise>(plan, of, lines);
     if (noise->is_known()) return noise;
@@ -83,7 +83,7 @@ std::vector<double> roots(const std::vector<double>& sums, const std::vector<dou
 
 class EntryErrorWorker final : public ident::ChunkWorker {
  public:
-  EntryErrorWorker(ident::Plan& plan, const std::vector<ident::BandMatrices>& bands, const std::vector<ident::Line>& lines,
+  EntryErrorWorker(const ident::Plan& plan, const std::vector<ident::BandMatrices>& bands, const std::vector<ident::Line>& lines,
                    EntryErrors& out)
       : EntryErrorWorker(plan, bands, lines, out, ident::joint_last(out.responses, plan.coordinates.joint),
                          ident::joint_last(out.references, plan.coordinates.joint)) {}
@@ -109,7 +109,7 @@ class EntryErrorWorker final : public ident::ChunkWorker {
   std::vector<double> rms_noise() const { return noise_ ? roots(noise_sums_, noise_counts_) : std::vector<double>(); }
 
  private:
-  EntryErrorWorker(ident::Plan& plan, const std::vector<ident::BandMatrices>& bands, const std::vector<ident::Line>& lines,
+  EntryErrorWorker(const ident::Plan& plan, const std::vector<ident::BandMatrices>& bands, const std::vector<ident::Line>& lines,
                    EntryErrors& out, const ident::Dofs& rows, const ident::Dofs& columns)
       : bands_(bands),
         lines_(lines),
@@ -172,7 +172,7 @@ std::size_t most_coordinates(std::size_t lines, std::size_t joint) {
 
 }  // namespace
 
-EntryErrors entry_errors(ident::Plan& plan, const std::vector<ident::BandMatrices>& bands, const ident::Control& control) {
+EntryErrors entry_errors(const ident::Plan& plan, const std::vector<ident::BandMatrices>& bands, const ident::Control& control) {
   const std::vector<ident::Line> lines = common_lines(plan);
   const std::size_t most = most_coordinates(lines.size(), plan.coordinates.joint.size());
   EntryErrors out{regenerable_responses(plan), regenerable_references(plan), {}, {}, lines.size(), 0, 0};

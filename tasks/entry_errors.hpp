@@ -19,6 +19,6 @@ struct EntryErrors {
 /// Compares the assembly FRFs that both systems allow, at all lines that both have, those outside the identification too, in one
 /// pass over the files. With very many coordinates an even selection, so that reading and working stay within about 2·10⁹
 /// products. FRFs more than 180 dB below the largest of their line count as zero and are left out.
-EntryErrors entry_errors(ident::Plan& plan, const std::vector<ident::BandMatrices>& bands, const ident::Control& control = {});
+EntryErrors entry_errors(const ident::Plan& plan, const std::vector<ident::BandMatrices>& bands, const ident::Control& control = {});
 
 }  // namespace jointid::tasks

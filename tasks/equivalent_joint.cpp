@@ -2,15 +2,14 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "base/complex.hpp"
+#include "minimise/gauss_newton.hpp"
 
 namespace jointid::tasks {
 namespace {
-
-constexpr int most_steps = 100, most_halvings = 30;
-constexpr double small_step = 1e-12;  ///< of |h|
 
 Complex determinant(const JointLines& lines, std::size_t i) { return lines.a[i] * lines.b[i] - lines.c[i] * lines.c[i]; }
 
@@ -25,25 +24,43 @@ Residual residual(Complex value, Complex own, Complex d, Complex gap, Complex h)
   return {value - (d + own * h) / below, (d - own * gap) / (below * below)};
 }
 
-/// Σ|r|², and the Gauss–Newton step: r is a holomorphic function of h, so both parts of h come from one complex equation.
-struct HystereticStep {
-  double cost = 0.0, weight = 0.0;  ///< Σ|dr/dh|²
-  Complex step;
-};
-HystereticStep evaluate(const JointLines& lines, Complex h) {
-  HystereticStep out;
-  Complex pull = 0.0;
+/// Every FRF's √w·r and √w·dr/dh.
+template <class Add>
+void each_residual(const JointLines& lines, Complex h, const Add& add) {
   for (std::size_t i = 0; i < lines.a.size(); ++i) {
     const Complex d = determinant(lines, i);
     for (const auto& [value, own] : {std::pair(lines.h1[i], lines.a[i]), std::pair(lines.h3[i], lines.c[i])}) {
       const Residual each = residual(value, own, d, lines.gap[i], h);
-      const double w = weight_of(lines, value);
-      out.cost += w * std::norm(each.r);
-      pull += w * std::conj(each.slope) * each.r;
-      out.weight += w * std::norm(each.slope);
+      const double root = std::sqrt(weight_of(lines, value));
+      add(root * each.r, root * each.slope);
     }
   }
-  out.step = out.weight > 0.0 ? -pull / out.weight : Complex(0.0);
+}
+
+/// Σ|r|² and Σ|dr/dh|².
+struct Sums {
+  double cost = 0.0, weight = 0.0;
+};
+Sums sums_at(const JointLines& lines, Complex h) {
+  Sums out;
+  each_residual(lines, h, [&](Complex r, Complex slope) {
+    out.cost += std::norm(r);
+    out.weight += std::norm(slope);
+  });
+  return out;
+}
+
+/// In u = h/start − 1, real part before imaginary: r is a holomorphic function of h.
+minimise::Linearised linearised(const JointLines& lines, Complex start, Complex h) {
+  const auto rows = static_cast<Eigen::Index>(4 * lines.a.size());
+  minimise::Linearised out{Eigen::VectorXd(rows), Eigen::MatrixXd(rows, 2)};
+  Eigen::Index row = 0;
+  each_residual(lines, h, [&](Complex r, Complex by_h) {
+    const Complex slope = by_h * start;
+    out.residual.segment(row, 2) << r.real(), r.imag();
+    out.jacobian.middleRows(row, 2) << slope.real(), -slope.imag(), slope.imag(), slope.real();
+    row += 2;
+  });
   return out;
 }
 
@@ -52,7 +69,7 @@ Complex start(const JointLines& lines) {
   Complex best = 0.0;
   double least = std::numeric_limits<double>::infinity();
   const auto offer = [&](Complex h) {
-    const double cost = evaluate(lines, h).cost;
+    const double cost = sums_at(lines, h).cost;
     if (!(cost < least)) return;
     least = cost;
     best = h;
@@ -83,23 +100,14 @@ std::vector<Complex> rigid_gap(const JointLines& lines, const std::vector<Comple
 Complex real_frf(Complex h) { return std::copysign(std::abs(h), h.real()); }
 
 EquivalentJoint equivalent_joint(const JointLines& lines) {
+  constexpr double small_step = 1e-12;  // of |h|
   EquivalentJoint out;
-  Complex h = start(lines);
-  HystereticStep here = evaluate(lines, h);
-  out.settled = false;
-  for (int i = 0; i < most_steps && !out.settled; ++i) {
-    Complex step = here.step;
-    HystereticStep next = evaluate(lines, h + step);
-    for (int k = 0; k < most_halvings && !(next.cost <= here.cost); ++k) {
-      step *= 0.5;
-      next = evaluate(lines, h + step);
-    }
-    out.settled = std::abs(step) <= small_step * std::abs(h) || !(next.cost < here.cost);
-    if (next.cost <= here.cost) {
-      h += step;
-      here = next;
-    }
-  }
+  const Complex from = start(lines);
+  const auto at = [&](const Eigen::VectorXd& u) { return from * Complex(1.0 + u[0], u[1]); };
+  const auto found = minimise::gauss_newton([&](const Eigen::VectorXd& u) { return std::optional(linearised(lines, from, at(u))); },
+                                            Eigen::VectorXd::Zero(2), {.tolerance = small_step});
+  const Complex h = at(found.unknowns);
+  const Sums here = sums_at(lines, h);
   double size = 0.0;
   for (const auto* frf : {&lines.h1, &lines.h3}) {
     for (const Complex value : *frf) size += weight_of(lines, value) * std::norm(value);
@@ -110,7 +118,7 @@ EquivalentJoint equivalent_joint(const JointLines& lines) {
   out.misfit = std::sqrt(here.cost / size);
   const double freedom = 4.0 * static_cast<double>(lines.a.size()) - 2.0;
   out.deviation = std::norm(z) * std::sqrt(here.cost / freedom / here.weight);
-  out.settled = out.settled && std::isfinite(out.stiffness) && std::isfinite(out.damping) && std::isfinite(out.misfit);
+  out.settled = found.converged && std::isfinite(out.stiffness) && std::isfinite(out.damping) && std::isfinite(out.misfit);
   return out;
 }
 

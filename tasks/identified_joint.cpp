@@ -67,7 +67,7 @@ class Common {
 
 }  // namespace
 
-coupling::KnownJoint identified_joint(ident::Plan& plan, const ident::Solution& solution, std::vector<coupling::PlacedDof> dofs,
+coupling::KnownJoint identified_joint(const ident::Plan& plan, const ident::Solution& solution, std::vector<coupling::PlacedDof> dofs,
                                       const std::vector<std::string>& shared, bool uncertainty, const ident::Control& control) {
   if (solution.bands.size() != 1) fail(plan.scene, "its joint has bands, and so no one matrix", "identify one without bands");
   coupling::KnownJoint joint;

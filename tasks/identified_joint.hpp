@@ -12,7 +12,7 @@ namespace jointid::tasks {
 /// The joint of a solution for coupling, over `dofs` (in the order of Solution::dofs; empty: by the same names). With `uncertainty`, of
 /// method "likelihood", its errors, and what they have in common with the FRFs of the parts named `shared`, whose FRFs are those that it
 /// was found from (ident::JointErrors). Throws InputError for a joint that is not one matrix for all lines, and as joint_errors().
-coupling::KnownJoint identified_joint(ident::Plan& plan, const ident::Solution& solution, std::vector<coupling::PlacedDof> dofs,
+coupling::KnownJoint identified_joint(const ident::Plan& plan, const ident::Solution& solution, std::vector<coupling::PlacedDof> dofs,
                                       const std::vector<std::string>& shared, bool uncertainty, const ident::Control& control = {});
 
 /// A joint, and a sentence on where it came from.

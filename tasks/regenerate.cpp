@@ -42,7 +42,7 @@ struct Place {
 
 class Regenerator final : public ident::ChunkWorker {
  public:
-  Regenerator(ident::Plan& plan, const std::vector<ident::BandMatrices>& bands, const Side& rows, const Side& columns,
+  Regenerator(const ident::Plan& plan, const std::vector<ident::BandMatrices>& bands, const Side& rows, const Side& columns,
               const std::vector<ident::Line>& lines, Regenerated& out)
       : bands_(bands),
         n_(plan.coordinates.joint.size()),
@@ -147,7 +147,7 @@ std::vector<FrfEntry> choose_entries(const ident::Plan& plan, std::size_t count)
   return entries;
 }
 
-Regenerated regenerate(ident::Plan& plan, const std::vector<ident::BandMatrices>& bands, const std::vector<FrfEntry>& entries,
+Regenerated regenerate(const ident::Plan& plan, const std::vector<ident::BandMatrices>& bands, const std::vector<FrfEntry>& entries,
                        const ident::Control& control) {
   const std::vector<ident::Line> lines = common_lines(plan);
   Regenerated out = prepared(lines, entries);

@@ -39,7 +39,7 @@ std::vector<FrfEntry> choose_entries(const ident::Plan& plan, std::size_t count)
 
 /// Regenerates some assembly FRFs at all lines that both systems have, those outside the identification too. Reads the rows
 /// and columns of the entries and of the joint only; H_bb too, whether or not the identification read it.
-Regenerated regenerate(ident::Plan& plan, const std::vector<ident::BandMatrices>& bands, const std::vector<FrfEntry>& entries,
+Regenerated regenerate(const ident::Plan& plan, const std::vector<ident::BandMatrices>& bands, const std::vector<FrfEntry>& entries,
                        const ident::Control& control = {});
 
 /// rms over lines of |20 log10(|predicted|/|measured|)|, dB, where both are there; empty where they never are.

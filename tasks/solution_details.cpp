@@ -28,7 +28,7 @@ std::vector<FrfEntry> entries_of(const ident::Plan& plan, const EntryErrors& err
 
 }  // namespace
 
-SolutionDetails solution_details(ident::Plan& plan, const ident::Solution& solution, const DetailChoice& choice,
+SolutionDetails solution_details(const ident::Plan& plan, const ident::Solution& solution, const DetailChoice& choice,
                                  const ident::Control& control) {
   SolutionDetails out;
   if (!solution.bands.empty()) {

@@ -23,7 +23,7 @@ struct SolutionDetails {
 /// Reads the assembly FRFs of a solved plan and regenerates them from the substructures and the identified joint; where the scene
 /// tells the truth, solves again with fewer lines, the fewer numbers of lines the longer a solution takes. Throws InputError, and
 /// Interrupted.
-SolutionDetails solution_details(ident::Plan& plan, const ident::Solution& solution, const DetailChoice& choice = {},
+SolutionDetails solution_details(const ident::Plan& plan, const ident::Solution& solution, const DetailChoice& choice = {},
                                  const ident::Control& control = {});
 
 /// Marks the best estimate of a run that was interrupted (ident::Control::so_far): not converged, with a message that says so.

@@ -82,7 +82,9 @@ study::Alternatives alternatives(const CompareArguments& arguments) {
   }
   std::ranges::for_each(arguments.deltas, check_delta);
   out.deltas = arguments.deltas;
-  out.solvers = arguments.solvers;
+  for (const std::string& word : arguments.solvers) {
+    out.solvers.push_back(of_option("--solvers", [&] { return ident::parse_solver(word); }));
+  }
   for (const std::string& word : arguments.regenerate) {
     out.regenerations.push_back(of_option("--regenerate", [&] { return ident::parse_regeneration(word); }));
   }

@@ -53,7 +53,7 @@ void write_plan(const PlanArguments& arguments, const ident::Plan& plan, const s
 constexpr const char* cut_short = "interrupted; what was predicted so far is written";
 
 /// Interrupted, the plan and what was predicted so far are written, also when a step does not end in time.
-tasks::BoundReport bound_of(const PlanArguments& arguments, ident::Plan& plan, const ident::Control& control, std::ostream& out) {
+tasks::BoundReport bound_of(const PlanArguments& arguments, const ident::Plan& plan, const ident::Control& control, std::ostream& out) {
   SoFar<tasks::BoundReport> kept;
   const auto save = [&]() -> std::string {
     tasks::BoundReport so_far = kept.get().value_or(tasks::BoundReport{});
@@ -80,7 +80,8 @@ ExitCode execute(const PlanArguments& arguments, std::ostream& out) {
   if (arguments.bound) {
     Progress progress;
     bound = bound_of(arguments, *plan, progress.control(), out);
-    if (!bound->interrupted) tasks::note_suspect(*plan, progress.control());
+    const std::string note = bound->interrupted ? "" : tasks::suspect_note(*plan, progress.control());
+    if (!note.empty()) plan->notes.push_back(note);
   }
   const bool cut = bound && bound->interrupted;
   write_plan(arguments, *plan, bound, out);

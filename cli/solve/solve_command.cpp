@@ -76,7 +76,7 @@ ident::Solution solve_watched(const SolveArguments& arguments, ident::Plan& plan
   return with_last_words([&] { return save(arguments, best.get(), plan.scene.title, out); }, work);
 }
 
-void write_report(const std::string& target, ident::Plan& plan, const ident::Solution& solution,
+void write_report(const std::string& target, const ident::Plan& plan, const ident::Solution& solution,
                   const std::optional<tasks::FrfEntry>& entry, const report::Display& display, std::ostream& out) {
   Progress progress;
   const tasks::SolutionDetails details =
@@ -100,7 +100,7 @@ tasks::FrfEntry plotted_entry(const std::string& text, const ident::Plan& plan) 
   return entry;
 }
 
-void plot(const tasks::FrfEntry& entry, ident::Plan& plan, const ident::Solution& solution, const report::Display& display,
+void plot(const tasks::FrfEntry& entry, const ident::Plan& plan, const ident::Solution& solution, const report::Display& display,
           std::ostream& out) {
   Progress progress;
   const tasks::Regenerated shown =

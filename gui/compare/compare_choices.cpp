@@ -63,7 +63,7 @@ study::Alternatives CompareChoices::alternatives() const {
   for (const QString& words : equations_->chosen()) out.equations.push_back(equations_of(words));
   for (const QString& word : weightings_->chosen()) out.weightings.push_back(weighting::parse_weighting(word.toStdString()));
   for (const QString& word : deltas_->chosen()) out.deltas.push_back(word.toDouble());
-  for (const QString& word : solvers_->chosen()) out.solvers.push_back(word.toStdString());
+  for (const QString& word : solvers_->chosen()) out.solvers.push_back(ident::parse_solver(word.toStdString()));
   for (const QString& word : regenerated_->chosen()) out.regenerations.push_back(ident::parse_regeneration(word.toStdString()));
   return out;
 }

@@ -39,7 +39,7 @@ std::string with_way(std::string text, const study::Way& way) {
   set("method", word(ident::name(way.method)));
   if (!equations.empty()) set("equations", "[" + equations + "]");
   text = with_regeneration(text, way.regenerate);
-  set("solver", word(way.solver));
+  set("solver", word(name(way.solver)));
   if (!ident::weighs_equations(way.method)) return text;
   set("weighting", word(weighting::name(way.weighting)));
   set("delta", digits(way.delta, "%.10g"));

@@ -110,7 +110,7 @@ void add_fit(const ident::Solution& solution, Rows& out) {
 CellRows plan_rows(const ident::Plan& plan) {
   Rows out{{{Said::tr("what"), Said::tr("plan")}, {}, {}}};
   out.add(Said::tr("method"), plan.chosen.empty() ? q(ident::name(plan.scene.identify.method)) : q(plan.chosen));
-  out.add(Said::tr("solver"), q(plan.solver));
+  out.add(Said::tr("solver"), q(ident::name(plan.solver)));
   out.add(Said::tr("joint DOFs"), listed(plan.coordinates.joint));
   out.add(Said::tr("other responses"), listed(plan.coordinates.responses));
   out.add(Said::tr("other references"), listed(plan.coordinates.references));

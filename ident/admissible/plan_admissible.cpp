@@ -11,7 +11,7 @@
 #include "ident/admissible/definite_block.hpp"
 #include "ident/admissible/interior.hpp"
 #include "ident/admissible/tie.hpp"
-#include "ident/plan/scaling.hpp"
+#include "restrictions/impedance_factor.hpp"
 #include "ident/scene/scene_failure.hpp"
 
 namespace jointid::ident {
@@ -142,8 +142,8 @@ bool asks(const Scene& scene) {
 
 void require_support(const Scene& scene) {
   const IdentifySection& identify = scene.identify;
-  if (traits(identify.method).has_constraints && identify.solver != "iqml") return;
-  const std::string what = identify.solver == "iqml" ? "solver \"iqml\"" : traits(identify.method).phrase;
+  if (traits(identify.method).has_constraints && identify.solver != Solver::iqml) return;
+  const std::string what = identify.solver == Solver::iqml ? "solver \"iqml\"" : traits(identify.method).phrase;
   fail(scene, "[identify]", what + " knows no constraints (definite, bounds, ties)",
        "use method \"likelihood\" with solver \"auto\", or a linear method");
 }

@@ -14,8 +14,9 @@ namespace {
 class Assembler final : public ChunkWorker {
  public:
   /// Shares the plan's own builder, or has one of its own when others work beside it.
-  Assembler(Plan& plan, bool alone, bool measures_rounding, Assembled& total, double& read_time)
+  Assembler(const Plan& plan, const std::vector<Line>& lines, bool alone, bool measures_rounding, Assembled& total, double& read_time)
       : plan_(plan),
+        lines_(lines),
         own_builder_(alone ? nullptr : linear_plan(plan)->make_builder(plan)),
         builder_(alone ? *linear_plan(plan)->builder : *own_builder_),
         assembler_(linear_plan(plan)->spec, measures_rounding),
@@ -30,8 +31,8 @@ class Assembler final : public ChunkWorker {
     substructure_lines_.clear();
     assembly_lines_.clear();
     for (std::size_t i = first; i < last; ++i) {
-      substructure_lines_.push_back(plan_.lines[i].substructures);
-      assembly_lines_.push_back(plan_.lines[i].assembly);
+      substructure_lines_.push_back(lines_[i].substructures);
+      assembly_lines_.push_back(lines_[i].assembly);
     }
     builder_.read(substructure_lines_, assembly_lines_);
     read_time_ += seconds_since(start);
@@ -40,10 +41,10 @@ class Assembler final : public ChunkWorker {
   void work(std::size_t first, std::size_t last) override {
     assembler_.reset_counts();
     unusable_ = 0;
-    const bool only_chunk = first == 0 && last == plan_.lines.size();
+    const bool only_chunk = first == 0 && last == lines_.size();
     minimise::Accumulator& to = only_chunk ? total_.accumulator : chunk_;
     for (std::size_t i = first; i < last; ++i) {
-      product_.frequency_hz = plan_.lines[i].frequency_hz;
+      product_.frequency_hz = lines_[i].frequency_hz;
       if (builder_.line(i - first, product_)) {
         assembler_.add(product_, to);
       } else {
@@ -64,7 +65,8 @@ class Assembler final : public ChunkWorker {
   }
 
  private:
-  Plan& plan_;
+  const Plan& plan_;
+  const std::vector<Line>& lines_;
   std::unique_ptr<EquationBuilder> own_builder_;
   EquationBuilder& builder_;
   LineAssembler assembler_;
@@ -100,18 +102,18 @@ void put_together(const LineShares& shares, Assembled& system) {
 
 }  // namespace
 
-Assembled assemble(Plan& plan, RunTime& runtime, const Control& control) {
+Assembled assemble(const Plan& plan, const std::vector<Line>& of, RunTime& runtime, const Control& control) {
   const Clock::time_point start = Clock::now();
-  const minimise::Reduction reduction = plan.solver == "normal" ? minimise::Reduction::normal : minimise::Reduction::orthogonal;
+  const minimise::Reduction reduction = plan.solver == Solver::normal ? minimise::Reduction::normal : minimise::Reduction::orthogonal;
   Assembled out{minimise::Accumulator(plan.columns->size(), reduction), {}, 0, {}};
   const bool measures_rounding = control.detail == Detail::full;
   const std::size_t chunk = chunk_lines(linear_plan(plan)->builder->entries_per_line());
-  const LineShares::Range lines = control.shares.own(plan.lines.size());
+  const LineShares::Range lines = control.shares.own(of.size());
   const std::size_t count = worker_count(lines.size(), chunk, control.threads);
   double read_time = 0.0;
   std::vector<std::unique_ptr<ChunkWorker>> workers;
   for (std::size_t i = 0; i < count; ++i) {
-    workers.push_back(std::make_unique<Assembler>(plan, count == 1, measures_rounding, out, read_time));
+    workers.push_back(std::make_unique<Assembler>(plan, of, count == 1, measures_rounding, out, read_time));
   }
   run_chunks(lines, chunk, "assembling", workers, control);
   if (control.shares.size() > 1) put_together(control.shares, out);
@@ -120,9 +122,13 @@ Assembled assemble(Plan& plan, RunTime& runtime, const Control& control) {
   return out;
 }
 
+Assembled assemble(const Plan& plan, RunTime& runtime, const Control& control) {
+  return assemble(plan, plan.lines, runtime, control);
+}
+
 minimise::LinearSolution solve(const Plan& plan, minimise::Accumulator& accumulator, minimise::Condition condition) {
-  if (plan.solver == "normal") return minimise::solve_normal(accumulator, condition);
-  return plan.solver == "spqr" ? minimise::solve_sparse(accumulator, condition) : minimise::solve_dense(accumulator, condition);
+  if (plan.solver == Solver::normal) return minimise::solve_normal(accumulator, condition);
+  return plan.solver == Solver::spqr ? minimise::solve_sparse(accumulator, condition) : minimise::solve_dense(accumulator, condition);
 }
 
 }  // namespace jointid::ident

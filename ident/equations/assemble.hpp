@@ -16,7 +16,10 @@ struct Assembled {
   std::size_t lines = 0;
   RoundingScale rounding;  ///< only with Detail::full
 };
-Assembled assemble(Plan& plan, RunTime& runtime, const Control& control = {});
+
+/// Of all lines of the plan, or of those of them that are given.
+Assembled assemble(const Plan& plan, RunTime& runtime, const Control& control = {});
+Assembled assemble(const Plan& plan, const std::vector<Line>& of, RunTime& runtime, const Control& control = {});
 
 /// Its solution by the plan's solver.
 minimise::LinearSolution solve(const Plan& plan, minimise::Accumulator& accumulator,

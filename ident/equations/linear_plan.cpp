@@ -35,29 +35,29 @@ std::size_t count_equations(const Plan& plan) {
          (use.jn ? joint * n_columns : 0);
 }
 
-void count_cost(Plan& plan, const LinearPlan& own) {
+Cost cost_of(const Plan& plan, const LinearPlan& own) {
   const AssemblySpec& spec = own.spec;
-  Cost& cost = plan.cost;
+  Cost cost;
   cost.lines = plan.lines.size();
   cost.columns = plan.columns->size();
   cost.equations_per_line = count_equations(plan);
   cost.compressed_rows_per_line = compressed_rows(spec, own.rows_of_a(plan));
-  cost.bytes_read = plan.entries_per_line * sizeof(Complex) * cost.lines;
+  cost.bytes_read = own.builder->entries_per_line() * sizeof(Complex) * cost.lines;
   const auto lines = static_cast<double>(cost.lines), unknowns = static_cast<double>(plan.restriction.unknowns.size());
   const auto n = static_cast<double>(plan.coordinates.joint.size());
   const auto m = static_cast<double>(own.rows_of_a(plan)), l = static_cast<double>(own.builder->columns().size());
   cost.assemble_flops = lines * (16.0 * n * n * (m + l) + 8.0 * m * l * n + reduction_flops(spec, own.rows_of_a(plan)));
   cost.stacked_flops = lines * static_cast<double>(cost.equations_per_line) * (8.0 * n * n + 4.0 * unknowns * unknowns);
+  return cost;
 }
 
 /// SPQR pays when the stacked triangles are mostly empty and large.
-void choose_solver(Plan& plan, const LinearPlan& own) {
-  plan.solver = plan.scene.identify.solver;
-  if (plan.solver != "auto") return;
+Solver choose_solver(const Plan& plan, const LinearPlan& own) {
+  if (plan.scene.identify.solver != Solver::automatic) return plan.scene.identify.solver;
   std::size_t touched = 0;
   for (const Support& support : own.spec.supports) touched = std::max(touched, support.unknowns.size());
   const std::size_t columns = plan.columns->size();
-  plan.solver = columns >= 200 && 4 * touched <= columns && minimise::has_spqr() ? "spqr" : "qr";
+  return columns >= 200 && 4 * touched <= columns && minimise::has_spqr() ? Solver::spqr : Solver::qr;
 }
 
 }  // namespace
@@ -67,18 +67,20 @@ std::size_t LinearPlan::rows_of_a(const Plan& plan) const {
   return (use.nn || use.nj ? plan.coordinates.responses.size() : 0) + (use.jj || use.jn ? plan.coordinates.joint.size() : 0);
 }
 
-void LinearPlan::read_first_line(Plan& plan) {
+void LinearPlan::read_first_line(const Plan& plan) {
   builder->read(std::array{plan.lines.front().substructures}, std::array{plan.lines.front().assembly});
 }
 
 LinearPlan* linear_plan(const Plan& plan) { return dynamic_cast<LinearPlan*>(plan.method.get()); }
 
-void plan_linear(Plan& plan, LinearPlan& own) {
+PlannedMethod plan_linear(const Plan& plan, LinearPlan& own) {
+  PlannedMethod out = undecided(plan);
   own.builder = own.make_builder(plan);
-  plan.entries_per_line = own.builder->entries_per_line();
+  out.entries_per_line = own.builder->entries_per_line();
   plan_assembly(plan, own);
-  choose_solver(plan, own);
-  count_cost(plan, own);
+  out.solver = choose_solver(plan, own);
+  out.cost = cost_of(plan, own);
+  return out;
 }
 
 }  // namespace jointid::ident

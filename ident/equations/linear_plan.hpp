@@ -23,13 +23,13 @@ class LinearPlan : public MethodPlan {
 
   std::string not_shared(const Plan&) const override { return {}; }
 
-  void read_first_line(Plan& plan) override;
+  void read_first_line(const Plan& plan) override;
 };
 
 /// That of a plan, or nullptr for other methods.
 LinearPlan* linear_plan(const Plan& plan);
 
 /// Makes the builder of `own` and plans assembly, solver and cost of the plan that it will belong to.
-void plan_linear(Plan& plan, LinearPlan& own);
+PlannedMethod plan_linear(const Plan& plan, LinearPlan& own);
 
 }  // namespace jointid::ident

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "ident/plan/scaling.hpp"
+#include "restrictions/impedance_factor.hpp"
 #include "base/kernel.hpp"
 
 namespace jointid::ident {

@@ -98,7 +98,7 @@ void look_at(frf::FrfSystem& system, std::size_t line, const Dofs& rows, const D
 }
 
 /// Names the FRF that is odd at a line, where just one is.
-void name_frf(Plan& plan, const Line& line, DominantLine& out) {
+void name_frf(const Plan& plan, const Line& line, DominantLine& out) {
   constexpr double odd = 30.0, odder_than_next = 3.0;
   const Coordinates& own = plan.coordinates;
   const Dofs rows = joined(own.responses, own.joint), columns = joined(own.references, own.joint);
@@ -110,7 +110,7 @@ void name_frf(Plan& plan, const Line& line, DominantLine& out) {
   out.over_neighbours = worst.ratio;
 }
 
-std::optional<DominantLine> line_in(Plan& plan, LineJackknife& jackknife, const DominantGroup& dominant, const VectorXd& scale,
+std::optional<DominantLine> line_in(const Plan& plan, LineJackknife& jackknife, const DominantGroup& dominant, const VectorXd& scale,
                                     const Control& control) {
   const std::vector<Line>& lines = jackknife.groups[dominant.group];
   std::vector<std::vector<Line>> alone;
@@ -143,7 +143,7 @@ std::optional<DominantLine> line_in(Plan& plan, LineJackknife& jackknife, const 
 
 }  // namespace
 
-std::optional<DominantLine> dominant_line(Plan& plan, LineJackknife& jackknife, const std::vector<double>& y,
+std::optional<DominantLine> dominant_line(const Plan& plan, LineJackknife& jackknife, const std::vector<double>& y,
                                           const Control& control) {
   const VectorXd scale = largest_of_kind(plan, y);
   std::size_t looked_at = 0;

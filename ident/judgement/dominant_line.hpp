@@ -21,7 +21,7 @@ struct DominantLine {
 /// than a twentieth of the largest unknown of its matrix and unit; looked for in the group without which the weighted residuals
 /// fall by half. Lines that the jackknife left out are looked at where the estimate of all lines, `y`, is as far from that of the
 /// jackknife. Empty where there is none.
-std::optional<DominantLine> dominant_line(Plan& plan, LineJackknife& jackknife, const std::vector<double>& y,
+std::optional<DominantLine> dominant_line(const Plan& plan, LineJackknife& jackknife, const std::vector<double>& y,
                                           const Control& control);
 
 }  // namespace jointid::ident

@@ -134,7 +134,7 @@ void judge_errors(const Plan& plan, const std::vector<double>& theta, const Eige
 }
 
 /// By the equations of Method One.
-std::optional<Unbiased> judge_equations(Plan& plan, const std::vector<double>& theta, Solution& out) {
+std::optional<Unbiased> judge_equations(const Plan& plan, const std::vector<double>& theta, Solution& out) {
   const std::optional<NoisyLines> data = lines_to_judge(plan);
   std::optional<WhitenedFit> fit = data ? whitened_fit(plan, *data, theta) : std::nullopt;
   if (!fit) return std::nullopt;
@@ -145,7 +145,7 @@ std::optional<Unbiased> judge_equations(Plan& plan, const std::vector<double>& t
 }
 
 /// By what parts and joint predict of H_nn.
-std::optional<Unbiased> judge_prediction(Plan& plan, const std::vector<double>& theta, Solution& out) {
+std::optional<Unbiased> judge_prediction(const Plan& plan, const std::vector<double>& theta, Solution& out) {
   const std::optional<PredictedLines> data = predicted_lines_to_judge(plan);
   std::optional<PredictedFit> fit = data ? predicted_fit(plan, *data, theta) : std::nullopt;
   if (!fit) return std::nullopt;
@@ -198,7 +198,7 @@ void tell_check(const CheckResult& found, Solution& out) {
   if (out.status == Status::poor_fit) withhold_errors(out);
 }
 
-void judge_linear(Plan& plan, const minimise::LinearSolution& linear, const Control& control, Solution& out) {
+void judge_linear(const Plan& plan, const minimise::LinearSolution& linear, const Control& control, Solution& out) {
   if (linear.rank != plan.columns->size()) return;
   const bool from_prediction = !traits(plan.scene.identify.method).joint_on_assembly;
   const auto fit = from_prediction ? judge_prediction(plan, linear.y, out) : judge_equations(plan, linear.y, out);
@@ -209,7 +209,7 @@ void judge_linear(Plan& plan, const minimise::LinearSolution& linear, const Cont
   if (const auto line = dominant_line(plan, *jackknife, linear.y, control)) tell_dominant(plan, *line, out);
 }
 
-void judge_predicted(Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& scatter, Solution& out) {
+void judge_predicted(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& scatter, Solution& out) {
   judge_errors(plan, theta, scatter, judge_prediction(plan, theta, out), out);
 }
 

@@ -21,11 +21,11 @@ namespace jointid::ident {
 /// Nothing is said of the misfit where nothing is known of the noise (read_noisy_lines()). The direct solution, which has no
 /// equation of Method One, is held against what it predicts of H_nn (PredictedFit). Also doubtful: tell_errors(), and a line that
 /// decides alone (dominant_line()).
-void judge_linear(Plan& plan, const minimise::LinearSolution& linear, const Control& control, Solution& out);
+void judge_linear(const Plan& plan, const minimise::LinearSolution& linear, const Control& control, Solution& out);
 
 /// Holds a joint that was found from H_nn alone against its data. `scatter`: covariance of the scaled unknowns theta by the
 /// scatter of the lines. Errors and status as judge_linear() gives them.
-void judge_predicted(Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& scatter, Solution& out);
+void judge_predicted(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& scatter, Solution& out);
 
 /// "Most suspect: sign 125:+Y in assembly.uff. …" with its evidence.
 std::string phrase(const Suspect& suspect);

@@ -13,21 +13,6 @@ namespace {
 
 constexpr std::size_t least_lines = 4, most_groups = 12;
 
-/// Puts other lines into a plan for as long as it lives.
-class OtherLines {
- public:
-  explicit OtherLines(Plan& plan) : plan_(plan), all_(plan.lines) {}
-  ~OtherLines() { plan_.lines = std::move(all_); }
-  OtherLines(const OtherLines&) = delete;
-  OtherLines& operator=(const OtherLines&) = delete;
-
-  const std::vector<Line>& all() const { return all_; }
-
- private:
-  Plan& plan_;
-  std::vector<Line> all_;
-};
-
 std::vector<std::vector<Line>> groups_of(const std::vector<Line>& lines, std::size_t most_lines, bool bands) {
   const std::size_t count = std::min(most_lines, lines.size()), groups = std::min(count, most_groups);
   std::vector<std::vector<Line>> out(groups);
@@ -39,16 +24,14 @@ std::vector<std::vector<Line>> groups_of(const std::vector<Line>& lines, std::si
 
 }  // namespace
 
-std::vector<minimise::Accumulator> systems_of(Plan& plan, const std::vector<std::vector<Line>>& groups, const Control& control) {
-  OtherLines lines(plan);
+std::vector<minimise::Accumulator> systems_of(const Plan& plan, const std::vector<std::vector<Line>>& groups, const Control& control) {
   Control quick = control;
   quick.detail = Detail::estimates;
   quick.progress = {};
   RunTime time;
   std::vector<minimise::Accumulator> out;
   for (const std::vector<Line>& group : groups) {
-    plan.lines = group;
-    out.push_back(assemble(plan, time, quick).accumulator);
+    out.push_back(assemble(plan, group, time, quick).accumulator);
     out.back().flush();
   }
   return out;
@@ -73,7 +56,7 @@ Eigen::MatrixXd jackknife_scatter(const Eigen::MatrixXd& estimates) {
   return (g - 1.0) / g * apart * apart.transpose();
 }
 
-std::optional<LineJackknife> line_jackknife(Plan& plan, std::size_t most_lines, const Control& control) {
+std::optional<LineJackknife> line_jackknife(const Plan& plan, std::size_t most_lines, const Control& control) {
   if (plan.lines.size() < least_lines || linear_plan(plan) == nullptr) return std::nullopt;
   LineJackknife out{.groups = groups_of(plan.lines, most_lines, !plan.columns->limits_hz().empty()),
                     .systems = {},

@@ -26,10 +26,10 @@ struct LineJackknife {
 /// Groups are neighbouring lines, so that errors which neighbours share count as one; every twelfth line where a joint has bands.
 /// At most `most_lines` lines spread over all are taken. Empty with fewer than four lines, and where a group cannot be left out
 /// without the rank becoming less.
-std::optional<LineJackknife> line_jackknife(Plan& plan, std::size_t most_lines, const Control& control);
+std::optional<LineJackknife> line_jackknife(const Plan& plan, std::size_t most_lines, const Control& control);
 
 /// The systems of groups of lines, each alone.
-std::vector<minimise::Accumulator> systems_of(Plan& plan, const std::vector<std::vector<Line>>& groups, const Control& control);
+std::vector<minimise::Accumulator> systems_of(const Plan& plan, const std::vector<std::vector<Line>>& groups, const Control& control);
 
 /// An estimate (scaled unknowns) and ‖r‖² of its weighted rows.
 struct PartialEstimate {

@@ -81,7 +81,7 @@ bool knows_noise(const Plan& plan) {
   return !has_scatter(*plan.substructures, plan.scene) && !has_scatter(*plan.assembly, plan.scene);
 }
 
-std::optional<Scene> scene_with_noise(Plan& plan, const Excerpt& substructures, const Excerpt& assembly) {
+std::optional<Scene> scene_with_noise(const Plan& plan, const Excerpt& substructures, const Excerpt& assembly) {
   Scene scene = plan.scene;
   if (knows_noise(plan)) return scene;
   const auto parts = scattered_level(*plan.substructures, substructures, scene);

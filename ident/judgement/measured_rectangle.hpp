@@ -44,6 +44,6 @@ bool knows_noise(const Plan& plan);
 
 /// The scene of a plan, with a [noise] that is what neighbouring lines of some FRFs scatter where files and scene say nothing;
 /// empty where the lines do not tell it.
-std::optional<Scene> scene_with_noise(Plan& plan, const Excerpt& substructures, const Excerpt& assembly);
+std::optional<Scene> scene_with_noise(const Plan& plan, const Excerpt& substructures, const Excerpt& assembly);
 
 }  // namespace jointid::ident

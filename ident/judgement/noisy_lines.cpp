@@ -151,7 +151,7 @@ NoisyLine line_of(const NoisyLines& form, const MeasuredRectangle& sub, const Co
   return out;
 }
 
-std::optional<NoisyLines> read_form(Plan& plan, std::size_t most) {
+std::optional<NoisyLines> read_form(const Plan& plan, std::size_t most) {
   const Reads reads = reads_of(plan);
   const Dofs& joint = plan.coordinates.joint;
   const std::vector<Line> chosen = spread_lines(plan.lines, most);
@@ -178,7 +178,7 @@ std::optional<NoisyLines> read_form(Plan& plan, std::size_t most) {
 
 }  // namespace
 
-std::optional<NoisyLines> read_noisy_lines(Plan& plan, std::size_t most) {
+std::optional<NoisyLines> read_noisy_lines(const Plan& plan, std::size_t most) {
   try {
     return read_form(plan, most);
   } catch (const InputError&) {

@@ -39,6 +39,6 @@ struct NoisyLines {
 /// Reads up to `most` lines of a plan, spread over all of them, in the form of Method One: by the plan's equations, or for
 /// methods that have others by all that the data allow. Empty where Method One has no equation, or nothing is known of the
 /// noise: files without variances and no [noise], whose lines are too coarse to tell noise from what is between them.
-std::optional<NoisyLines> read_noisy_lines(Plan& plan, std::size_t most);
+std::optional<NoisyLines> read_noisy_lines(const Plan& plan, std::size_t most);
 
 }  // namespace jointid::ident

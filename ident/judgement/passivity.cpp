@@ -6,7 +6,7 @@
 #include "base/eigen.hpp"
 #include "base/text.hpp"
 #include "dense/eigen.hpp"
-#include "ident/plan/scaling.hpp"
+#include "restrictions/impedance_factor.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -7,9 +7,10 @@
 #include "base/eigen.hpp"
 #include "base/error.hpp"
 #include "base/statistics.hpp"
-#include "dense/lu.hpp"
-#include "ident/judgement/line_joint.hpp"
+#include "coupling/joint_loop.hpp"
+#include "ident/plan/joint_impedance.hpp"
 #include "ident/judgement/measured_rectangle.hpp"
+#include "minimise/damping.hpp"
 #include "minimise/linear/covariance.hpp"
 
 namespace jointid::ident {
@@ -51,7 +52,7 @@ PredictedLine predicted_line(const MeasuredRectangle& parts, const MeasuredRecta
   return out;
 }
 
-std::optional<PredictedLines> read_all(Plan& plan, std::size_t most) {
+std::optional<PredictedLines> read_all(const Plan& plan, std::size_t most) {
   const Coordinates& own = plan.coordinates;
   const Dofs rows = joined(own.responses, own.joint), columns = joined(own.references, own.joint);
   const std::vector<Line> chosen = spread_lines(plan.lines, most);
@@ -78,11 +79,9 @@ struct PredictedResidual {
 };
 
 PredictedResidual residual_at(const PredictedLine& line, const MatrixXcd& z) {
-  const Index n = z.rows();
-  const MatrixXcd one = MatrixXcd::Identity(n, n);
   PredictedResidual out;
-  out.to_joint = dense::solve(one + line.bb * z, line.ba);
-  out.from_joint = dense::solve((one + z * line.bb).transpose(), line.ab.transpose()).transpose();
+  out.to_joint = coupling::motion_with_joint(line.bb, z, line.ba);
+  out.from_joint = coupling::motion_from_joint(line.ab, z, line.bb);
   const MatrixXcd force = z * out.to_joint;  // P H_ba
   out.f = line.nn - line.aa + line.ab * force;
   const MatrixXd right = force.cwiseAbs2(), left = (out.from_joint * z).cwiseAbs2();
@@ -102,8 +101,8 @@ double weighted_square(const MatrixXcd& f, const MatrixXd& weight) {
 }
 
 /// Σ w Re conj(e_k) e_l of a line, the last column being F.
-MatrixXd normal_at(const LineJoint& joint, const PredictedResidual& now) {
-  const Index p = at(joint.unknowns.size()), size = now.f.size();
+MatrixXd normal_at(const JointImpedance& joint, const PredictedResidual& now) {
+  const Index p = at(joint.columns().size()), size = now.f.size();
   MatrixXd rows = MatrixXd::Zero(2 * size, p + 1);
   const auto put = [&](const MatrixXcd& values, Index column) {
     for (Index i = 0; i < size; ++i) {
@@ -115,7 +114,7 @@ MatrixXd normal_at(const LineJoint& joint, const PredictedResidual& now) {
   };
   for (Index k = 0; k < p; ++k) {
     MatrixXcd derivative = MatrixXcd::Zero(now.f.rows(), now.f.cols());
-    for (const auto& [row, column, factor] : joint.unknowns[static_cast<std::size_t>(k)]) {
+    for (const auto& [row, column, factor] : joint.places(static_cast<std::size_t>(k))) {
       derivative += factor * now.from_joint.col(row) * now.to_joint.row(column);
     }
     put(derivative, k);
@@ -138,7 +137,9 @@ struct LinesAbout {
 class PredictedEquations {
  public:
   PredictedEquations(const Plan& plan, const PredictedLines& data) : data_(data), unknowns_(at(plan.columns->size())) {
-    for (const PredictedLine& line : data.lines) joints_.push_back(joint_at(plan, line.frequency_hz));
+    for (const PredictedLine& line : data.lines) {
+      joints_.push_back(joint_at(plan.restriction, *plan.columns, plan.omega0, angular(line.frequency_hz)));
+    }
   }
 
   LinesAbout about(const std::vector<double>& theta) const {
@@ -146,7 +147,7 @@ class PredictedEquations {
     std::vector<double> misfits;
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       out.weights.emplace_back();
-      if (joints_[i].columns.empty()) continue;
+      if (joints_[i].columns().empty()) continue;
       const PredictedResidual now = residual_at(data_.lines[i], joints_[i].at(theta));
       out.weights.back() = now.weight;
       const double equations = now.equations();
@@ -171,13 +172,13 @@ class PredictedEquations {
   }
 
  private:
-  void add(const LineJoint& joint, const MatrixXd& normal, LinesAbout& to) const {
-    const Index p = at(joint.columns.size());
+  void add(const JointImpedance& joint, const MatrixXd& normal, LinesAbout& to) const {
+    const Index p = at(joint.columns().size());
     VectorXd gradient = VectorXd::Zero(unknowns_);
     for (Index k = 0; k < p; ++k) {
-      const Index row = at(joint.columns[static_cast<std::size_t>(k)]);
+      const Index row = at(joint.columns()[static_cast<std::size_t>(k)]);
       gradient[row] += normal(k, p);
-      for (Index l = 0; l < p; ++l) to.information(row, at(joint.columns[static_cast<std::size_t>(l)])) += normal(k, l);
+      for (Index l = 0; l < p; ++l) to.information(row, at(joint.columns()[static_cast<std::size_t>(l)])) += normal(k, l);
     }
     to.gradient += gradient;
     to.by_line.push_back(std::move(gradient));
@@ -185,7 +186,7 @@ class PredictedEquations {
 
   const PredictedLines& data_;
   Index unknowns_;
-  std::vector<LineJoint> joints_;
+  std::vector<JointImpedance> joints_;
 };
 
 std::vector<double> moved(std::vector<double> theta, const VectorXd& step) {
@@ -195,18 +196,18 @@ std::vector<double> moved(std::vector<double> theta, const VectorXd& step) {
 
 /// The step that lowers the cost, by more and more damping; empty where none does.
 std::optional<VectorXd> damped_step(const PredictedEquations& equations, const std::vector<double>& theta, const LinesAbout& now,
-                                    double& lambda) {
-  constexpr double most = 1e8;
-  for (; lambda < most; lambda = std::max(1e-4, 10.0 * lambda)) {
+                                    minimise::Damping& damping) {
+  std::optional<VectorXd> found;
+  damping.search([&](double value) {
     MatrixXd damped = now.information;
-    damped.diagonal() *= 1.0 + lambda;
+    damped.diagonal() *= 1.0 + value;
     const VectorXd step = -minimise::covariance_of(damped) * now.gradient;
-    if (step.allFinite() && equations.cost(moved(theta, step), now.weights) < now.cost) {
-      lambda = lambda > 1e-4 ? 0.1 * lambda : 0.0;
-      return step;
-    }
-  }
-  return std::nullopt;
+    if (!step.allFinite() || !(equations.cost(moved(theta, step), now.weights) < now.cost)) return false;
+    found = step;
+    damping.less();
+    return true;
+  });
+  return found;
 }
 
 /// H⁻¹ (Σ g_l g_lᵀ) H⁻¹ · L/(L−1).
@@ -219,7 +220,7 @@ MatrixXd scatter_of_lines(const LinesAbout& at_end) {
 }
 
 /// Reads up to `most` lines, spread over all. Empty where nothing is known of the noise, as read_noisy_lines().
-std::optional<PredictedLines> read_predicted_lines(Plan& plan, std::size_t most) {
+std::optional<PredictedLines> read_predicted_lines(const Plan& plan, std::size_t most) {
   try {
     return read_all(plan, most);
   } catch (const InputError&) {
@@ -229,7 +230,7 @@ std::optional<PredictedLines> read_predicted_lines(Plan& plan, std::size_t most)
 
 }  // namespace
 
-std::optional<PredictedLines> predicted_lines_to_judge(Plan& plan) {
+std::optional<PredictedLines> predicted_lines_to_judge(const Plan& plan) {
   constexpr double flops = 2e9;
   constexpr std::size_t most = 64, least = 6;
   if (!plan.regenerated.empty() || !plan.scene.couple_first.pairs.empty()) return std::nullopt;
@@ -250,10 +251,10 @@ std::optional<PredictedFit> predicted_fit(const Plan& plan, const PredictedLines
   PredictedFit fit{.theta = start, .covariance = {}};
   LinesAbout now = equations.about(fit.theta);
   if (now.by_line.empty()) return std::nullopt;
-  double lambda = 0.0;
+  minimise::Damping damping({.first = 0.0, .least = 1e-4, .most = 1e8, .again = 1e-4});
   bool settled = false;
   for (int k = 0; k < most_steps && !settled; ++k) {
-    const auto step = damped_step(equations, fit.theta, now, lambda);
+    const auto step = damped_step(equations, fit.theta, now, damping);
     settled = !step || step->dot(now.information * *step) < near * near * std::max(now.misfit, 1e-12);
     if (!step) break;
     fit.theta = moved(fit.theta, *step);

@@ -35,7 +35,7 @@ struct PredictedFit {
 
 /// Lines for predicted_fit(), as many as it takes in about a second. Empty where errors have much in common (modal models,
 /// couple_first), and as read_predicted_lines().
-std::optional<PredictedLines> predicted_lines_to_judge(Plan& plan);
+std::optional<PredictedLines> predicted_lines_to_judge(const Plan& plan);
 
 /// Empty where no line has an equation with noise.
 std::optional<PredictedFit> predicted_fit(const Plan& plan, const PredictedLines& data, const std::vector<double>& start);

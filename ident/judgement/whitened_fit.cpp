@@ -5,7 +5,7 @@
 
 #include "base/eigen.hpp"
 #include "base/statistics.hpp"
-#include "ident/judgement/line_joint.hpp"
+#include "ident/plan/joint_impedance.hpp"
 #include "minimise/linear/covariance.hpp"
 
 namespace jointid::ident {
@@ -83,7 +83,7 @@ LineResidual residual_of(const NoisyLines& data, const NoisyLine& line, const Ma
 }
 
 /// A T_k B: the derivative of r by an unknown.
-MatrixXcd derivative(const NoisyLine& line, const std::vector<LineJoint::Place>& places) {
+MatrixXcd derivative(const NoisyLine& line, const std::vector<JointImpedance::Place>& places) {
   MatrixXcd e = MatrixXcd::Zero(line.a.rows(), line.b.cols());
   for (const auto& [row, column, factor] : places) e += factor * line.a.col(row) * line.b.row(column);
   return e;
@@ -105,12 +105,12 @@ MatrixXd gram(const MatrixXd& rows) {
 }
 
 /// Σ w Re conj(e_k) e_l over the equations of a line, the last column being r without what the unknowns make of it.
-MatrixXd normal_of(const NoisyLine& line, const LineJoint& joint, const LineResidual& now) {
-  const Index p = at(joint.unknowns.size());
+MatrixXd normal_of(const NoisyLine& line, const JointImpedance& joint, const LineResidual& now) {
+  const Index p = at(joint.columns().size());
   MatrixXd rows(2 * now.r.size(), p + 1);
   const MatrixXd root = now.weight.cwiseSqrt();
-  for (Index k = 0; k < p; ++k) put(derivative(line, joint.unknowns[static_cast<std::size_t>(k)]), root, k, rows);
-  put(line.a * joint.known * line.b - line.c, root, p, rows);
+  for (Index k = 0; k < p; ++k) put(derivative(line, joint.places(static_cast<std::size_t>(k))), root, k, rows);
+  put(line.a * joint.known() * line.b - line.c, root, p, rows);
   return gram(rows);
 }
 
@@ -141,8 +141,8 @@ MatrixXd shared_noise_of(const NoisyLines& data, const NoisyLine& line, const Li
 }
 
 /// What the errors of the FRFs add to normal_of() on average.
-MatrixXd noise_of(const NoisyLines& data, const NoisyLine& line, const LineJoint& joint, const LineResidual& now) {
-  const Index p = at(joint.unknowns.size()), n = line.b.rows();
+MatrixXd noise_of(const NoisyLines& data, const NoisyLine& line, const JointImpedance& joint, const LineResidual& now) {
+  const Index p = at(joint.columns().size()), n = line.b.rows();
   const MatrixXd va = known_only(line.a_variance), vb = known_only(line.b_variance);
   const MatrixXd of_b = (va.transpose() * now.weight).cwiseSqrt();  // [N×L]
   MatrixXd alone = vb;  // errors that depend on nothing
@@ -161,14 +161,14 @@ MatrixXd noise_of(const NoisyLines& data, const NoisyLine& line, const LineJoint
   };
   for (Index k = 0; k < p; ++k) {
     MatrixXcd matrix = MatrixXcd::Zero(n, n), tb = MatrixXcd::Zero(n, line.b.cols()), a_t = MatrixXcd::Zero(line.a.rows(), n);
-    for (const auto& [row, column, factor] : joint.unknowns[static_cast<std::size_t>(k)]) {
+    for (const auto& [row, column, factor] : joint.places(static_cast<std::size_t>(k))) {
       matrix(row, column) += factor;
       tb.row(row) += factor * line.b.row(column);
       a_t.col(column) += factor * line.a.col(row);
     }
     add(matrix, tb, a_t, k);
   }
-  add(joint.known, shifted_p(data, joint.known * line.b), shifted_q(data, line.a * joint.known), p);
+  add(joint.known(), shifted_p(data, joint.known() * line.b), shifted_q(data, line.a * joint.known()), p);
   return gram(rows_b) + gram(rows_a) + gram(rows_both) + shared_noise_of(data, line, now, q);
 }
 
@@ -192,15 +192,17 @@ MatrixXd spread(const MatrixXd& local, const std::vector<std::size_t>& columns, 
 class WhitenedEquations {
  public:
   WhitenedEquations(const Plan& plan, const NoisyLines& data) : data_(data), unknowns_(at(plan.columns->size())) {
-    for (const NoisyLine& line : data.lines) joints_.push_back(joint_at(plan, line.frequency_hz));
+    for (const NoisyLine& line : data.lines) {
+      joints_.push_back(joint_at(plan.restriction, *plan.columns, plan.omega0, angular(line.frequency_hz)));
+    }
   }
 
   /// `noise_share`: how much of the variances that are assumed is there.
   NormalSum sum(const std::vector<double>& theta, double noise_share) const {
     NormalSum out{{}, MatrixXd::Zero(unknowns_ + 1, unknowns_ + 1), MatrixXd::Zero(unknowns_ + 1, unknowns_ + 1)};
     each(theta, [&](std::size_t i, const LineResidual& now) {
-      const MatrixXd normal = spread(normal_of(data_.lines[i], joints_[i], now), joints_[i].columns, unknowns_);
-      const MatrixXd noise = noise_share * spread(noise_of(data_, data_.lines[i], joints_[i], now), joints_[i].columns, unknowns_);
+      const MatrixXd normal = spread(normal_of(data_.lines[i], joints_[i], now), joints_[i].columns(), unknowns_);
+      const MatrixXd noise = noise_share * spread(noise_of(data_, data_.lines[i], joints_[i], now), joints_[i].columns(), unknowns_);
       out.normal += normal;
       out.noise += noise;
       out.by_line.push_back(normal - noise);
@@ -212,8 +214,8 @@ class WhitenedEquations {
   double free_misfit() const {
     std::vector<double> lines;
     for (std::size_t i = 0; i < joints_.size(); ++i) {
-      if (joints_[i].columns.empty()) continue;
-      const MatrixXcd none = MatrixXcd::Zero(joints_[i].known.rows(), joints_[i].known.cols());
+      if (joints_[i].columns().empty()) continue;
+      const MatrixXcd none = MatrixXcd::Zero(joints_[i].known().rows(), joints_[i].known().cols());
       const LineResidual now = residual_of(data_, data_.lines[i], none);
       const double used = (now.weight.array() > 0.0).cast<double>().sum();
       if (used > 0.0) lines.push_back((now.weight.array() > 0.0).select(now.weight.cwiseProduct(now.r.cwiseAbs2()), 0.0).sum() / used);
@@ -254,7 +256,7 @@ class WhitenedEquations {
   template <class Work>
   void each(const std::vector<double>& theta, const Work& work) const {
     for (std::size_t i = 0; i < joints_.size(); ++i) {
-      if (joints_[i].columns.empty()) continue;
+      if (joints_[i].columns().empty()) continue;
       const LineResidual now = residual_of(data_, data_.lines[i], joints_[i].at(theta));
       if (now.weight.maxCoeff() > 0.0) work(i, now);
     }
@@ -262,7 +264,7 @@ class WhitenedEquations {
 
   const NoisyLines& data_;
   Index unknowns_;
-  std::vector<LineJoint> joints_;
+  std::vector<JointImpedance> joints_;
 };
 
 std::vector<double> solution_of(const MatrixXd& sum) {
@@ -307,13 +309,13 @@ std::size_t affordable_lines(const Plan& plan) {
 
 }  // namespace
 
-std::optional<NoisyLines> lines_to_judge(Plan& plan) {
+std::optional<NoisyLines> lines_to_judge(const Plan& plan) {
   const std::size_t lines = affordable_lines(plan);
   if (lines == 0 || !plan.regenerated.empty() || !plan.scene.couple_first.pairs.empty()) return std::nullopt;
   return read_noisy_lines(plan, lines);
 }
 
-bool beyond_any_joint(Plan& plan, const std::vector<double>& theta) {
+bool beyond_any_joint(const Plan& plan, const std::vector<double>& theta) {
   constexpr double far_misfit = 9.0;
   const std::optional<NoisyLines> data = lines_to_judge(plan);
   const std::optional<WhitenedFit> fit = data ? whitened_fit(plan, *data, theta) : std::nullopt;

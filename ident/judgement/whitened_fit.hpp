@@ -32,10 +32,10 @@ std::optional<WhitenedFit> whitened_fit(const Plan& plan, const NoisyLines& data
 
 /// Whether the data contradict every joint of a scene: WhitenedFit::misfit above 9, from the scaled unknowns of any estimate.
 /// False where that cannot be told.
-bool beyond_any_joint(Plan& plan, const std::vector<double>& theta);
+bool beyond_any_joint(const Plan& plan, const std::vector<double>& theta);
 
 /// Lines for whitened_fit(), as many as it takes in about a second. Empty where those are not even a few, where errors have much
 /// in common (modal models, couple_first), and as read_noisy_lines().
-std::optional<NoisyLines> lines_to_judge(Plan& plan);
+std::optional<NoisyLines> lines_to_judge(const Plan& plan);
 
 }  // namespace jointid::ident

@@ -53,9 +53,9 @@ using enum weighting::Weighting;
 constexpr std::array<std::pair<weighting::Weighting, double>, 4> linear_ways = {{{wb, 0.0}, {wbg, 0.0}, {wbs, 0.1}, {wa, 0.0}}};
 
 /// Linear estimates with one weighting after the other.
-std::optional<std::vector<double>> linear_start(Plan& plan, std::size_t k, const Control& control) {
+std::optional<std::vector<double>> linear_start(const Plan& plan, std::size_t k, const Control& control) {
   if (k >= linear_ways.size()) return std::nullopt;
-  Plan& start = *likelihood_plan(plan)->start;
+  const Plan& start = *likelihood_plan(plan)->start;
   AssemblySpec& spec = linear_plan(start)->spec;
   std::tie(spec.weighting, spec.delta) = linear_ways[k];
   return started(plan, start, control);
@@ -68,7 +68,7 @@ minimise::StartPoints in_sizes(const std::vector<std::vector<double>>& joints, L
 
 /// Where H_jn of the assembly is not measured: the first as it is, then along method "newton" from those in sizes that fit. What
 /// the data say of the joint then is far from linear, and its steps come nearer from farther away.
-Starts predicted_starts(Plan& plan, std::optional<std::vector<double>> first, const minimise::StartPoints& points,
+Starts predicted_starts(const Plan& plan, std::optional<std::vector<double>> first, const minimise::StartPoints& points,
                         std::size_t most) {
   return [first = std::move(first), points, most, &plan](std::size_t k) -> std::optional<std::vector<double>> {
     if (k >= most) return std::nullopt;
@@ -80,14 +80,14 @@ Starts predicted_starts(Plan& plan, std::optional<std::vector<double>> first, co
 bool joint_is_reached(const Plan& plan) { return likelihood_plan(plan)->observations->layout().reaches_joint(); }
 
 /// From the scene's start.
-Starts given_starts(Plan& plan, LikelihoodEstimator& estimator, std::size_t most) {
+Starts given_starts(const Plan& plan, LikelihoodEstimator& estimator, std::size_t most) {
   const auto points = in_sizes({scaled(plan, joint_values(plan, plan.scene.identify.start, "[identify] start"))}, estimator);
   if (!joint_is_reached(plan)) return predicted_starts(plan, points(0), points, most);
   return [points, most](std::size_t k) { return k < most ? std::optional(points(k)) : std::nullopt; };
 }
 
 /// Where H_jn is not measured: from springs, and first from the direct solution when that fits better, as it does without noise.
-Starts guessed_starts(Plan& plan, LikelihoodEstimator& estimator, const std::vector<std::vector<double>>& springs,
+Starts guessed_starts(const Plan& plan, LikelihoodEstimator& estimator, const std::vector<std::vector<double>>& springs,
                       const Control& control, std::size_t most) {
   const auto points = in_sizes(springs, estimator);
   std::optional direct = linear_start(plan, 0, control);
@@ -97,7 +97,7 @@ Starts guessed_starts(Plan& plan, LikelihoodEstimator& estimator, const std::vec
 
 /// Linear estimates, that which fits best first, then random changes of that one. Where the first nearly fits no other is worked out
 /// to compare it with.
-Starts linear_starts(Plan& plan, LikelihoodEstimator& estimator, const Control& control, std::size_t most) {
+Starts linear_starts(const Plan& plan, LikelihoodEstimator& estimator, const Control& control, std::size_t most) {
   constexpr double near = 1.0;
   std::vector<std::vector<double>> found;
   std::ptrdiff_t best = 0;
@@ -117,7 +117,7 @@ Starts linear_starts(Plan& plan, LikelihoodEstimator& estimator, const Control& 
   };
 }
 
-Starts starts_of(Plan& plan, LikelihoodEstimator& estimator, const Control& control) {
+Starts starts_of(const Plan& plan, LikelihoodEstimator& estimator, const Control& control) {
   const LikelihoodPlan& own = *likelihood_plan(plan);
   const std::size_t wanted = plan.scene.identify.starts;
   const std::size_t of_sizes = wanted > 0 ? wanted : 2 * minimise::StartPoints::sizes;
@@ -193,7 +193,7 @@ class BestJoint {
   std::size_t steps_ = 0;
 };
 
-LikelihoodFit fit_by_solver(Plan& plan, LikelihoodEstimator& estimator, const Control& control, std::string& stage,
+LikelihoodFit fit_by_solver(const Plan& plan, LikelihoodEstimator& estimator, const Control& control, std::string& stage,
                             double& start_time) {
   const FitWatcher watch = [&](std::size_t iteration) {
     stop_if(control.interrupted);
@@ -202,13 +202,13 @@ LikelihoodFit fit_by_solver(Plan& plan, LikelihoodEstimator& estimator, const Co
   const Clock::time_point begun = Clock::now();
   const Starts starts = starts_of(plan, estimator, control);
   start_time = seconds_since(begun);
-  if (plan.solver == "gauss-helmert") {
+  if (plan.solver == Solver::gauss_helmert) {
     const Follow usual = joint_is_reached(plan) ? Follow::until_it_fits : Follow::until_reached_twice;
     const Doubt doubtful = [&plan](const LikelihoodFit& fit) { return largest_relative_error(plan, fit) >= nonlinear_error; };
     return estimator.run(starts, watch, plan.scene.identify.starts > 0 ? Follow::all : usual, doubtful);
   }
   LikelihoodFit fit = estimator.run_whitened(*starts(0), watch);
-  if (plan.solver == "ceres") {
+  if (plan.solver == Solver::ceres) {
     fit = adjust_bundle(*likelihood_plan(plan)->observations, plan.restriction, *plan.columns, plan.omega0, fit, watch);
   }
   // Brings the lines to this joint for what is said of them afterwards.
@@ -297,7 +297,7 @@ minimise::LinearSolution with_rank(const Plan& plan, const LikelihoodFit& fit) {
 }
 
 /// Replaces the Cramér–Rao errors by those of a bootstrap; keeps them, and says so, when too many replicates fail.
-void bootstrap_errors(Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit, const Control& control,
+void bootstrap_errors(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit, const Control& control,
                       Solution& out) {
   const std::vector<Replicate> replicates = bootstrap(plan, estimator, fit, control);
   const auto usable = static_cast<std::size_t>(std::ranges::count_if(replicates, &Replicate::usable));
@@ -341,7 +341,7 @@ struct Fitted {
   std::unique_ptr<AssumedGain> gain = {};  ///< a common gain that is one of the unknowns
   std::optional<FileGain> without = {};    ///< what the fit without that gain said of it
 
-  bool is_own(const Plan& plan) const { return plan.solver == "gauss-helmert" && fit.converged; }
+  bool is_own(const Plan& plan) const { return plan.solver == Solver::gauss_helmert && fit.converged; }
   /// Whether intervals may hold more than the noise that variances tell.
   bool may_widen(const Plan& plan) const { return is_own(plan) && !plan.admissible && plan.scene.identify.bootstrap == 0; }
 };
@@ -353,7 +353,7 @@ Fitted with_chi_square(const Plan& plan, LikelihoodEstimator estimator, Likeliho
   return {std::move(estimator), std::move(fit), std::move(chi_square), ratio};
 }
 
-Fitted fitted(Plan& plan, const Control& control, const std::shared_ptr<std::string>& stage, Solution& out) {
+Fitted fitted(const Plan& plan, const Control& control, const std::shared_ptr<std::string>& stage, Solution& out) {
   const Clock::time_point start = Clock::now();
   LikelihoodEstimator estimator = make_estimator(plan, control, stage);
   BestJoint best(plan, out, control);
@@ -382,7 +382,7 @@ bool explains(double with, double without, double freedom) {
 }
 
 /// Once more with a gain of all FRFs of a file, where the data call for that and it explains them.
-void fit_with_gain(Plan& plan, const Control& control, const std::shared_ptr<std::string>& stage, Fitted& all) {
+void fit_with_gain(const Plan& plan, const Control& control, const std::shared_ptr<std::string>& stage, Fitted& all) {
   const FileGain* const gain = all.tried && !all.tried->is_calibration_stated ? telling_gain(all.tried->files) : nullptr;
   if (gain == nullptr || has_better_explanation(*all.tried, *gain)) return;
   const FileGain chosen = *gain;
@@ -464,7 +464,7 @@ void tell_force_noise(Solution& out) {
   tell(out, Status::doubtful, "Noise of the force's signal: " + found->evidence + ". Use H2 or Hv, or a force with less noise.");
 }
 
-void estimate(Plan& plan, const Control& control, Solution& out) {
+void estimate(const Plan& plan, const Control& control, Solution& out) {
   const Clock::time_point start = Clock::now();
   Observations& observations = *likelihood_plan(plan)->observations;
   read_observations(plan, control);
@@ -532,7 +532,7 @@ void estimate(Plan& plan, const Control& control, Solution& out) {
 
 class LikelihoodMethod final : public LikelihoodPlan {
  public:
-  void solve(Plan& plan, const Control& control, Solution& out) override {
+  void solve(const Plan& plan, const Control& control, Solution& out) override {
     estimate(plan, control, out);
     tell_and_predict(plan, control, out);
   }
@@ -540,10 +540,8 @@ class LikelihoodMethod final : public LikelihoodPlan {
 
 }  // namespace
 
-std::unique_ptr<MethodPlan> plan_likelihood(Plan& plan, const StartPlanner& plan_start) {
-  auto own = std::make_unique<LikelihoodMethod>();
-  plan_observations(plan, plan_start, *own);
-  return own;
+PlannedMethod plan_likelihood(const Plan& plan, const StartPlanner& plan_start) {
+  return plan_observations(plan, plan_start, std::make_unique<LikelihoodMethod>());
 }
 
 }  // namespace jointid::ident

@@ -6,6 +6,6 @@ namespace jointid::ident {
 
 /// Method "likelihood": reads, starts from the linear estimate or the scene's, fits, and fills a solution with unknowns, standard
 /// errors and 95 % intervals from the Cramér–Rao covariance, matrices, χ² and figures of merit.
-std::unique_ptr<MethodPlan> plan_likelihood(Plan& plan, const StartPlanner& plan_start);
+PlannedMethod plan_likelihood(const Plan& plan, const StartPlanner& plan_start);
 
 }  // namespace jointid::ident

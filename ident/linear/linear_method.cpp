@@ -20,7 +20,7 @@ std::string without_equations(const Plan& plan) {
          ", or look with `jointid info` at what the files hold.";
 }
 
-void estimate(Plan& plan, Assembled& system, const Control& control, Solution& out) {
+void estimate(const Plan& plan, Assembled& system, const Control& control, Solution& out) {
   minimise::LinearSolution linear;
   bool settled = true;
   {
@@ -51,7 +51,7 @@ void estimate(Plan& plan, Assembled& system, const Control& control, Solution& o
 /// Assembles all lines, solves and judges, which all linear methods have in common.
 class LinearMethod : public LinearPlan {
  public:
-  void solve(Plan& plan, const Control& control, Solution& out) override {
+  void solve(const Plan& plan, const Control& control, Solution& out) override {
     Assembled system = assemble(plan, out.runtime_s, control);
     out.fit.equations_used = system.equations.used;
     out.fit.equations_dropped = system.equations.dropped;
@@ -73,15 +73,15 @@ class MethodOnePlan final : public LinearMethod {
   }
 
   /// That takes H_bb, too.
-  void plan_prediction(Plan& plan) const {
+  void plan_prediction(const Plan& plan, PlannedMethod& out) const {
     const EquationSet use(plan.equations);
     const Coordinates& at = plan.coordinates;
     if (!use.nj && !use.jj) {
-      plan.left_out.push_back("the assembly FRF error: it needs H_bb, which the equations do not read");
+      out.left_out.push_back("the assembly FRF error: it needs H_bb, which the equations do not read");
       return;
     }
-    plan.predicted_responses = joined(only_if(use.nn || use.nj, at.responses), only_if(use.jj || use.jn, at.joint));
-    plan.predicted_references = joined(only_if(use.nn || use.jn, at.references), at.joint);
+    out.predicted_responses = joined(only_if(use.nn || use.nj, at.responses), only_if(use.jj || use.jn, at.joint));
+    out.predicted_references = joined(only_if(use.nn || use.jn, at.references), at.joint);
   }
 
   std::vector<std::string> left_out(const Plan& plan) const override {
@@ -108,11 +108,11 @@ class MethodTwoPlan final : public LinearMethod {
 
   bool keeps_parts_apart() const override { return false; }
 
-  void plan_prediction(Plan& plan) const {
+  void plan_prediction(const Plan& plan, PlannedMethod& out) const {
     const EquationSet use(plan.equations);
     const Coordinates& at = plan.coordinates;
-    plan.predicted_responses = joined(at.responses, at.joint);
-    plan.predicted_references = joined(only_if(use.jn, at.references), only_if(use.jj, at.joint));
+    out.predicted_responses = joined(at.responses, at.joint);
+    out.predicted_references = joined(only_if(use.jn, at.references), only_if(use.jj, at.joint));
   }
 };
 
@@ -122,26 +122,27 @@ class DirectPlan final : public LinearMethod {
     return make_direct(plan.coordinates, *plan.substructures, *plan.assembly);
   }
 
-  void plan_prediction(Plan& plan) const {
-    plan.predicted_responses = plan.coordinates.responses;
-    plan.predicted_references = plan.coordinates.references;
+  void plan_prediction(const Plan& plan, PlannedMethod& out) const {
+    out.predicted_responses = plan.coordinates.responses;
+    out.predicted_references = plan.coordinates.references;
   }
 };
 
 template <class Method>
-std::unique_ptr<MethodPlan> planned(Plan& plan) {
+PlannedMethod planned(const Plan& plan) {
   auto own = std::make_unique<Method>();
-  plan_linear(plan, *own);
-  own->plan_prediction(plan);
-  return own;
+  PlannedMethod out = plan_linear(plan, *own);
+  own->plan_prediction(plan, out);
+  out.method = std::move(own);
+  return out;
 }
 
 }  // namespace
 
-std::unique_ptr<MethodPlan> plan_method_one(Plan& plan) { return planned<MethodOnePlan>(plan); }
+PlannedMethod plan_method_one(const Plan& plan) { return planned<MethodOnePlan>(plan); }
 
-std::unique_ptr<MethodPlan> plan_method_two(Plan& plan) { return planned<MethodTwoPlan>(plan); }
+PlannedMethod plan_method_two(const Plan& plan) { return planned<MethodTwoPlan>(plan); }
 
-std::unique_ptr<MethodPlan> plan_direct(Plan& plan) { return planned<DirectPlan>(plan); }
+PlannedMethod plan_direct(const Plan& plan) { return planned<DirectPlan>(plan); }
 
 }  // namespace jointid::ident

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <sstream>
 
-#include "ident/plan/scaling.hpp"
+#include "restrictions/impedance_factor.hpp"
 #include "restrictions/unit.hpp"
 
 namespace jointid::ident {
@@ -97,7 +97,7 @@ std::string percent(double share) {
 }
 
 std::string remedy(const Plan& plan) {
-  if (plan.solver == "normal") return "Use solver \"qr\", which does not square the condition number.";
+  if (plan.solver == Solver::normal) return "Use solver \"qr\", which does not square the condition number.";
   if (!takes_frfs_as_measured(plan.scene.identify.method)) return "Method \"one\" does not invert measured FRFs.";
   return "Choose lines and coordinates where the joint moves more, or name fewer unknowns (springs, known entries).";
 }

@@ -8,6 +8,7 @@
 
 #include "base/eigen.hpp"
 #include "dense/pivoted_qr.hpp"
+#include "minimise/damping.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -184,19 +185,22 @@ void append(const ResponseProblem::Rows& rows, minimise::Triangle& triangle) {
 }
 
 NewtonFit damped_newton(ResponseProblem& problem, std::vector<double> start, const NewtonOptions& options) {
-  double lambda = 1e-2;
+  constexpr minimise::DampingRange range = {.first = 1e-2, .least = 1e-14, .most = 1e12, .again = 1e-14};
+  minimise::Damping damping(range);
   return iterate(problem, std::move(start), options,
                  [&](const std::vector<double>& q, Linearised& lines) -> std::optional<Eigen::VectorXd> {
-                   for (; lambda < 1e12; lambda *= 10.0) {
-                     lines.damp(lambda);
-                     Eigen::VectorXd step = accelerated(problem, q, lines);
-                     if (problem.cost(added(q, step)) < lines.cost()) {
-                       lambda = std::max(0.1 * lambda, 1e-14);
-                       return step;
-                     }
+                   Eigen::VectorXd step;
+                   const bool lowers = damping.search([&](double value) {
+                     lines.damp(value);
+                     step = accelerated(problem, q, lines);
+                     return problem.cost(added(q, step)) < lines.cost();
+                   });
+                   if (!lowers) {
+                     damping = minimise::Damping(range);
+                     return std::nullopt;
                    }
-                   lambda = 1e-2;
-                   return std::nullopt;
+                   damping.less();
+                   return step;
                  });
 }
 

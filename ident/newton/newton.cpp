@@ -75,24 +75,24 @@ NewtonFit by_pattern(ResponseProblem& problem, const Point& start, const NewtonO
 }
 
 /// One run of the plan's solver.
-NewtonFit run(const std::string& solver, ResponseProblem& problem, const Point& start, const NewtonOptions& options) {
-  if (solver == "newton") return divided_newton(problem, start, options);
-  if (solver == "ceres") {
+NewtonFit run(Solver solver, ResponseProblem& problem, const Point& start, const NewtonOptions& options) {
+  if (solver == Solver::newton) return divided_newton(problem, start, options);
+  if (solver == Solver::ceres) {
     const auto few = [&](std::span<const double> q) {
       return minimise::ceres_minimum(problem, q, {.tolerance = 1e-14, .most_iterations = 4});
     };
     return in_rounds(problem, start, few, options);
   }
-  if (solver == "ipopt") {
+  if (solver == Solver::ipopt) {
     const auto few = [&](std::span<const double> q) {
       return minimise::ipopt_minimum(problem, q, {.tolerance = 1e-12, .most_iterations = 4, .lower = {}, .upper = {}});
     };
     return in_rounds(problem, start, few, options);
   }
-  if (solver == "nlopt") return by_nlopt(problem, start, minimise::Search::mlsl, options);
-  if (solver == "nlopt-crs2") return by_nlopt(problem, start, minimise::Search::crs2, options);
-  if (solver == "nlopt-sbplx") return by_nlopt(problem, start, minimise::Search::sbplx, options);
-  if (solver == "pattern") return by_pattern(problem, start, options);
+  if (solver == Solver::nlopt) return by_nlopt(problem, start, minimise::Search::mlsl, options);
+  if (solver == Solver::nlopt_crs2) return by_nlopt(problem, start, minimise::Search::crs2, options);
+  if (solver == Solver::nlopt_sbplx) return by_nlopt(problem, start, minimise::Search::sbplx, options);
+  if (solver == Solver::pattern) return by_pattern(problem, start, options);
   return damped_newton(problem, start, options);
 }
 
@@ -180,7 +180,7 @@ class Search {
 };
 
 /// From the start that fits best by its size, then from others until one settles; as many as the scene asks for.
-void search(Plan& plan, const NewtonPlan& own, const ResponseProblem& problem, const Control& control, Search& found,
+void search(const Plan& plan, const NewtonPlan& own, const ResponseProblem& problem, const Control& control, Search& found,
             RunTime& time) {
   const Clock::time_point begun = Clock::now();
   const std::size_t wanted = plan.scene.identify.starts;
@@ -189,7 +189,7 @@ void search(Plan& plan, const NewtonPlan& own, const ResponseProblem& problem, c
                           : problem.scaled(scaled(plan, joint_values(plan, plan.scene.identify.start, "[identify] start")));
   time.start = seconds_since(begun);
   const Stopwatch watch(time.solve);
-  if (plan.solver == "newton" && wanted == 0) {
+  if (plan.solver == Solver::newton && wanted == 0) {
     found.from(given, 0);  // the thesis's scheme as it is
     return;
   }
@@ -261,7 +261,7 @@ double as_good_as(double misfit, std::size_t unknowns, std::size_t rows) {
 }
 
 /// Fills `scatter` where the estimate settled and Detail::full asks for it.
-void estimate(Plan& plan, NewtonPlan& own, const Control& control, Solution& out, std::optional<Eigen::MatrixXd>& scatter) {
+void estimate(const Plan& plan, NewtonPlan& own, const Control& control, Solution& out, std::optional<Eigen::MatrixXd>& scatter) {
   const Clock::time_point start = Clock::now();
   ResponseProblem problem(own.read_responses(plan, plan.lines.size()), plan.columns->size());
   out.runtime_s.read = seconds_since(start);
@@ -303,7 +303,7 @@ void estimate(Plan& plan, NewtonPlan& own, const Control& control, Solution& out
 
 class NewtonMethod final : public NewtonPlan {
  public:
-  void solve(Plan& plan, const Control& control, Solution& out) override {
+  void solve(const Plan& plan, const Control& control, Solution& out) override {
     std::optional<Eigen::MatrixXd> scatter;
     estimate(plan, *this, control, out, scatter);
     tell_and_predict(plan, control, out);
@@ -317,10 +317,8 @@ class NewtonMethod final : public NewtonPlan {
 
 }  // namespace
 
-std::unique_ptr<MethodPlan> plan_newton(Plan& plan, const StartPlanner& plan_start) {
-  auto own = std::make_unique<NewtonMethod>();
-  plan_responses(plan, plan_start, *own);
-  return own;
+PlannedMethod plan_newton(const Plan& plan, const StartPlanner& plan_start) {
+  return plan_responses(plan, plan_start, std::make_unique<NewtonMethod>());
 }
 
 }  // namespace jointid::ident

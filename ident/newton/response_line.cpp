@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "dense/lu.hpp"
+#include "coupling/joint_loop.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -27,8 +27,7 @@ ResponseLine::ResponseLine(ReachableFrfs frfs, JointImpedance joint) : frfs_(std
 
 /// H_jn of the prediction.
 Eigen::MatrixXcd ResponseLine::to_joint(const Eigen::MatrixXcd& z) const {
-  const Eigen::Index n = z.rows();
-  return dense::solve(Eigen::MatrixXcd::Identity(n, n) + frfs_.bb * z, frfs_.ba);
+  return coupling::motion_with_joint(frfs_.bb, z, frfs_.ba);
 }
 
 bool ResponseLine::residual_of(const Eigen::MatrixXcd& z, const Eigen::MatrixXcd& h_jn, double* f) const {
@@ -54,8 +53,7 @@ bool ResponseLine::linearise(const std::vector<double>& theta, double* f, double
   if (!residual_of(z, h_jn, f)) return false;
   Eigen::MatrixXcd h_nj;  // transposed: a column per response
   if (!reciprocal_) {
-    const Eigen::MatrixXcd left = (Eigen::MatrixXcd::Identity(z.rows(), z.rows()) + z * frfs_.bb).transpose();
-    h_nj = dense::solve(left, frfs_.ab.transpose());
+    h_nj = coupling::motion_from_joint(frfs_.ab, z, frfs_.bb).transpose();
   }
   const Eigen::MatrixXcd& from_joint = reciprocal_ ? h_jn : h_nj;
   const std::size_t count = columns().size();

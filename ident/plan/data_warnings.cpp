@@ -46,14 +46,14 @@ Dofs without_counterpart(const Dofs& dofs, const Dofs& others, const CoupleFirst
 }
 
 /// Labels are where mistakes are: every coordinate of the assembly is one of a part.
-void warn_of_counterparts(Plan& plan) {
+void warn_of_counterparts(const Plan& plan, DataDoubts& out) {
   const Dofs parts = all_coordinates(*plan.substructures), assembly = all_coordinates(*plan.assembly);
   const Dofs strange = without_counterpart(assembly, parts, plan.scene.couple_first);
   if (!strange.empty()) {
-    plan.warnings.push_back("No substructure has " + listed(strange) + " of the assembly: not used. Look at the labels.");
+    out.warnings.push_back("No substructure has " + listed(strange) + " of the assembly: not used. Look at the labels.");
   }
   const Dofs further = without_counterpart(without_counterpart(parts, assembly, plan.scene.couple_first), plan.coordinates.joint, {});
-  if (!further.empty()) plan.notes.push_back("The assembly does not have " + listed(further) + " of the substructures: not used.");
+  if (!further.empty()) out.notes.push_back("The assembly does not have " + listed(further) + " of the substructures: not used.");
   Dofs other_role;
   for (const frf::Dof& dof : plan.assembly->responses()) {
     if (frf::has(parts, dof) && !frf::has(plan.substructures->responses(), dof)) other_role.push_back(dof);
@@ -62,7 +62,7 @@ void warn_of_counterparts(Plan& plan) {
     if (frf::has(parts, dof) && !frf::has(plan.substructures->references(), dof) && !frf::has(other_role, dof)) other_role.push_back(dof);
   }
   if (!other_role.empty()) {
-    plan.notes.push_back(listed(other_role) + " of the assembly are in the substructures in the other role only, response or reference; " +
+    out.notes.push_back(listed(other_role) + " of the assembly are in the substructures in the other role only, response or reference; " +
                          "reciprocity = true of [data] would use them.");
   }
 }
@@ -91,7 +91,7 @@ void compare_sources(const frf::FrfSystem& system, AxisDifference& worst) {
   }
 }
 
-void warn_of_axes(Plan& plan) {
+void warn_of_axes(const Plan& plan, DataDoubts& out) {
   AxisDifference worst;
   compare_sources(*plan.substructures, worst);
   compare_sources(*plan.assembly, worst);
@@ -101,15 +101,15 @@ void warn_of_axes(Plan& plan) {
     worst.add(plan.assembly->frequency_hz()[line.assembly], plan.substructures->frequency_hz()[line.substructures], whole, part);
   }
   if (worst.share <= rounded_axis) return;
-  plan.warnings.push_back(
+  out.warnings.push_back(
       fmt::format("{:.9g} Hz of {} and {:.9g} Hz of {} are taken for the same line, {:.2g} % apart: measure on one axis, or give "
                   "frequency_scale under [data.files.\"NAME\"] where a clock is wrong.",
                   worst.one, worst.file, worst.other, worst.other_file, 100.0 * worst.share));
 }
 
-void warn_of_lines(Plan& plan) {
+void warn_of_lines(const Plan& plan, DataDoubts& out) {
   if (plan.lines.size() > 1 || plan.columns->size() < 2) return;
-  plan.warnings.push_back(
+  out.warnings.push_back(
       fmt::format("All {} unknowns come from one frequency line, {:.9g} Hz: nothing tells whether they hold on another.",
                   plan.columns->size(), plan.lines.front().frequency_hz));
 }
@@ -134,12 +134,14 @@ void require_both_sides(const Plan& plan) {
   }
 }
 
-void warn_of_data(Plan& plan) {
-  warn_of_counterparts(plan);
-  warn_of_axes(plan);
-  warn_of_lines(plan);
-  warn_of_doubts(*plan.substructures, plan.warnings);
-  warn_of_doubts(*plan.assembly, plan.warnings);
+DataDoubts doubts_of_data(const Plan& plan) {
+  DataDoubts out;
+  warn_of_counterparts(plan, out);
+  warn_of_axes(plan, out);
+  warn_of_lines(plan, out);
+  warn_of_doubts(*plan.substructures, out.warnings);
+  warn_of_doubts(*plan.assembly, out.warnings);
+  return out;
 }
 
 }  // namespace jointid::ident

@@ -8,8 +8,13 @@ namespace jointid::ident {
 /// one side, and the joint would hold that side to ground.
 void require_both_sides(const Plan& plan);
 
-/// Adds to the plan's warnings and notes what is taken on trust from the headers of the files: DOFs without counterpart, axes that
-/// differ, one line for all unknowns, what a reader doubts.
-void warn_of_data(Plan& plan);
+/// For a plan's warnings and notes, one sentence each.
+struct DataDoubts {
+  std::vector<std::string> warnings, notes;
+};
+
+/// What is taken on trust from the headers of the files: DOFs without counterpart, axes that differ, one line for all unknowns, what
+/// a reader doubts.
+DataDoubts doubts_of_data(const Plan& plan);
 
 }  // namespace jointid::ident

@@ -1,6 +1,6 @@
 #include "ident/plan/interpret.hpp"
 
-#include "ident/plan/scaling.hpp"
+#include "restrictions/impedance_factor.hpp"
 #include "ident/result/quality.hpp"
 
 namespace jointid::ident {
@@ -18,7 +18,7 @@ std::string joined_names(const Plan& plan, const std::vector<std::size_t>& colum
 void judge_status(const Plan& plan, const minimise::LinearSolution& linear, Solution& out) {
   if (linear.rank == plan.columns->size()) return;
   out.status = Status::rank_deficient;
-  if (plan.solver == "normal") {
+  if (plan.solver == Solver::normal) {
     out.message = "The normal equations are not positive definite: use solver \"qr\".";
     for (Estimate& estimate : out.unknowns) estimate.determined = false;
     return;

@@ -2,8 +2,8 @@
 
 #include "base/complex.hpp"
 #include "base/eigen.hpp"
-#include "dense/lu.hpp"
-#include "ident/plan/scaling.hpp"
+#include "coupling/joint_loop.hpp"
+#include "restrictions/impedance_factor.hpp"
 
 namespace jointid::ident {
 
@@ -23,10 +23,11 @@ MatrixXcd joint_impedance(const Matrices& matrices, std::size_t n, double freque
   const double omega = angular(frequency_hz);
   MatrixXcd z = MatrixXcd::Zero(at(n), at(n));
   for (const auto& [kind, matrix] : matrices) {
-    const Complex factor = impedance_factor(kind, omega);
+    Eigen::MatrixXd values(at(n), at(n));
     for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) z(at(i), at(j)) += factor * matrix[i][j];
+      for (std::size_t j = 0; j < n; ++j) values(at(i), at(j)) = matrix[i][j];
     }
+    restrictions::add_impedance(kind, values, omega, z);
   }
   return z;
 }
@@ -53,8 +54,7 @@ JointEffect joint_effect(const minimise::View& h, std::size_t rows, std::size_t 
   const auto n = static_cast<std::size_t>(impedance.rows());
   const minimise::View h_to = h.block(0, h.columns - n, rows, n);
   const minimise::View h_bb = h.block(h.rows - n, h.columns - n, n, n);
-  const MatrixXcd p = MatrixXcd::Identity(impedance.rows(), impedance.cols()) + impedance * map(h_bb);
-  return {map(h_to) * dense::solve(p, impedance), h.block(h.rows - n, 0, n, columns)};
+  return {map(h_to) * coupling::force_with_joint(impedance, map(h_bb), impedance), h.block(h.rows - n, 0, n, columns)};
 }
 
 }  // namespace jointid::ident

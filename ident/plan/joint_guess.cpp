@@ -47,7 +47,7 @@ std::vector<double> scaled(const Plan& plan, const std::vector<double>& values) 
   return theta;
 }
 
-std::vector<double> started(const Plan& plan, Plan& start, const Control& control) {
+std::vector<double> started(const Plan& plan, const Plan& start, const Control& control) {
   Control quick = control;
   quick.detail = Detail::estimates;
   quick.so_far = nullptr;

@@ -18,7 +18,7 @@ std::vector<double> joint_values(const Plan& plan, const std::map<restrictions::
 std::vector<double> joint_guess(const Plan& plan);
 
 /// Scaled unknowns of a plan by the estimate of another that it starts from; 0 where that has none.
-std::vector<double> started(const Plan& plan, Plan& start, const Control& control);
+std::vector<double> started(const Plan& plan, const Plan& start, const Control& control);
 
 /// The number of a candidate coordinate. Throws InputError (usage) when it is none of `coordinates`.
 std::size_t find_candidate(const Scene& scene, const Dofs& coordinates, const frf::Dof& dof);

@@ -1,50 +1,17 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <span>
-#include <vector>
-
-#include "ident/plan/impedance_terms.hpp"
 #include "ident/plan/unknown_columns.hpp"
-#include "minimise/linear/line_product.hpp"
-#include "restrictions/restriction.hpp"
+#include "restrictions/joint_impedance.hpp"
 
 namespace jointid::ident {
 
 using ComplexMatrix = Eigen::MatrixXcd;
+using restrictions::ImpedancePart;
+using restrictions::ImpedanceShape;
+using restrictions::ImpedanceTerm;
+using restrictions::JointImpedance;
 
-/// Z_j at one line as a function of the unknowns of that line, in the scaled form x = {k, ω₀²m, ω₀c, d} (docs/formulas.md §1):
-/// Z_j(θ) = Z_known + Σ_t θ_t ∂Z/∂θ_t. Symmetric restrictions only.
-class JointImpedance {
- public:
-  /// Of a line that another process has: no unknowns.
-  JointImpedance() = default;
-
-  JointImpedance(const restrictions::Restriction& restriction, const UnknownColumns& columns, double omega0, double omega);
-
-  /// Which columns of the whole problem the unknowns of this line are; empty where the line lies in no band.
-  const std::vector<std::size_t>& columns() const { return columns_; }
-
-  /// Z_j for the columns `theta` of the whole problem.
-  ComplexMatrix at(std::span<const double> theta) const;
-
-  /// Σ_pq left(p) ∂Z(p,q)/∂θ_t right(q) for every unknown t of this line.
-  void sensitivity(const Complex* left, const Complex* right, Complex* out) const;
-
-  /// Re Σ_pq conj(∂Z(p,q)/∂θ_t) Q(p,q) for every unknown t of this line.
-  Eigen::VectorXd along(const ComplexMatrix& q) const;
-
-  /// Terms by shapes, and the unknowns that have each: numbers of columns().
-  std::span<const ImpedanceTerm> terms() const { return terms_; }
-  std::span<const ImpedanceShape> shapes() const { return shapes_; }
-  std::span<const ImpedancePart> parts() const { return parts_; }
-
- private:
-  std::vector<std::size_t> columns_;
-  std::vector<ImpedanceTerm> terms_;
-  std::vector<ImpedanceShape> shapes_;
-  std::vector<ImpedancePart> parts_;  ///< one per unknown
-  ComplexMatrix known_;
-};
+/// The joint at ω (rad/s) with the columns of that line; without unknowns where it lies in no band.
+JointImpedance joint_at(const restrictions::Restriction& restriction, const UnknownColumns& columns, double omega0, double omega);
 
 }  // namespace jointid::ident

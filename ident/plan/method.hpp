@@ -19,11 +19,11 @@ class MethodPlan {
   virtual ~MethodPlan() = default;
 
   /// Reads what the plan reads of its first line.
-  virtual void read_first_line(Plan& plan) = 0;
+  virtual void read_first_line(const Plan& plan) = 0;
 
   /// Reads, estimates and judges: fills unknowns, matrices, figures of merit and status of `out`, which names what is used
   /// already.
-  virtual void solve(Plan& plan, const Control& control, Solution& out) = 0;
+  virtual void solve(const Plan& plan, const Control& control, Solution& out) = 0;
 
   /// What of its data the scene does not need, one phrase each.
   virtual std::vector<std::string> left_out(const Plan&) const { return {}; }

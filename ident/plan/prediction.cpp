@@ -14,7 +14,7 @@ namespace {
 /// Predicts chunks of lines and adds their errors up in order.
 class Predictor final : public ChunkWorker {
  public:
-  Predictor(Plan& plan, const std::vector<BandMatrices>& bands, DecibelError& total)
+  Predictor(const Plan& plan, const std::vector<BandMatrices>& bands, DecibelError& total)
       : plan_(plan),
         bands_(bands),
         total_(total),
@@ -61,7 +61,7 @@ class Predictor final : public ChunkWorker {
                       measured, error_);
   }
 
-  Plan& plan_;
+  const Plan& plan_;
   const std::vector<BandMatrices>& bands_;
   DecibelError& total_;
   DecibelError error_;
@@ -70,7 +70,7 @@ class Predictor final : public ChunkWorker {
 
 }  // namespace
 
-DecibelError predict(Plan& plan, const std::vector<BandMatrices>& bands, const Control& control) {
+DecibelError predict(const Plan& plan, const std::vector<BandMatrices>& bands, const Control& control) {
   DecibelError total;
   const std::size_t chunk = chunk_lines(plan.entries_per_line);
   std::vector<std::unique_ptr<ChunkWorker>> workers;
@@ -86,7 +86,7 @@ DecibelError predict(Plan& plan, const std::vector<BandMatrices>& bands, const C
 
 namespace {
 
-std::optional<double> assembly_error(Plan& plan, const Solution& solution, const Control& control) {
+std::optional<double> assembly_error(const Plan& plan, const Solution& solution, const Control& control) {
   if (plan.predicted_responses.empty()) return std::nullopt;
   const DecibelError error = predict(plan, solution.bands, control);
   if (error.entries == 0) return std::nullopt;
@@ -95,7 +95,7 @@ std::optional<double> assembly_error(Plan& plan, const Solution& solution, const
 
 }  // namespace
 
-void tell_and_predict(Plan& plan, const Control& control, Solution& out) {
+void tell_and_predict(const Plan& plan, const Control& control, Solution& out) {
   if (control.so_far) control.so_far(out);
   if (control.detail != Detail::full) return;
   const Stopwatch watch(out.runtime_s.regenerate);

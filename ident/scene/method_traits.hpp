@@ -9,11 +9,29 @@
 namespace jointid::ident {
 
 struct Plan;
-class MethodPlan;
+struct PlannedMethod;
 enum class Equation;
 
 /// A method of identification, by its place in all_methods(). Files of studies hold the number: new ones go to the end.
 enum class Method { one, two, direct, newton, likelihood };
+
+/// A numerical way that a method may take, by its word in [identify] solver; `automatic` leaves it to the method.
+enum class Solver {
+  automatic,
+  qr,
+  normal,
+  spqr,
+  levenberg_marquardt,
+  newton,
+  ceres,
+  ipopt,
+  nlopt,
+  nlopt_crs2,
+  nlopt_sbplx,
+  pattern,
+  gauss_helmert,
+  iqml
+};
 
 /// Linear estimates to start from: methods and equations, what needs most first.
 using StartChoices = std::vector<std::pair<Method, std::vector<Equation>>>;
@@ -26,10 +44,9 @@ using StartPlanner = std::function<std::unique_ptr<Plan>(const Plan& plan, const
 struct MethodTraits {
   Method method;
   std::string name;                    ///< in [identify] method
-  std::vector<std::string> solvers;    ///< in [identify] solver, without auto
+  std::vector<Solver> solvers;         ///< without automatic
   std::string phrase;                  ///< as a subject: "the direct solution"
-  std::unique_ptr<MethodPlan> (*plan)(Plan& plan,
-                                      const StartPlanner& plan_start);  ///< what is the method's own of a prepared plan
+  PlannedMethod (*plan)(const Plan& plan, const StartPlanner& plan_start);  ///< what is the method's own of a prepared plan
   bool iterates = false;               ///< from a start; no weighting and Δ, which are those of linear equations
   bool uses_variances = false;         ///< of the FRFs, so that priors and a bootstrap have something to be weighed against
   bool has_constraints = true;         ///< definite, bounds, ties
@@ -48,6 +65,12 @@ bool takes_frfs_as_measured(Method method);
 
 std::string name(Method method);
 
+/// As in [identify] solver: "gauss-helmert", "auto".
+std::string name(Solver solver);
+
+/// The solver by name; throws InputError (usage) with the nearest valid word.
+Solver parse_solver(const std::string& text);
+
 /// The method by name; throws InputError (usage) with the nearest valid word.
 Method parse_method(const std::string& text);
 
@@ -58,5 +81,8 @@ bool weighs_equations(Method method);
 std::vector<std::string> method_names();
 std::vector<std::string> method_words();
 std::vector<std::string> solver_names();
+
+/// Their names.
+std::vector<std::string> names(const std::vector<Solver>& solvers);
 
 }  // namespace jointid::ident

@@ -108,7 +108,7 @@ struct IdentifySection {
   std::vector<Equation> equations;  ///< no duplicates; empty: all that the data allow
   weighting::Weighting weighting = weighting::Weighting::wb;
   double delta = 0.0;  ///< 0 ≤ Δ < 2
-  std::string solver = "auto";
+  Solver solver = Solver::automatic;
   VarianceChoice variance = VarianceChoice::automatic;
   /// Of files: σ² = a|H|² + b fitted to each FRF. Empty: where they come from few averages or repeats, over enough lines.
   std::optional<bool> smooth_variance;

@@ -171,7 +171,7 @@ IdentifySection read_identify(const scene::Item& item, const std::vector<JointSp
   if (const auto list = table.find("equations")) identify.equations = read_equations(*list);
   if (const auto word = table.find("weighting")) identify.weighting = read_enum<weighting::Weighting>(*word, weightings);
   if (const auto delta = table.find("delta")) identify.delta = read_delta(*delta);
-  if (const auto solver = table.find("solver")) identify.solver = solver->word(solver_names());
+  if (const auto solver = table.find("solver")) identify.solver = parse_solver(solver->word(solver_names()));
   if (const auto word = table.find("variance")) identify.variance = read_enum<VarianceChoice>(*word, variances);
   if (const auto flag = table.find("smooth_variance")) identify.smooth_variance = flag->boolean();
   if (const auto start = table.find("start")) identify.start = read_start(*start, joints);

@@ -7,6 +7,7 @@
 #include "base/eigen.hpp"
 #include "dense/cholesky.hpp"
 #include "dense/svd.hpp"
+#include "minimise/damping.hpp"
 
 namespace jointid::modalfit {
 namespace {
@@ -186,20 +187,21 @@ RankOne fit_rank_one(const std::vector<RankOneDatum>& data, std::size_t size, bo
   const Index n = at(size);
   VectorXcd phi = start(data, n, real);
   NormalEquations equations(core_of(data, size));
-  double cost = cost_of(data, phi), mu = 0.0;
+  double cost = cost_of(data, phi);
+  minimise::Damping damping({.first = 0.0, .least = 0.0, .most = 1e10, .again = 1e-3});
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     equations.form(data, phi, real);
-    const VectorXcd step = equations.step(mu);
+    const VectorXcd step = equations.step(damping.value());
     const double next = cost_of(data, phi + step);
     const bool small = step.norm() <= 1e-12 * phi.norm();
     if (next <= cost) {
       phi += step;
       cost = next;
-      mu *= 0.1;
+      damping.less();
     } else {
-      mu = std::max(1e-3, 10.0 * mu);
+      damping.more();
     }
-    if (small || mu > 1e10) break;
+    if (small || damping.is_spent()) break;
   }
   equations.form(data, phi, real);
   Index largest = 0;

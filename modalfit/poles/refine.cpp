@@ -7,6 +7,7 @@
 
 #include "base/eigen.hpp"
 #include "dense/cholesky.hpp"
+#include "minimise/damping.hpp"
 #include "modalfit/band/normal_block.hpp"
 
 namespace jointid::modalfit {
@@ -117,7 +118,7 @@ RefinedPoles refine(const Band& band, const std::vector<std::size_t>& entries, c
   Sums at = problem.linearise(out.poles);
   const auto parameters = at.gradient.size();
   const double spacing_hz = (band.frequency_hz.back() - band.frequency_hz.front()) / static_cast<double>(band.lines() - 1);
-  double mu = 1e-3;
+  minimise::Damping damping({.first = 1e-3, .least = 0.0, .most = 1e8, .again = 1e-3});
   while (parameters > 0 && out.iterations < options.most_iterations && !(stop && stop())) {
     ++out.iterations;
     const VectorXd newton = damped_step(at, out.poles, spacing_hz, 0.0);
@@ -125,15 +126,15 @@ RefinedPoles refine(const Band& band, const std::vector<std::size_t>& entries, c
     const double small = options.step * options.step * static_cast<double>(parameters) * mean_square;
     out.converged = std::abs(newton.dot(at.gradient)) <= small || newton.cwiseAbs().maxCoeff() <= least_step;
     if (out.converged) break;
-    const std::vector<Pole> trial = moved(out.poles, damped_step(at, out.poles, spacing_hz, mu), spacing_hz);
+    const std::vector<Pole> trial = moved(out.poles, damped_step(at, out.poles, spacing_hz, damping.value()), spacing_hz);
     Sums next = all_finite(trial) ? problem.linearise(trial) : at;
     if (next.cost < at.cost) {
       out.poles = trial;
       at = std::move(next);
-      mu *= 0.1;
+      damping.less();
     } else {
-      if (mu > 1e8) break;
-      mu = std::max(10.0 * mu, 1e-3);
+      if (damping.is_spent()) break;
+      damping.more();
     }
   }
   out.cost = at.cost;

@@ -48,7 +48,7 @@ std::vector<std::string> csv_cells(const study::Combination& each, const study::
                                     equations,
                                     weighs ? weighting::name(each.way.weighting) : "",
                                     weighs ? csv_number(each.way.delta) : "",
-                                    each.way.solver,
+                                    ident::name(each.way.solver),
                                     restrictions::key(figures.kind)};
   for (const Spread& s : {figures.rjcf, figures.arvf, figures.rms_relative_error}) {
     cells.insert(cells.end(), {csv_number(s.median), csv_number(s.low), csv_number(s.high)});

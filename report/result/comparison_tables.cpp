@@ -18,7 +18,7 @@ using study::Combination;
 
 /// What the thesis's tables hold constant.
 std::string frame_of(const study::Way& way) {
-  return fmt::format("method {}, equations {}, solver {}", ident::name(way.method), equations_text(way.equations), way.solver);
+  return fmt::format("method {}, equations {}, solver {}", ident::name(way.method), equations_text(way.equations), ident::name(way.solver));
 }
 
 std::string short_number(double value) { return std::isfinite(value) ? fmt::format("{:.3g}", value) : "–"; }
@@ -68,7 +68,7 @@ std::optional<PairTable> pair_table(const std::vector<const Combination*>& frame
 std::vector<std::string> way_cells(const study::Way& way) {
   const std::string regenerated = way.regenerate.any() ? ", regenerated " + ident::name(way.regenerate) : "";
   return {ident::name(way.method) + regenerated, equations_text(way.equations), weighting_text(way.method, way.weighting),
-          delta_text(way.method, way.delta), way.solver};
+          delta_text(way.method, way.delta), ident::name(way.solver)};
 }
 
 std::vector<PairTable> pair_tables(const std::vector<Combination>& all, std::size_t matrix) {

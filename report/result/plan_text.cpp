@@ -94,7 +94,7 @@ std::string plan_text(const ident::Plan& plan) {
   Table table({{"", Align::left}, {"", Align::left}});
   const auto& identify = plan.scene.identify;
   if (!plan.chosen.empty()) table.add({"chosen", plan.chosen});
-  table.add({"method", method_text(identify.method, plan.equations, identify.weighting, identify.delta, plan.solver)});
+  table.add({"method", method_text(identify.method, plan.equations, identify.weighting, identify.delta, name(plan.solver))});
   table.add({"joint DOFs", dof_list(plan.coordinates.joint)});
   table.add({"other responses", dof_list(plan.coordinates.responses)});
   table.add({"other references", dof_list(plan.coordinates.references)});
@@ -116,7 +116,7 @@ std::string plan_json(const ident::Plan& plan, const std::optional<tasks::BoundR
                {"equations", equation_names(plan)},
                {"weighting", weighs ? Json(weighting::name(identify.weighting)) : Json(nullptr)},
                {"delta", weighs ? Json(identify.delta) : Json(nullptr)},
-               {"solver", plan.solver},
+               {"solver", name(plan.solver)},
                {"dofs", frf::names(plan.coordinates.joint)},
                {"responses", frf::names(plan.coordinates.responses)},
                {"references", frf::names(plan.coordinates.references)}};

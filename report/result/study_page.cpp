@@ -25,7 +25,7 @@ void add_summary(const tasks::StudyResult& result, const ident::Scene& scene, Re
                   {"equations", equations_text(identify.equations)},
                   {"weighting", weighting_text(identify.method, identify.weighting)},
                   {"delta", delta_text(identify.method, identify.delta)},
-                  {"solver", identify.solver},
+                  {"solver", name(identify.solver)},
                   {"all results", result.file}}});
   for (const std::string& note : result.notes) page.add(Text{note});
   page.add(Text{speed_text(result.run) + ".", true});

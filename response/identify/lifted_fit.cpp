@@ -8,6 +8,7 @@
 #include "base/control.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "minimise/damping.hpp"
 #include "response/identify/corrected_models.hpp"
 #include "response/identify/direct_step.hpp"
 #include "response/identify/lifted_line.hpp"
@@ -21,7 +22,7 @@ constexpr double all_tolerances[] = {0.03, 0.01};         ///< of all lines, whe
 constexpr double last_tolerances[] = {0.01, 1e-3, 1e-4};  ///< from another fit
 constexpr int most_lifted_steps = 30;                                ///< with one tolerance
 constexpr double least_gain = 1e-3, least_share_gained = 3e-3;  ///< of Σr², and of it relatively: a step that lowers it by less
-constexpr double first_lifted_damping = 1e-4, most_lifted_damping = 1e6;
+constexpr minimise::DampingRange lifted_damping = {.least = 0.0, .most = 1e6, .again = 1e-9};
 constexpr double shares[] = {1.0, 0.5, 0.2};  ///< of a step that are tried before more damping
 
 /// All unknowns.
@@ -92,7 +93,8 @@ class LiftedProblem {
 
   /// Moves the point to a minimum with the present tolerance; how many steps.
   int descend(Point& point) const {
-    double now = cost(point).value_or(0.0), damping = first_lifted_damping;
+    double now = cost(point).value_or(0.0);
+    minimise::Damping damping(lifted_damping);
     int steps = 0;
     LiftedLines lines(layout_, unknowns_, work_.threads);
     for (; steps < most_lifted_steps; ++steps) {
@@ -155,9 +157,9 @@ class LiftedProblem {
     return corrected_models(structure_, states_, layout_, errors, harmonics_);
   }
 
-  bool move(const LiftedLines& lines, Point& point, double& now, double& damping) const {
-    for (; damping <= most_lifted_damping; damping = std::max(10.0 * damping, 1e-9)) {
-      const Eigen::VectorXd step = minimise::damped_step(lines.reduced(), damping);
+  bool move(const LiftedLines& lines, Point& point, double& now, minimise::Damping& damping) const {
+    return damping.search([&](double value) {
+      const Eigen::VectorXd step = minimise::damped_step(lines.reduced(), value);
       const LiftedChange change = lines.change(step);
       for (const double share : shares) {
         Point tried = point;
@@ -168,11 +170,11 @@ class LiftedProblem {
         if (!next || !(*next < now)) continue;
         point = std::move(tried);
         now = *next;
-        if (share == 1.0) damping *= 0.1;
+        if (share == 1.0) damping.less();
         return true;
       }
-    }
-    return false;
+      return false;
+    });
   }
 
   const std::shared_ptr<const Receptance>& structure_;

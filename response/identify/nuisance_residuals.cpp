@@ -10,7 +10,7 @@ namespace {
 
 constexpr int most_rounds = 30, most_halvings = 4;
 constexpr double settled = 1e-7;              ///< largest last change of an error, in its deviations
-constexpr double first_step_damping = 1e-4, least_step_damping = 1e-12, most_step_damping = 1e6;
+constexpr double most_step_damping = 1e6;
 /// Deviations by which a step that lowers the cost at no length would move the numbers, at most. A loop of the motion that is
 /// about to appear or to vanish bends the cost sharply; one state there holds all others up.
 constexpr double most_at_kink = 1.0;
@@ -94,19 +94,19 @@ std::optional<minimise::Linearised> NuisanceResiduals::evaluate(const Eigen::Vec
   }
 }
 
-bool NuisanceResiduals::descend(const FirstOrder& at, Trial& trial, double& damping) const {
-  for (; damping <= most_step_damping; damping = std::max(10.0 * damping, least_step_damping)) {
-    const Eigen::VectorXd step = minimise::damped_step(at.reduced, damping);
+bool NuisanceResiduals::descend(const FirstOrder& at, Trial& trial, minimise::Damping& damping) const {
+  return damping.search([&](double value) {
+    const Eigen::VectorXd step = minimise::damped_step(at.reduced, value);
     const LineErrors best = best_errors(at, trial, step);
     for (const double share : step_shares) {
       auto next = moved(trial, step, best, share);
       if (!next || !(next->cost < trial.cost)) continue;
       trial = std::move(*next);
-      if (share == 1.0) damping = damping * 0.1 < least_step_damping ? 0.0 : damping * 0.1;
+      if (share == 1.0) damping.less();
       return true;
     }
-  }
-  return false;
+    return false;
+  });
 }
 
 minimise::GaussNewtonResult NuisanceResiduals::fit(const Eigen::VectorXd& start, const std::vector<StatePrediction>& last,
@@ -117,7 +117,7 @@ minimise::GaussNewtonResult NuisanceResiduals::fit(const Eigen::VectorXd& start,
   if (!trial) return result;
   result.defined = true;
   minimise::GaussNewtonEnd end(options);
-  double damping = first_step_damping;
+  minimise::Damping damping({.most = most_step_damping});
   FirstOrder at = nothing();
   linearise(*trial, at);
   for (; result.steps < options.most_steps; ++result.steps) {

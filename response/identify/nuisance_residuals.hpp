@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "minimise/damping.hpp"
 #include "response/identify/line_correlation.hpp"
 #include "response/identify/response_residuals.hpp"
 
@@ -55,7 +56,7 @@ class NuisanceResiduals {
   /// A share of a step, and of the way to these errors.
   std::optional<Trial> moved(const Trial& trial, const Eigen::VectorXd& step, const LineErrors& best, double share) const;
   /// Goes to one with a lower cost; false when there is none.
-  bool descend(const FirstOrder& at, Trial& trial, double& damping) const;
+  bool descend(const FirstOrder& at, Trial& trial, minimise::Damping& damping) const;
   bool settle(const LineErrors& best, Trial& trial) const;
   void keep(Trial&& trial);
 

@@ -106,7 +106,8 @@ TEST(ComparisonCsv, HasALinePerCombinationAndMatrix) {
 
 TEST(Comparisons, OfALikelihoodHaveNoWeighting) {
   tasks::ComparisonResult report = sample_comparison();
-  report.comparison.combinations[1].way = {ident::Method::likelihood, {ident::Equation::nn}, weighting::Weighting::wb, 0.0, "iqml"};
+  report.comparison.combinations[1].way = {ident::Method::likelihood, {ident::Equation::nn}, weighting::Weighting::wb, 0.0,
+                                               ident::Solver::iqml};
   EXPECT_THAT(report::comparison_text(report), testing::ContainsRegex("likelihood +nn +– +– +iqml"));
   EXPECT_THAT(report::comparison_csv(report), HasSubstr("likelihood,nn,,,iqml,stiffness"));
   const auto json = nlohmann::json::parse(report::comparison_json(report));

@@ -313,7 +313,7 @@ TEST(MainWindow, AWayThatIsOpenedIsAnEditAndASolution) {
   study::Way way;
   way.method = ident::Method::two;
   way.equations = {ident::Equation::jj, ident::Equation::jn};
-  way.solver = "qr";
+  way.solver = ident::Solver::qr;
   Q_EMIT project.compare_page()->way_opened(way);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !project.solve_page()->is_busy(); }, 60000));
   ASSERT_EQ(project.solve_page()->runs().size(), 1U) << project.solve_page()->status().toStdString();

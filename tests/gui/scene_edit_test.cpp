@@ -61,13 +61,13 @@ TEST(SceneEdit, AWayOfAComparisonBecomesThatOfTheScene) {
   way.equations = {ident::Equation::nn, ident::Equation::nj};
   way.weighting = weighting::Weighting::wbs;
   way.delta = 0.05;
-  way.solver = "qr";
+  way.solver = ident::Solver::qr;
   const std::string text = "[identify]\nmethod = \"one\"  # at first\nweighting = \"WA\"\n";
   EXPECT_EQ(with_way(text, way),
             "[identify]\nmethod = \"two\"  # at first\nweighting = \"WBS\"\nequations = [\"nn\", \"nj\"]\nsolver = \"qr\"\n"
             "delta = 0.05\n");
   way.method = ident::Method::likelihood;
-  way.solver = "gauss-helmert";
+  way.solver = ident::Solver::gauss_helmert;
   EXPECT_EQ(with_way("", way),
             "\n[identify]\nmethod = \"likelihood\"\nequations = [\"nn\", \"nj\"]\nsolver = \"gauss-helmert\"\n");
 }

@@ -84,7 +84,7 @@ TEST_F(Automatic, AWeightingAsksForMethodOne) {
 TEST_F(Automatic, ASolverAsksForTheMethodThatHasIt) {
   for (const auto& [solver, method] : {std::pair("iqml", Method::likelihood), std::pair("normal", Method::one),
                                        std::pair("levenberg-marquardt", Method::newton)}) {
-    scene.identify.solver = solver;
+    scene.identify.solver = parse_solver(solver);
     const auto planned = plan();
     EXPECT_EQ(planned->scene.identify.method, method) << solver;
     EXPECT_THAT(planned->chosen, HasSubstr(solver));

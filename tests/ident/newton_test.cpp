@@ -69,7 +69,7 @@ ResponseLine random_line(const restrictions::Restriction& restriction, const Unk
   ReachableFrfs frfs = {h.topLeftCorner(5, 5), h.topRightCorner(5, 3), h.bottomLeftCorner(3, 5), h.bottomRightCorner(3, 3),
                         Eigen::MatrixXcd::Random(5, 5)};
   frfs.nn(2, 3) = std::nan("");
-  return {std::move(frfs), JointImpedance(restriction, columns, 3.0, 2.0)};
+  return {std::move(frfs), joint_at(restriction, columns, 3.0, 2.0)};
 }
 
 restrictions::JointSpec full_joint() {
@@ -136,7 +136,7 @@ class EverySolver : public UnreachableJoint, public testing::WithParamInterface<
 TEST_P(EverySolver, FindsItFromNearby) {
   Scene scene = near(1.05);
   scene.frequency.step_hz = 60.0;
-  scene.identify.solver = GetParam();
+  scene.identify.solver = parse_solver(GetParam());
   const Solution found = solve(scene);
   EXPECT_EQ(found.used.solver, GetParam());
   EXPECT_EQ(found.fit.rank, truth_.size());
@@ -148,7 +148,7 @@ TEST_P(EverySolver, FindsItFromNearby) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Newton, EverySolver, testing::ValuesIn(traits(Method::newton).solvers), [](const auto& solver) {
+INSTANTIATE_TEST_SUITE_P(Newton, EverySolver, testing::ValuesIn(names(traits(Method::newton).solvers)), [](const auto& solver) {
   std::string name = solver.param;
   std::ranges::replace(name, '-', '_');
   return name;
@@ -215,7 +215,7 @@ TEST_F(UnreachableJoint, WhatItCannotDoItSaysBeforeItReads) {
     return "";
   };
   Scene scene = scene_;
-  scene.identify.solver = "qr";
+  scene.identify.solver = Solver::qr;
   EXPECT_THAT(message(scene), HasSubstr("use auto, levenberg-marquardt, newton,"));
   scene = scene_;
   scene.identify.equations = {Equation::nj};

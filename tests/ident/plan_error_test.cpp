@@ -200,10 +200,10 @@ TEST(PlanError, ACoordinateInTwoSubstructures) {
 TEST(PlanError, MethodsSolversAndKeysThatThisBuildLacks) {
   MemoryScene wrong = input();
   wrong.scene.identify.method = Method::newton;
-  wrong.scene.identify.solver = "spqr";
+  wrong.scene.identify.solver = Solver::spqr;
   expect_usage(wrong, {"[identify] solver", "method \"newton\" has no solver \"spqr\"", "use auto, levenberg-marquardt"});
   MemoryScene solver = input();
-  solver.scene.identify.solver = "ceres";
+  solver.scene.identify.solver = Solver::ceres;
   expect_usage(solver, {"has no solver \"ceres\"", "use auto, qr, normal or spqr"});
   MemoryScene start = input();
   start.scene.identify.start[Kind::stiffness] = {{1.0, 0.0}, {0.0, 1.0}};

@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(SharedLines, AnyMethod, testing::Values(Method::one, Me
 
 TEST_F(SharedLines, NormalEquationsAddUp) {
   scene_.identify.method = Method::one;
-  scene_.identify.solver = "normal";
+  scene_.identify.solver = Solver::normal;
   expect_same(alone(), together(3).front());
 }
 

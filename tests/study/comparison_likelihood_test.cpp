@@ -22,7 +22,7 @@ TEST(CombinationsOfLikelihood, HaveNoWeightingsAndNoDeltas) {
                                        .equations = {},
                                        .weightings = {Weighting::wa, Weighting::wbs},
                                        .deltas = {0.0, 0.1, 0.2},
-                                       .solvers = {"auto", "iqml"}});
+                                       .solvers = {ident::Solver::automatic, ident::Solver::iqml}});
   EXPECT_EQ(ways.size(), 2u * 2u * 3u + 2u);
 }
 
@@ -32,10 +32,10 @@ TEST(ComparisonOfLikelihood, HasRowsForItsSolversAndLeavesTheRestOut) {
                                               .equations = {{ident::Equation::nn, ident::Equation::nj}},
                                               .weightings = {Weighting::wb},
                                               .deltas = {0.0, 0.1},
-                                              .solvers = {"auto", "iqml", "qr"}},
+                                              .solvers = {ident::Solver::automatic, ident::Solver::iqml, ident::Solver::qr}},
                                     5);
   std::vector<std::string> rows;
-  for (const Combination& each : found.combinations) rows.push_back(name(each.way.method) + " " + each.way.solver);
+  for (const Combination& each : found.combinations) rows.push_back(name(each.way.method) + " " + name(each.way.solver));
   EXPECT_THAT(rows, testing::ElementsAre("one qr", "one qr", "one qr", "one qr", "likelihood gauss-helmert", "likelihood iqml"));
   ASSERT_EQ(found.left_out.size(), 3u);
   EXPECT_THAT(found.left_out[0].reason, HasSubstr("method \"one\" has no solver \"iqml\""));
@@ -53,7 +53,7 @@ TEST(ComparisonOfLikelihood, HasCeresOrSaysThatTheBuildLacksIt) {
                                               .equations = {},
                                               .weightings = {},
                                               .deltas = {},
-                                              .solvers = {"auto", "ceres"}},
+                                              .solvers = {ident::Solver::automatic, ident::Solver::ceres}},
                                     2);
   if (minimise::has_ceres()) {
     ASSERT_EQ(found.combinations.size(), 2u);

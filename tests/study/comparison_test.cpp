@@ -51,13 +51,13 @@ TEST(Spread, LeavesOutWhatIsNoNumber) {
 TEST(Combinations, AreTheProductAndFallBackToTheScene) {
   ident::IdentifySection own;
   own.equations = nn_nj;
-  own.solver = "qr";
+  own.solver = ident::Solver::qr;
   const auto ways = combinations(own, {.methods = {ident::Method::one, ident::Method::two}, .equations = {}, .weightings = {},
                                        .deltas = {0.0, 0.1}, .solvers = {}});
   ASSERT_EQ(ways.size(), 4u);
   EXPECT_EQ(ways[1].equations, nn_nj);
   EXPECT_EQ(ways[1].delta, 0.1);
-  EXPECT_EQ(ways[1].solver, "qr");
+  EXPECT_EQ(ways[1].solver, ident::Solver::qr);
   EXPECT_EQ(ways[2].method, ident::Method::two);
   EXPECT_TRUE(ways[2].equations.empty()) << "the scene's equations are those of method one";
 }
@@ -72,7 +72,7 @@ TEST(Fronts, ByHand) {
 }
 
 TEST(Comparison, IsThatOfSolvingTrialAfterTrial) {
-  const Way way{ident::Method::one, nn_nj, Weighting::wbs, 0.05, "qr"};
+  const Way way{ident::Method::one, nn_nj, Weighting::wbs, 0.05, ident::Solver::qr};
   const Combination found = compared("A1", {way}, {.trials = 21, .seed = 3}).combinations.at(0);
 
   const problems::Problem problem = problems::make("A1");
@@ -102,8 +102,8 @@ TEST(Comparison, IsThatOfSolvingTrialAfterTrial) {
 }
 
 TEST(Comparison, SameNumbersForAnyNumberOfThreads) {
-  const std::vector<Way> ways = {{ident::Method::one, nn_nj, Weighting::wa, 0.0, "qr"},
-                                 {ident::Method::two, {ident::Equation::jn}, Weighting::wb, 0.0, "normal"}};
+  const std::vector<Way> ways = {{ident::Method::one, nn_nj, Weighting::wa, 0.0, ident::Solver::qr},
+                                 {ident::Method::two, {ident::Equation::jn}, Weighting::wb, 0.0, ident::Solver::normal}};
   const Comparison one = compared("A1", ways, {.trials = 30, .threads = 1});
   const Comparison two = compared("A1", ways, {.trials = 30, .threads = 2});
   for (std::size_t i = 0; i < ways.size(); ++i) {
@@ -117,23 +117,24 @@ TEST(Comparison, SameNumbersForAnyNumberOfThreads) {
 }
 
 TEST(Comparison, EveryWayHasTheSameErrors) {
-  const Way way{ident::Method::one, nn_nj, Weighting::wb, 0.0, "qr"};
-  const Way few{ident::Method::one, {ident::Equation::nn}, Weighting::wb, 0.0, "qr"};
+  const Way way{ident::Method::one, nn_nj, Weighting::wb, 0.0, ident::Solver::qr};
+  const Way few{ident::Method::one, {ident::Equation::nn}, Weighting::wb, 0.0, ident::Solver::qr};
   const Comparison found = compared("A1", {way, few, way}, {.trials = 5});
   EXPECT_EQ(found.combinations[0].matrices[0].arvf.low, found.combinations[2].matrices[0].arvf.low);
   EXPECT_NE(found.combinations[0].matrices[0].arvf.low, found.combinations[1].matrices[0].arvf.low);
 }
 
 TEST(Comparison, LeavesOutWhatCannotBe) {
-  const Comparison found = compared("A1", {{ident::Method::two, {ident::Equation::nn}, Weighting::wb, 0.0, "qr"},
-                                           {ident::Method::one, {}, Weighting::wb, 0.0, "auto"}},
+  const Comparison found = compared("A1", {{ident::Method::two, {ident::Equation::nn}, Weighting::wb, 0.0, ident::Solver::qr},
+                                           {ident::Method::one, {}, Weighting::wb, 0.0, ident::Solver::automatic}},
                                     {.trials = 2});
   ASSERT_EQ(found.left_out.size(), 1u);
   EXPECT_EQ(found.left_out[0].way.method, ident::Method::two);
   ASSERT_EQ(found.combinations.size(), 1u);
   EXPECT_EQ(found.combinations[0].way.equations.size(), 4u) << "all that the data allow";
-  EXPECT_EQ(found.combinations[0].way.solver, "qr");
-  EXPECT_THROW(compared("A1", {{ident::Method::two, {ident::Equation::nn}, Weighting::wb, 0.0, "qr"}}, {.trials = 2}), InputError);
+  EXPECT_EQ(found.combinations[0].way.solver, ident::Solver::qr);
+  EXPECT_THROW(compared("A1", {{ident::Method::two, {ident::Equation::nn}, Weighting::wb, 0.0, ident::Solver::qr}}, {.trials = 2}),
+               InputError);
 }
 
 TEST(Comparison, NeedsATruth) {
@@ -153,7 +154,7 @@ TEST(Comparison, NeedsATruth) {
 TEST(Comparison, EndsWhenAsked) {
   int asked = 0;
   const TrialOptions options{.trials = 1000, .threads = 1, .progress = {}, .interrupted = [&] { return ++asked > 3; }};
-  EXPECT_THROW(compared("A1", {{ident::Method::one, nn_nj, Weighting::wb, 0.0, "qr"}}, options), Interrupted);
+  EXPECT_THROW(compared("A1", {{ident::Method::one, nn_nj, Weighting::wb, 0.0, ident::Solver::qr}}, options), Interrupted);
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ Bundle::Bundle(LikelihoodData& observations, const restrictions::Restriction& re
   for (Eigen::Index i = 0; i < variances.size(); ++i) scale_.scale.push_back(std::sqrt(variances[i]));
   for (std::size_t i = 0; i < observations.lines().size(); ++i) {
     const LineData& data = observations.lines()[i];
-    const JointImpedance joint(restriction, columns, omega0, data.omega);
+    const JointImpedance joint = joint_at(restriction, columns, omega0, data.omega);
     const double redundancy = data.redundancy(observations.layout());
     if (redundancy <= 0.0 || joint.columns().empty()) continue;
     lines_.push_back({i, redundancy, joint, ExplicitLine(observations.layout(), data, joint), {}, 0.0, false});

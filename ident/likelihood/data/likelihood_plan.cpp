@@ -54,26 +54,27 @@ std::string lacks(const LikelihoodPlan& own, Equation equation, bool joint_on_as
 }
 
 /// Equations in the order nn nj jj jn; without a choice nn, nj and jj, which read all that jn does.
-void choose_equations(Plan& plan, const LikelihoodPlan& own, bool joint_on_assembly) {
+std::vector<Equation> choose_equations(const Plan& plan, const LikelihoodPlan& own, bool joint_on_assembly) {
+  std::vector<Equation> out;
   const auto& named = plan.scene.identify.equations;
   for (const Equation equation : {Equation::nn, Equation::nj, Equation::jj, Equation::jn}) {
     const bool is_named = std::find(named.begin(), named.end(), equation) != named.end();
     if (named.empty() ? equation == Equation::jn : !is_named) continue;
     const std::string lack = lacks(own, equation, joint_on_assembly);
     if (lack.empty()) {
-      plan.equations.push_back(equation);
+      out.push_back(equation);
     } else if (is_named) {
       fail(plan.scene, "[identify] equations", "equation " + name(equation) + " cannot be used: " + lack,
            "leave it out, measure what it lacks, or let `jointid check` look for a mistaken label");
     }
   }
-  if (plan.equations.empty()) {
+  if (out.empty()) {
     fail(plan.scene, "[data]", "the data allow no equation: " + lacks(own, Equation::nn, joint_on_assembly), "measure it");
   }
+  return out;
 }
 
-void choose_blocks(const Plan& plan, LikelihoodPlan& own, bool joint_on_assembly) {
-  const EquationSet use(plan.equations);
+void choose_blocks(const EquationSet& use, LikelihoodPlan& own, bool joint_on_assembly) {
   LikelihoodBlocks& blocks = own.blocks;
   blocks.substructures = {.nn = use.nn, .jn = !own.others.empty(), .jj = use.nj || use.jj || use.jn || !joint_on_assembly};
   blocks.assembly = {.nn = use.nn, .jn = joint_on_assembly && !own.others.empty() && (use.nn || use.nj || use.jn),
@@ -101,35 +102,35 @@ std::vector<ScaledPrior> plan_priors(const Plan& plan) {
 }
 
 /// Priors of systematic errors, and what cannot go with them.
-void plan_systematic(Plan& plan, LikelihoodPlan& own) {
+void plan_systematic(const Plan& plan, LikelihoodPlan& own, PlannedMethod& out) {
   const SystematicPlan* systematic = own.observations->systematic_plan();
   if (systematic == nullptr) return;
   const auto refuse = [&](const std::string& what, const std::string& remedy) {
     fail(plan.scene, "[data]", "gains and masses as unknowns do not go with " + what, remedy);
   };
-  if (plan.solver != "gauss-helmert") refuse("solver \"" + plan.solver + "\"", "leave solver out");
+  if (out.solver != Solver::gauss_helmert) refuse("solver \"" + name(out.solver) + "\"", "leave solver out");
   if (plan.scene.identify.bootstrap > 0) refuse("a bootstrap", "leave bootstrap out");
   if (plan.admissible) refuse("definite, bounds and ties", "leave these out, or put the gains right in [data.files]");
   const std::size_t first = plan.columns->size();
   for (std::size_t u = 0; u < systematic->all().size(); ++u) own.priors.push_back({first + u, 0.0, 1.0});
-  plan.notes.push_back("Estimated with the joint: " + listed_names(systematic->all()) + ".");
+  out.notes.push_back("Estimated with the joint: " + listed_names(systematic->all()) + ".");
 }
 
 /// Which assembly FRFs are predicted from its result.
-void plan_prediction(Plan& plan, const LikelihoodPlan& own) {
+void plan_prediction(const Dofs& joint, const LikelihoodPlan& own, PlannedMethod& out) {
   if (!own.blocks.substructures.jj) {
-    plan.left_out.push_back("the assembly FRF error: it needs H_bb, which the equations do not read");
+    out.left_out.push_back("the assembly FRF error: it needs H_bb, which the equations do not read");
     return;
   }
   const Blocks& blocks = own.blocks.assembly;
-  plan.predicted_responses = joined(only_if(blocks.nn || blocks.jn, own.others), only_if(blocks.jj, plan.coordinates.joint));
-  plan.predicted_references = joined(only_if(blocks.nn, own.others), only_if(blocks.jn || blocks.jj, plan.coordinates.joint));
+  out.predicted_responses = joined(only_if(blocks.nn || blocks.jn, own.others), only_if(blocks.jj, joint));
+  out.predicted_references = joined(only_if(blocks.nn, own.others), only_if(blocks.jn || blocks.jj, joint));
 }
 
 /// Right-hand sides of a line's normal equations where unknowns that act alike share one, see RightSides.
 std::size_t shared_right_sides(const Plan& plan, const LikelihoodPlan& own) {
   const double omega = angular(plan.lines.front().frequency_hz);
-  const JointImpedance joint(plan.restriction, *plan.columns, plan.omega0, omega);
+  const JointImpedance joint = joint_at(plan.restriction, *plan.columns, plan.omega0, omega);
   return joint.shapes().size() + own.observations->systematic().size() + 1;
 }
 
@@ -170,7 +171,9 @@ Iteration iteration_cost(const Plan& plan, const LikelihoodPlan& own) {
 
 }  // namespace
 
-void plan_observations(Plan& plan, const StartPlanner& plan_start, LikelihoodPlan& own) {
+PlannedMethod plan_observations(const Plan& plan, const StartPlanner& plan_start, std::unique_ptr<LikelihoodPlan> method) {
+  PlannedMethod out = undecided(plan);
+  LikelihoodPlan& own = *method;
   if (!plan.restriction.symmetric()) {
     fail(plan.scene, "[joint]", "method \"likelihood\" takes FRFs as reciprocal, and the joint is not symmetric",
          "use pattern = \"symmetric\" or a symmetric matrix");
@@ -179,9 +182,10 @@ void plan_observations(Plan& plan, const StartPlanner& plan_start, LikelihoodPla
   own.priors = plan_priors(plan);
   const Dofs& joint = plan.coordinates.joint;
   const bool joint_on_assembly = std::any_of(joint.begin(), joint.end(), [&](const auto& dof) { return has(*plan.assembly, dof); });
-  choose_equations(plan, own, joint_on_assembly);
-  if (plan.equations == std::vector{Equation::jj}) own.others.clear();
-  choose_blocks(plan, own, joint_on_assembly);
+  out.equations = choose_equations(plan, own, joint_on_assembly);
+  if (out.equations == std::vector{Equation::jj}) own.others.clear();
+  const EquationSet use(out.equations);
+  choose_blocks(use, own, joint_on_assembly);
   own.observations = std::make_unique<Observations>(plan.scene, joined(own.others, joint), own.others.size(), own.blocks,
                                                     *plan.substructures, *plan.assembly);
   limit_error_sums(plan.lines.size(), *own.observations);
@@ -189,33 +193,35 @@ void plan_observations(Plan& plan, const StartPlanner& plan_start, LikelihoodPla
     // Method One, else the direct solution.
     own.start = plan_start(plan, {{Method::one, plan.scene.identify.equations}, {Method::one, {}}, {Method::direct, {}}});
     if (!own.observations->layout().reaches_joint()) {
-      plan.notes.push_back(
+      out.notes.push_back(
           "The assembly is not measured at the joint, and [identify] has no start: starts are guessed. One of yours, "
           "however rough, makes the right minimum surer.");
     }
   }
-  plan.coordinates.responses = plan.coordinates.references = own.others;
-  plan.entries_per_line = own.observations->entries_per_line();
-  plan.solver = plan.scene.identify.solver == "auto" ? "gauss-helmert" : plan.scene.identify.solver;
-  plan_systematic(plan, own);
-  const EquationSet use(plan.equations);
+  out.coordinates.responses = out.coordinates.references = own.others;
+  out.entries_per_line = own.observations->entries_per_line();
+  const Solver asked = plan.scene.identify.solver;
+  out.solver = asked == Solver::automatic ? Solver::gauss_helmert : asked;
+  plan_systematic(plan, own, out);
   const std::size_t n = own.others.size(), j = joint.size();
-  plan.cost.lines = plan.lines.size();
-  plan.cost.columns = plan.columns->size();
-  plan.cost.equations_per_line = (use.nn ? n * (n + 1) / 2 : 0) + (own.blocks.assembly.jn ? n * j : 0) +
+  out.cost.lines = plan.lines.size();
+  out.cost.columns = plan.columns->size();
+  out.cost.equations_per_line = (use.nn ? n * (n + 1) / 2 : 0) + (own.blocks.assembly.jn ? n * j : 0) +
                                  (own.blocks.assembly.jj ? j * (j + 1) / 2 : 0);
-  plan.cost.bytes_read = plan.entries_per_line * sizeof(Complex) * plan.lines.size();
-  plan.cost.iteration = iteration_cost(plan, own);
-  plan_prediction(plan, own);
+  out.cost.bytes_read = out.entries_per_line * sizeof(Complex) * plan.lines.size();
+  out.cost.iteration = iteration_cost(plan, own);
+  plan_prediction(joint, own, out);
+  out.method = std::move(method);
+  return out;
 }
 
-void LikelihoodPlan::read_first_line(Plan& plan) {
+void LikelihoodPlan::read_first_line(const Plan& plan) {
   observations->read({plan.lines.front()}, [](std::size_t) {});
   if (start) start->method->read_first_line(*start);
 }
 
 std::string LikelihoodPlan::not_shared(const Plan& plan) const {
-  if (plan.solver == "ceres") return "solver \"ceres\" works on all lines at once";
+  if (plan.solver == Solver::ceres) return "solver \"ceres\" works on all lines at once";
   if (plan.scene.identify.bootstrap > 0) return "a bootstrap simulates all lines at once";
   return observations->layout().a.empty() ? "with H_nn alone the start needs all lines at once" : "";
 }

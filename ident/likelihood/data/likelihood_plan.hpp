@@ -19,7 +19,7 @@ class LikelihoodPlan : public MethodPlan {
 
   bool carries_shared_errors() const override { return observations->has_error_sums(); }
 
-  void read_first_line(Plan& plan) override;
+  void read_first_line(const Plan& plan) override;
 };
 
 /// That of a plan, or nullptr for other methods.
@@ -29,6 +29,6 @@ LikelihoodPlan* likelihood_plan(const Plan& plan);
 /// blocks are read, as they do for Method One; coordinates count in either role, and the assembly's joint coordinates may be
 /// missing (then only H_nn is used). Throws InputError for joints that are not symmetric (reciprocity) and for data without
 /// variances.
-void plan_observations(Plan& plan, const StartPlanner& plan_start, LikelihoodPlan& own);
+PlannedMethod plan_observations(const Plan& plan, const StartPlanner& plan_start, std::unique_ptr<LikelihoodPlan> own);
 
 }  // namespace jointid::ident

@@ -49,7 +49,7 @@ const FileGain* telling_gain(const std::vector<FileGain>& gains) {
   return best != gains.end() && std::abs(best->score) >= telling ? &*best : nullptr;
 }
 
-AssumedGain::AssumedGain(Plan& plan, const FileTrial& file) : plan_(plan) {
+AssumedGain::AssumedGain(const Plan& plan, const FileTrial& file) : plan_(plan) {
   LikelihoodPlan& own = *likelihood_plan(plan);
   ErrorTrials trials;
   trials.add_files(plan);

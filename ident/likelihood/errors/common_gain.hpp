@@ -34,13 +34,13 @@ const FileGain* telling_gain(const std::vector<FileGain>& gains);
 /// While it lives the observations of a plan have the gain as an unknown, 1 ± usual_calibration.
 class AssumedGain {
  public:
-  AssumedGain(Plan& plan, const FileTrial& file);
+  AssumedGain(const Plan& plan, const FileTrial& file);
   ~AssumedGain();
   AssumedGain(const AssumedGain&) = delete;
   AssumedGain& operator=(const AssumedGain&) = delete;
 
  private:
-  Plan& plan_;
+  const Plan& plan_;
 };
 
 }  // namespace jointid::ident

@@ -44,7 +44,7 @@ class LineScores {
     data.systematic = observations.systematic_frfs(i, trials_);
     data = corrected_line(data, unknowns_, {});
     data.terms = joined(declared.get(), known - joint, *data.terms);
-    const JointImpedance impedance(plan_.restriction, *plan_.columns, plan_.omega0, data.omega);
+    const JointImpedance impedance = joint_at(plan_.restriction, *plan_.columns, plan_.omega0, data.omega);
     model.linearise(data, impedance, estimator_.impedance_of(i, fit_.theta), estimator_.state_of(i), true);
     const auto reduced = model.reduce(0.0, false);
     if (!reduced) return;

@@ -38,7 +38,7 @@ std::vector<ScaledPrior> drawn(std::vector<ScaledPrior> priors, const std::vecto
 
 }  // namespace
 
-std::vector<Replicate> bootstrap(Plan& plan, const LikelihoodEstimator& fitted, const LikelihoodFit& fit, const Control& control) {
+std::vector<Replicate> bootstrap(const Plan& plan, const LikelihoodEstimator& fitted, const LikelihoodFit& fit, const Control& control) {
   const LikelihoodPlan& own = *likelihood_plan(plan);
   const std::vector<ExactLine> exact = exact_lines(*own.observations, fitted, fit.theta);
   const IdentifySection& identify = plan.scene.identify;

@@ -26,7 +26,7 @@ std::vector<double> bound_of(const Plan& plan, const Eigen::MatrixXd& informatio
   return bound;
 }
 
-void read_observations(Plan& plan, const Control& control) {
+void read_observations(const Plan& plan, const Control& control) {
   const auto between = [&](std::size_t done) {
     stop_if(control.interrupted);
     if (control.progress) control.progress("reading", done, plan.lines.size());
@@ -34,7 +34,7 @@ void read_observations(Plan& plan, const Control& control) {
   likelihood_plan(plan)->observations->read(plan.lines, between, control.shares);
 }
 
-LikelihoodEstimator make_estimator(Plan& plan, const Control& control, std::shared_ptr<const std::string> stage) {
+LikelihoodEstimator make_estimator(const Plan& plan, const Control& control, std::shared_ptr<const std::string> stage) {
   LikelihoodEstimator estimator(*likelihood_plan(plan)->observations, plan.restriction, *plan.columns, plan.omega0,
                                 control.threads);
   estimator.set_priors(likelihood_plan(plan)->priors);

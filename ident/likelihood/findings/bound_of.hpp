@@ -16,10 +16,10 @@ namespace jointid::ident {
 std::vector<double> bound_of(const Plan& plan, const Eigen::MatrixXd& information);
 
 /// Reads all lines of a plan with method "likelihood".
-void read_observations(Plan& plan, const Control& control);
+void read_observations(const Plan& plan, const Control& control);
 
 /// An estimator on what was read, with the priors of the plan. It stops between lines as `control` says, which must outlive it
 /// and is told `stage` (nullptr: "likelihood") and how many lines are begun.
-LikelihoodEstimator make_estimator(Plan& plan, const Control& control, std::shared_ptr<const std::string> stage = nullptr);
+LikelihoodEstimator make_estimator(const Plan& plan, const Control& control, std::shared_ptr<const std::string> stage = nullptr);
 
 }  // namespace jointid::ident

@@ -17,7 +17,7 @@ constexpr double step = 1e-3;  ///< standard deviations to either side
 /// Part FRFs of a line as estimated, when the joint is some way along each of its unknowns, over the whole way.
 class Answer {
  public:
-  Answer(Plan& plan, const LikelihoodEstimator& estimator, const std::vector<double>& theta)
+  Answer(const Plan& plan, const LikelihoodEstimator& estimator, const std::vector<double>& theta)
       : observations_(*likelihood_plan(plan)->observations), estimator_(estimator), theta_(theta) {}
 
   /// d/dθ of all pairs, [pair, columns of the line]; zero of those that are not there.
@@ -86,7 +86,7 @@ void require_joint_errors(const Plan& plan) {
   }
 }
 
-JointErrors joint_errors(Plan& plan, const std::vector<double>& values, const Control& control) {
+JointErrors joint_errors(const Plan& plan, const std::vector<double>& values, const Control& control) {
   require_joint_errors(plan);
   std::vector<double> theta;
   Eigen::VectorXd unit(at(values.size()));

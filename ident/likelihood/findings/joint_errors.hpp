@@ -26,6 +26,6 @@ void require_joint_errors(const Plan& plan);
 
 /// Of a plan with method "likelihood" that was solved, at the values found (SI, one per column). To first order in the noise,
 /// from FRFs that are optimised for the joint anew. Throws as require_joint_errors().
-JointErrors joint_errors(Plan& plan, const std::vector<double>& values, const Control& control = {});
+JointErrors joint_errors(const Plan& plan, const std::vector<double>& values, const Control& control = {});
 
 }  // namespace jointid::ident

@@ -30,7 +30,7 @@ FittedLines::FittedLines(LikelihoodData& data, const restrictions::Restriction& 
   if (!data.systematic().empty()) corrected_.resize(data.lines().size());
   for (std::size_t i = 0; i < data.lines().size(); ++i) {
     const LineData& each = data.lines()[i];
-    FittedLine line{JointImpedance(restriction, columns, omega0, each.omega), {}, {}, 0.0, 0.0, 1.0, {}};
+    FittedLine line{joint_at(restriction, columns, omega0, each.omega), {}, {}, 0.0, 0.0, 1.0, {}};
     if (!line.joint.columns().empty()) line.redundancy = each.redundancy(data.layout());
     line.columns = line.joint.columns();
     for (std::size_t u = 0; u < data.systematic().size(); ++u) line.columns.push_back(joint_unknowns_ + u);

@@ -56,7 +56,7 @@ std::vector<double> predicted_start(const Plan& plan, const LikelihoodData& data
   const std::size_t apart = lines_apart(plan, data.lines());
   for (std::size_t i = 0; i < data.lines().size(); i += apart) {
     const LineData& line = data.lines()[i];
-    lines.emplace_back(frfs_of(data.layout(), line), JointImpedance(plan.restriction, *plan.columns, plan.omega0, line.omega));
+    lines.emplace_back(frfs_of(data.layout(), line), joint_at(plan.restriction, *plan.columns, plan.omega0, line.omega));
   }
   ResponseProblem problem(std::move(lines), theta.size());
   NewtonOptions options;

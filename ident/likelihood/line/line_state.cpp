@@ -1,7 +1,7 @@
 #include "ident/likelihood/line/line_state.hpp"
 
 #include "base/eigen.hpp"
-#include "dense/lu.hpp"
+#include "coupling/joint_loop.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -84,14 +84,13 @@ LineState measured_start(const LineLayout& layout, const LineData& data) {
 
 void put_on_constraint(const LineLayout& layout, const ComplexMatrix& z, LineState& state) {
   const auto n = at(layout.joint), others = state.x.cols();
-  const ComplexMatrix factor = ComplexMatrix::Identity(n, n) + state.y * z;
   if (layout.b.empty()) {
-    state.a = others > 0 ? dense::solve(factor, state.x) : state.x;  // without columns there is nothing to solve
+    state.a = others > 0 ? coupling::motion_with_joint(state.y, z, state.x) : state.x;  // without columns there is nothing to solve
     return;
   }
   ComplexMatrix both(n, others + n);
   both << state.x, state.y;
-  both = dense::solve(factor, both);
+  both = coupling::motion_with_joint(state.y, z, both);
   state.a = both.leftCols(others);
   state.b = both.rightCols(n);
 }

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "base/eigen.hpp"
-#include "dense/lu.hpp"
+#include "coupling/joint_loop.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -15,7 +15,7 @@ struct Explicit {
   ComplexMatrix p, a, b, za, xz;
 
   Explicit(const ComplexMatrix& impedance, const ComplexMatrix& x_, const ComplexMatrix& y_) : z(impedance), x(x_), y(y_) {
-    p = dense::inverse(ComplexMatrix::Identity(y.rows(), y.cols()) + y * z);
+    p = coupling::closed_loop(y, z);
     a = p * x;
     b = p * y;
     za = z * a;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/eigen.hpp"
+#include "coupling/joint_loop.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -63,7 +64,7 @@ void LiftedLine::add_conditions(const LineData& data, std::size_t first) {
     const auto [row, column] = layout_.y[i];
     y(at(row), at(column)) = y(at(column), at(row)) = variance(data.y.weight[i]);
   }
-  const Eigen::MatrixXd spread = (ComplexMatrix::Identity(joint, joint) + measured_.y * z_).cwiseAbs2();
+  const Eigen::MatrixXd spread = coupling::joint_loop(measured_.y, z_).cwiseAbs2();
   const Eigen::MatrixXd total = x + spread * a + y * (z_ * measured_.a).cwiseAbs2();
   for (Eigen::Index i = 0; i < total.size(); ++i) {
     const double weight = total.data()[i] > 0.0 ? 1.0 / std::sqrt(total.data()[i]) : 0.0;

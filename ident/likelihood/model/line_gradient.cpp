@@ -1,7 +1,7 @@
 #include "ident/likelihood/model/line_gradient.hpp"
 
 #include "base/eigen.hpp"
-#include "dense/lu.hpp"
+#include "coupling/joint_loop.hpp"
 #include "ident/likelihood/line/lane_matrix.hpp"
 
 namespace jointid::ident {
@@ -39,7 +39,7 @@ LineGradient gradient_of(const LineLayout& layout, const LineData& data, const J
                          const LineState& state) {
   LineGradient out;
   const std::size_t n = layout.joint, others = layout.others;
-  const ComplexMatrix inverse = dense::inverse(ComplexMatrix::Identity(at(n), at(n)) + state.y * z);
+  const ComplexMatrix inverse = coupling::closed_loop(state.y, z);
   const LaneMatrix p = split(inverse), p_h = split(inverse.adjoint()), a = split(state.a);
   LaneMatrix b(n, n), g(n, others), d(others, others);
   b.add_product(p.plain(), split(state.y).plain());

@@ -7,7 +7,7 @@
 #include "base/eigen.hpp"
 #include "base/kernel.hpp"
 #include "dense/blas.hpp"
-#include "dense/lu.hpp"
+#include "coupling/joint_loop.hpp"
 #include "ident/likelihood/elimination/elimination_flops.hpp"
 #include "ident/likelihood/rows/normal_kernels.hpp"
 
@@ -166,14 +166,13 @@ bool LineModel::put_correlated_prior(std::size_t variable, Complex residual, Com
 
 void LineModel::prepare(const ComplexMatrix& z, const LineState& state) {
   const auto n = at(layout_.joint);
-  const ComplexMatrix identity = ComplexMatrix::Identity(n, n);
-  p_ = dense::inverse(identity + state.y * z);
+  p_ = coupling::closed_loop(state.y, z);
   py_ = p_ * state.y;
   za_ = z * state.a;
   r_ = state.x - state.a - state.y * za_;
   pr_ = p_ * r_;
   if (layout_.b.empty()) return;
-  c_ = identity - z * state.b;
+  c_ = ComplexMatrix::Identity(n, n) - z * state.b;
   rest_b_ = state.y * c_ - state.b;
   pr_b_ = p_ * rest_b_;
 }

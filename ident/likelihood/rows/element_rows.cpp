@@ -88,10 +88,10 @@ JOINTID_INLINE void put_y(const RowShape& shape, const double* l, const double* 
 
 template <std::size_t lanes>
 JOINTID_INLINE void put_unknowns(const RowShape& shape, const double* lambda, const double* a, std::size_t first, const Place<lanes>& to) {
-  for (const ImpedanceShape& each : shape.shapes) {
+  for (const restrictions::ImpedanceShape& each : shape.shapes) {
     Numbers<lanes> sum{};
     for (std::size_t t = each.first_term; t < each.last_term; ++t) {
-      const ImpedanceTerm& term = shape.terms[t];
+      const restrictions::ImpedanceTerm& term = shape.terms[t];
       Numbers<lanes> left, right;
       number(lambda, term.row, left);
       number(a, term.column, right);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "ident/plan/impedance_terms.hpp"
+#include "restrictions/impedance_terms.hpp"
 
 namespace jointid::ident {
 
@@ -18,9 +18,9 @@ struct RowColumns {
 /// there are, whose columns write_rows() leaves alone.
 struct RowShape {
   std::span<const std::uint32_t> y_row, y_column;
-  std::span<const ImpedanceTerm> terms;
-  std::span<const ImpedanceShape> shapes;
-  std::span<const ImpedancePart> parts;
+  std::span<const restrictions::ImpedanceTerm> terms;
+  std::span<const restrictions::ImpedanceShape> shapes;
+  std::span<const restrictions::ImpedancePart> parts;
   std::size_t others = 0;
 
   /// Of the FRFs Y, the unknowns, the others and the residual.

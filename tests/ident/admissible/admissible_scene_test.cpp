@@ -45,7 +45,7 @@ std::string error_of(const Case& of) {
 TEST(AdmissibleLinear, DefiniteMatricesHaveNoNegativeEigenvalue) {
   for (const char* solver : {"qr", "normal", "spqr"}) {
     LinearCase a1("A1");
-    a1.scene.identify.solver = solver;
+    a1.scene.identify.solver = parse_solver(solver);
     const Solution free = solve(*a1.polluted());
     ASSERT_LT(least_relative_eigenvalue(free), -1e-6);  // the joint has no stiffness against rigid motion
     EXPECT_FALSE(free.admissibility);
@@ -229,7 +229,7 @@ TEST(AdmissiblePlan, RefusesWhatCannotBe) {
   EXPECT_THAT(refused([](Scene& scene) { scene.identify.ties = {"K(1,1) = 1", "K(1,1) = 2"}; }), HasSubstr("contradict"));
   EXPECT_THAT(refused([](Scene& scene) {
                 scene.identify.method = Method::likelihood;
-                scene.identify.solver = "iqml";
+                scene.identify.solver = Solver::iqml;
                 scene.identify.bounds = {{"K(1,1)", 0.0, 1.0}};
               }),
               HasSubstr("solver \"iqml\" knows no constraints"));

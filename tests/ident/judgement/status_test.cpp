@@ -25,7 +25,7 @@ struct NoisyProblem {
     scene.noise = NoiseSection{.model = "circular", .level = level, .frf_model = std::get<frf::NoiseModel>(problem.noise)};
     scene.identify.method = method;
     scene.identify.variance = VarianceChoice::noise;  // the coherences of rig1 do not tell of this noise
-    scene.identify.solver = "auto";
+    scene.identify.solver = Solver::automatic;
   }
 
   Measurement planted(SuspectKind kind, std::uint64_t seed = 1) const {

@@ -46,7 +46,7 @@ std::size_t errors_of(const Solution& found) {
 Solution h4(const std::string& solver, bool start, bool noise) {
   const problems::Problem problem = problems::make("H4");
   Scene scene = problems::scene(problem);
-  scene.identify.solver = solver;
+  scene.identify.solver = parse_solver(solver);
   if (!start) scene.identify.start.clear();
   return solve(*problems::plan(scene, noise ? problems::polluted(problem, 1, 0)
                                             : problems::Measurement{problem.substructures, problem.assembly}),

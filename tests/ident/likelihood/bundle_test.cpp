@@ -69,7 +69,7 @@ TEST(Bundle, OfCeresIsThatEstimateWithCovariancesToo) {
   for (frf::FrfSet& set : data.substructures) pollute(set);
   pollute(data.assembly);
   const auto solved = [&](const char* solver) {
-    example.scene.identify.solver = solver;
+    example.scene.identify.solver = parse_solver(solver);
     return solve(*problems::plan(example.scene, data), {.threads = 1, .progress = {}, .interrupted = {}, .detail = Detail::estimates});
   };
   const Solution own = solved("auto"), ceres = solved("ceres");
@@ -94,7 +94,7 @@ struct OneLine {
     Observations& observations = *likelihood_plan(plan)->observations;
     observations.read(plan.lines, [](std::size_t) {});
     const LineData& data = observations.lines().front();
-    const JointImpedance joint(plan.restriction, *plan.columns, plan.omega0, data.omega);
+    const JointImpedance joint = joint_at(plan.restriction, *plan.columns, plan.omega0, data.omega);
     ExplicitLine out(observations.layout(), data, joint);
     const LineState start = measured_start(observations.layout(), data);
     out.set_centre(start.x, start.y);
@@ -161,7 +161,7 @@ TEST(LineStart, FromExactDataIsExactEitherWay) {
   std::vector<double> theta = example.truth();
   for (std::size_t i = 0; i < theta.size(); ++i) theta[i] /= plan->unscale(i);
   for (const LineData& data : observations.lines()) {
-    const JointImpedance joint(plan->restriction, *plan->columns, plan->omega0, data.omega);
+    const JointImpedance joint = joint_at(plan->restriction, *plan->columns, plan->omega0, data.omega);
     const LineState measured = measured_start(observations.layout(), data);
     const LineState found = lifted_start(observations.layout(), data, joint.at(theta));
     EXPECT_LT((found.x - measured.x).norm(), 1e-8 * measured.x.norm());

@@ -27,7 +27,7 @@ class LineSample {
       : layout(layout_of(shape, random)),
         restriction(restrictions::build({spec(shape.joint)})),
         columns(restriction, {spec(shape.joint)}),
-        joint(restriction, columns, 3.0, 2.0),
+        joint(joint_at(restriction, columns, 3.0, 2.0)),
         random_(random) {
     const auto n = index(shape.others), j = index(shape.joint);
     for (std::size_t i = 0; i < columns.size(); ++i) theta.push_back(0.4 * normal());

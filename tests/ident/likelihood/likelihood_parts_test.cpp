@@ -155,7 +155,7 @@ RC_GTEST_PROP(JointImpedance, IsThatOfTheMatrices, (unsigned seed)) {
     const double unit = kind == Kind::mass ? omega0 * omega0 : kind == Kind::viscous_damping ? omega0 : 1.0;
     y[columns.unknown_of(column)] = theta[column] / unit;
   }
-  const JointImpedance joint(sample.restriction, columns, omega0, omega);
+  const JointImpedance joint = joint_at(sample.restriction, columns, omega0, omega);
   const ComplexMatrix z = joint.at(theta), expected = impedance(sample.restriction, y, omega);
   RC_ASSERT(joint.columns() == columns.at(hz));
   RC_ASSERT((z - expected).norm() <= 1e-13 * expected.norm());
@@ -174,7 +174,7 @@ RC_GTEST_PROP(JointImpedance, IsThatOfTheMatrices, (unsigned seed)) {
 TEST(JointImpedance, HasNoColumnsOutsideOfTheBands) {
   const FourMatrices sample;
   const UnknownColumns columns(sample.restriction, {sample.spec});
-  EXPECT_TRUE(JointImpedance(sample.restriction, columns, 40.0, 2.0 * M_PI * 5.0).columns().empty());
+  EXPECT_TRUE(joint_at(sample.restriction, columns, 40.0, 2.0 * M_PI * 5.0).columns().empty());
 }
 
 TEST(Covariance, IsTheInverseWhateverTheUnits) {

@@ -140,7 +140,7 @@ TEST(LikelihoodScene, WantsASymmetricJoint) {
 
 TEST(LikelihoodScene, HasNoLinearSolver) {
   LikelihoodCase a1("A1");
-  a1.scene.identify.solver = "qr";
+  a1.scene.identify.solver = Solver::qr;
   expect_error(a1.scene, a1.problem, {"[identify] solver", "method \"likelihood\" has no solver \"qr\"", "use auto"});
 }
 

@@ -32,7 +32,7 @@ struct SolverCase {
   std::unique_ptr<Plan> plan(const std::string& solver, std::uint64_t seed, bool recorded) const {
     problems::Measurement data = problems::polluted(problem, seed, 0);
     Scene chosen = scene;
-    chosen.identify.solver = solver;
+    chosen.identify.solver = parse_solver(solver);
     if (recorded) {
       for (std::size_t i = 0; i < data.substructures.size(); ++i) record(problem.substructures[i], data.substructures[i]);
       record(problem.assembly, data.assembly);

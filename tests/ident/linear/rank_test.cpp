@@ -39,7 +39,7 @@ void tie_joint_references(frf::FrfSet& set) {
 Scene scene_with(restrictions::MatrixSpec spec, const std::string& solver, std::vector<Equation> equations = {}) {
   Scene scene;
   scene.joints = {joint_of(dofs({"1:+X", "2:+X"}), Kind::stiffness, std::move(spec))};
-  scene.identify.solver = solver;
+  scene.identify.solver = parse_solver(solver);
   scene.identify.equations = std::move(equations);
   scene.identify.weighting = weighting::Weighting::wbs;
   return scene;

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <numeric>
 
-#include "ident/plan/scaling.hpp"
+#include "restrictions/impedance_factor.hpp"
 #include "tests/ident/memory_systems.hpp"
 #include "random_product.hpp"
 

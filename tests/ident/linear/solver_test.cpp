@@ -48,7 +48,7 @@ MemoryScene chain(std::size_t joints, const restrictions::MatrixSpec& spec, unsi
 
 Solution solved(const MemoryScene& chain, const std::string& solver) {
   Scene scene = chain.scene;
-  scene.identify.solver = solver;
+  scene.identify.solver = parse_solver(solver);
   const auto plan = chain.plan(scene);
   return solve(*plan);
 }
@@ -135,7 +135,7 @@ TEST(Solvers, TheConditionOfAChainIsWhatEverySolverSaysItIs) {
 TEST(Solvers, AChainOfTwentyJointsEqualsThePlainRoute) {
   MemoryScene parts = chain(20, Pattern::full, 1);
   parts.scene.identify.equations = {Equation::nj};  // the plain route takes 1600 coefficients per equation
-  parts.scene.identify.solver = "spqr";
+  parts.scene.identify.solver = Solver::spqr;
   parts.scene.frequency.range_hz = {{14.0, 35.0}};
   const auto plan = parts.plan();
   ASSERT_GT(linear_plan(*plan)->spec.supports.size(), 1u);  // split by substructure
@@ -173,7 +173,7 @@ TEST(Solvers, NormalEquationsOfCaseA1AreCloseToTheOthers) {
   Scene scene = problems::scene(a1);
   std::vector<Solution> solutions;
   for (const char* solver : {"qr", "spqr", "normal"}) {
-    scene.identify.solver = solver;
+    scene.identify.solver = parse_solver(solver);
     const auto plan = problems::plan(scene, problems::polluted(a1, 1, 0));
     solutions.push_back(solve(*plan));
   }
@@ -247,7 +247,7 @@ TEST(Bands, ABandWithoutLinesIsNotDeterminedAndTheOthersAre) {
   const problems::Problem a9 = problems::make("A9");
   for (const char* solver : {"qr", "spqr"}) {
     Scene scene = with_bands(problems::scene(a9), {{400.0, 1001.0}, {2000.0, 3000.0}});
-    scene.identify.solver = solver;
+    scene.identify.solver = parse_solver(solver);
     const auto plan = problems::plan(scene, {a9.substructures, a9.assembly});
     const Solution solution = solve(*plan);
     EXPECT_EQ(solution.status, Status::rank_deficient);

@@ -111,7 +111,7 @@ TEST(Scene, EveryKeyArrives) {
   EXPECT_THAT(scene.identify.equations, ElementsAre(Equation::nn, Equation::jn));
   EXPECT_EQ(scene.identify.weighting, weighting::Weighting::wbs);
   EXPECT_EQ(scene.identify.delta, 0.05);
-  EXPECT_EQ(scene.identify.solver, "ceres");
+  EXPECT_EQ(scene.identify.solver, Solver::ceres);
   EXPECT_EQ(scene.identify.start.at(Kind::stiffness)[3], (std::vector<double>{0, 0, 0, 4}));
   ASSERT_TRUE(scene.noise.has_value());
   EXPECT_EQ(scene.noise->model, "modal");
@@ -155,7 +155,7 @@ joint = { dofs = ["1:+X"], stiffness.pattern = "free" }
   EXPECT_EQ(scene.identify.method, Method::one);
   EXPECT_THAT(scene.identify.equations, IsEmpty());
   EXPECT_EQ(scene.identify.weighting, weighting::Weighting::wb);
-  EXPECT_EQ(scene.identify.solver, "auto");
+  EXPECT_EQ(scene.identify.solver, Solver::automatic);
   EXPECT_FALSE(scene.noise.has_value());
   EXPECT_THAT(scene.truth, IsEmpty());
 }

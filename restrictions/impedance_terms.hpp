@@ -4,7 +4,7 @@
 
 #include "base/complex.hpp"
 
-namespace jointid::ident {
+namespace jointid::restrictions {
 
 /// Of ∂Z/∂θ.
 struct ImpedanceTerm {
@@ -23,4 +23,4 @@ struct ImpedancePart {
   std::size_t unknown;
 };
 
-}  // namespace jointid::ident
+}  // namespace jointid::restrictions

@@ -1,8 +1,6 @@
-#include "ident/plan/scaling.hpp"
+#include "restrictions/impedance_factor.hpp"
 
-namespace jointid::ident {
-
-using restrictions::Kind;
+namespace jointid::restrictions {
 
 Complex impedance_factor(Kind kind, double omega) {
   switch (kind) {
@@ -31,4 +29,8 @@ double unscale(Kind kind, double omega0) {
   return 1.0;
 }
 
-}  // namespace jointid::ident
+void add_impedance(Kind kind, const Eigen::Ref<const Eigen::MatrixXd>& matrix, double omega, Eigen::MatrixXcd& z) {
+  z += impedance_factor(kind, omega) * matrix.cast<Complex>();
+}
+
+}  // namespace jointid::restrictions
