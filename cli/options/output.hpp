@@ -20,7 +20,9 @@ using OptionTarget = std::pair<std::string, std::optional<std::string>>;
 /// `inputs`: all that the command reads, e.g. ident::files_of(scene); `targets`: all that it writes, those that go beside a result of
 /// another name included. A file that is there already is replaced only if it looks like one of jointid's own (own_file.hpp), unless
 /// allow_overwriting() was called. A page as PDF needs a browser (pdf.hpp).
-void check_targets(const std::vector<ident::NamedFile>& inputs, const std::vector<OptionTarget>& targets);
+/// `records`: the command writes records or motions, of which any is taken for one of its own. A name that ends in that of another format
+/// than --report, --json or --csv write (--report r.docx) is an error of use.
+void check_targets(const std::vector<ident::NamedFile>& inputs, const std::vector<OptionTarget>& targets, bool records = false);
 
 /// From now on check_targets() lets any file be replaced but inputs: --force.
 void allow_overwriting();

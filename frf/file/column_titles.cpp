@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "frf/csv/csv_table.hpp"
+#include "frf/csv/csv_titles.hpp"
 #include "frf/text/label_text.hpp"
 #include "frf/text/number_text.hpp"
 
