@@ -161,18 +161,26 @@ class CsvReader {
 
   void read_cell(std::string_view cell, std::size_t column) {
     double value = 0.0;
-    const bool real = parse(cell, value) || states_no_value(cell);
-    const auto complex = real || column == 0 ? std::nullopt : parse_complex(cell, may_be_comma(cell));
-    if (!real && !complex)
+    if (parse(cell, value)) {
+      require_one_decimal_sign(cell, column);
+    } else if (states_no_value(cell)) {
+      value = std::numeric_limits<double>::quiet_NaN();
+    } else if (column == 0 || !read_complex(cell, column, value)) {
       table_.fail(line_, column, "'" + std::string(cell) + "' is not a number", "leave the cell empty where nothing was measured");
-    const auto known = imaginary_.find(column);
-    if (complex || known != imaginary_.end()) {
-      std::vector<double>& parts = imaginary_[column];
-      parts.resize(table_.rows(), 0.0);  // real numbers above
-      parts.push_back(complex ? complex->imag() : 0.0);
     }
-    if (real) require_one_decimal_sign(cell, column);
-    table_.cells.push_back(complex ? complex->real() : states_no_value(cell) ? std::numeric_limits<double>::quiet_NaN() : value);
+    if (const auto known = imaginary_.find(column); known != imaginary_.end()) known->second.resize(table_.rows() + 1, 0.0);
+    table_.cells.push_back(value);
+  }
+
+  /// Keeps the imaginary part; real numbers above and below have none.
+  bool read_complex(std::string_view cell, std::size_t column, double& real) {
+    const auto value = parse_complex(cell, may_be_comma(cell));
+    if (!value) return false;
+    real = value->real();
+    std::vector<double>& parts = imaginary_[column];
+    parts.resize(table_.rows(), 0.0);
+    parts.push_back(value->imag());
+    return true;
   }
 
   /// 1,234 beside 5.6 may be a thousand and more.
