@@ -98,15 +98,24 @@ Quantity read_quantity(const CsvTable& table, const CsvColumns& columns, const O
   fail(table, {}, "does not say which quantity it holds", "begin it with e.g. # quantity = accelerance");
 }
 
+/// Factor to SI of a label; what is wrong with it can be put right by the user, too.
+double factor_of(const CsvTable& table, const std::string& place, const std::string& label, const FrfHeader& header) {
+  try {
+    return located(table.file, place, [&] { return si_factor(label, header); });
+  } catch (const InputError& error) {
+    fail(table, place, error.parts().problem, error.parts().remedy + "; or say what the numbers are: --unit, in a scene unit");
+  }
+}
+
 /// By the key `unit`, by the unit of its columns, or 1. Throws where both are there and differ.
 double si_factor_of(const CsvTable& table, const CsvColumns& columns, const CsvColumns::OfPair& pair, const FrfHeader& header) {
   const auto key = table.keys.find("unit");
   const bool by_key = key != table.keys.end() && !states_no_unit(key->second);
   std::size_t column = 0;
   const std::string& own = columns.unit(pair, column);
-  const double of_file = by_key ? located(table.file, "# unit", [&] { return si_factor(key->second, header); }) : 1.0;
+  const double of_file = by_key ? factor_of(table, "# unit", key->second, header) : 1.0;
   if (column == 0) return of_file;
-  const double of_column = located(table.file, table.place(table.units_line, column), [&] { return si_factor(own, header); });
+  const double of_column = factor_of(table, table.place(table.units_line, column), own, header);
   if (by_key && std::abs(of_file - of_column) > 1e-9 * of_file) {
     table.fail(table.units_line, column,
                "the unit '" + shown_label(own) + "' is not that of # unit, '" + shown_label(key->second) + "'",

@@ -126,7 +126,7 @@ class Notes {
 
 CsvNote csv_note(std::string_view line, std::size_t number, char separator) {
   std::size_t at = line.find(separator);
-  if (at == std::string_view::npos) at = line.find_first_of(":=");
+  if (at == std::string_view::npos) at = line.find_first_of(":=;\t,");
   if (at == std::string_view::npos) return {number, {}, std::string(trimmed(line))};
   std::string_view key = trimmed(line.substr(0, at)), value = trimmed(line.substr(at + 1));
   const auto is_filling = [&](char c) { return c == separator || c == ' ' || c == '\t' || c == '"' || c == '='; };

@@ -56,6 +56,8 @@ class CsvReader {
       notes_.push_back(csv_note(text, line_, header_->separator));
     } else if (table_.columns.empty()) {
       read_header(line);
+    } else if (table_.lines.empty() && is_heading_of_units(line)) {
+      return;
     } else if (table_.lines.empty() && table_.units_line == table_.header_line && is_units(line)) {
       read_units(line);
     } else {
@@ -122,6 +124,13 @@ class CsvReader {
     while (cells.size() > count && cells.back().empty()) cells.pop_back();
     cells.erase(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(std::min(first, cells.size())));
     return cells;
+  }
+
+  /// "Units:" alone in a line, as analysers write it above the row of units.
+  bool is_heading_of_units(std::string_view line) const {
+    const std::vector<std::string_view> cells = csv_cells(line, separator_);
+    const std::string word = lower_case(cells.front());
+    return (word == "units:" || word == "units") && std::all_of(cells.begin() + 1, cells.end(), [](auto cell) { return cell.empty(); });
   }
 
   /// A row without a number, under the titles.

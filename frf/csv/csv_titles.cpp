@@ -190,7 +190,7 @@ std::optional<CsvTitle> frequency_title(std::string_view cell) {
     if (angular) title.unit = "rad/s";
     if (alone) title.unit = title.title;
   }
-  if (angular || alone || plain == "f" || is_known_frequency(lower_case(title.title))) return title;
+  if (angular || alone || (plain == "f" && !title.unit.empty()) || is_known_frequency(lower_case(title.title))) return title;
   return std::nullopt;
 }
 

@@ -30,6 +30,11 @@ bool are_units(const std::vector<std::string_view>& cells) {
   });
 }
 
+bool has_numbers(std::string_view line, char separator) {
+  const DecimalMark mark(separator);
+  return std::ranges::any_of(split(line, separator), [&](std::string_view cell) { return !cell.empty() && is_number(cell, mark); });
+}
+
 /// "Time [s]": names with units.
 bool have_units(const std::vector<std::string_view>& cells) {
   return std::ranges::any_of(cells, [](std::string_view cell) {
@@ -63,11 +68,7 @@ bool ColumnTitles::begins_with(std::string_view line, const std::string& place) 
 
 void ColumnTitles::end() {
   if (!empty() || texts_.empty()) return;
-  if (texts_seen_ > 2) {
-    const TextLine& second = texts_[1];
-    const std::string cell(split(second.text, separator_in(second.text)).front().substr(0, 40));
-    throw InputError({ErrorKind::data, columns_.file, second.place, "'" + cell + "' is not a number", "begin lines that are no numbers with #"});
-  }
+  if (texts_seen_ > 2 || (texts_seen_ == 2 && has_numbers(texts_.back().text, separator_in(texts_.back().text)))) refuse(texts_[1], {});
   take_names(texts_.front());
   if (texts_.size() > 1) take_units(texts_.back().text);
 }
@@ -100,15 +101,18 @@ void ColumnTitles::settle(std::string_view numbers) {
   const auto above = last + 1;
   if (above == texts_.rend() || !fits(*above)) return take_names(*last);
   const std::vector<std::string_view> cells = split(last->text, separator_in(last->text));
+  if (has_numbers(last->text, separator_in(last->text))) refuse(*last, {});
   const bool units = are_units(cells) || (texts_seen_ == 2 && !have_units(cells));
   take_names(units ? *above : *last);
   const bool stated = std::ranges::any_of(columns_.columns, [](const NumberColumn& column) { return !column.unit.empty(); });
-  if (units && stated) {
-    const std::string cell(split(last->text, separator_).front().substr(0, 40));
-    throw InputError({ErrorKind::data, columns_.file, last->place + ", column 1", "'" + cell + "' is not a number",
-                      "begin lines that are no numbers with #; the titles above have units already"});
-  }
+  if (units && stated) refuse(*last, "; the titles above have units already");
   if (units) take_units(last->text);
+}
+
+void ColumnTitles::refuse(const TextLine& line, const std::string& why) const {
+  const std::string cell(split(line.text, separator_in(line.text)).front().substr(0, 40));
+  throw InputError({ErrorKind::data, columns_.file, line.place + ", column 1", "'" + cell + "' is not a number",
+                    "begin lines that are no numbers with #" + why});
 }
 
 void ColumnTitles::require_few(std::size_t columns, const std::string& place) const {

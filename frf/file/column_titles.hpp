@@ -44,6 +44,7 @@ class ColumnTitles {
   void settle(std::string_view numbers);
   void take_names(const TextLine& line);
   void take_units(std::string_view line);
+  [[noreturn]] void refuse(const TextLine& line, const std::string& why) const;
   void require_few(std::size_t columns, const std::string& place) const;
 
   Columns columns_;

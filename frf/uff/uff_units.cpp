@@ -126,6 +126,11 @@ LabelledUnits read_labels(const Header58& header, const Place& place) {
   return read;
 }
 
+Quantity quantity_of_motion(int type) {
+  if (type == type_displacement) return Quantity::receptance;
+  return type == type_velocity ? Quantity::mobility : Quantity::accelerance;
+}
+
 std::optional<Quantity> quantity_of_types(const Header58& header, const Place& place) {
   const int above = header.numerator.data_type;
   const int below = header.denominator.data_type;
@@ -136,14 +141,14 @@ std::optional<Quantity> quantity_of_types(const Header58& header, const Place& p
                    " is not displacement (8), velocity (11) or acceleration (12) over a force (13 or 9)",
                "export receptances, mobilities or accelerances");
   }
-  if (!motion || !is_force_type(below)) return std::nullopt;
-  if (above == type_displacement) return Quantity::receptance;
-  return above == type_velocity ? Quantity::mobility : Quantity::accelerance;
+  return motion && is_force_type(below) ? std::optional(quantity_of_motion(above)) : std::nullopt;
 }
 
-/// By the labels alone: they say motion, and they or the data type say force.
+/// By the labels, where one of the data types does not say it: they say motion, or the type of the numerator does, and they or the
+/// type of the denominator say force.
 std::optional<Quantity> quantity_of_labels(const LabelledUnits& labels, const Header58& header) {
-  return labels.denominator || is_force_type(header.denominator.data_type) ? labels.quantity : std::nullopt;
+  if (!labels.quantity || (!labels.denominator && !is_force_type(header.denominator.data_type))) return std::nullopt;
+  return is_motion(header.numerator.data_type) ? quantity_of_motion(header.numerator.data_type) : *labels.quantity;
 }
 
 Quantity resolve_quantity(std::optional<Quantity> types, std::optional<Quantity> label, std::optional<Quantity> given,

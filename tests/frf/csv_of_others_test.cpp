@@ -110,7 +110,7 @@ TEST_F(CsvOfOthers, ComplexCells) {
         std::pair("\"(2.0,-1.0)\"", "\"(3.0,4.0)\"")})
     expect_right(titles + "10," + first + "\n20," + second + "\n", 1.0, accelerance());
   expect_right("Frequency [Hz];H11 [g/N]\n10,0;2,0-1,0i\n20,0;3,0+4,0i\n", gravity, at_one_point());
-  expect_right(",f,H11\n0,10,(2-1j)\n1,20,(3+4j)\n", 1.0, accelerance(at_one_point()));
+  expect_right(",freq,H11\n0,10,(2-1j)\n1,20,(3+4j)\n", 1.0, accelerance(at_one_point()));
   const FrfSet gaps = read(titles + "1,nan+nanj\n2,\n3,NaN\n4,5\n10,2-1j\n", accelerance());
   ASSERT_EQ(gaps.values.size(), 5U);
   for (std::size_t l = 0; l < 3; ++l) EXPECT_TRUE(std::isnan(gaps.values[l].real()) && std::isnan(gaps.values[l].imag()));

@@ -425,9 +425,12 @@ TEST(UffOfOthers, AReactionForceIsAForce) {
     record.denominator_type = 9;
     expect_right(read(record.str()), 1e-9);
   }
+  Record contradicts = accelerance(1.0, "m/s^2", "N");
+  contradicts.numerator_type = 8, contradicts.denominator_type = 1;
+  EXPECT_THAT(refusal_of(contradicts.str()), HasSubstr("data type 8 makes it receptance but its unit 'm/s^2' makes it accelerance"));
   Record record = accelerance();
   record.numerator_type = 9, record.denominator_type = 12;
-  EXPECT_THAT(refusal_of(record.str()), HasSubstr("no frequency response functions"));
+  EXPECT_THAT(refusal_of(record.str()), HasSubstr("is not displacement (8), velocity (11) or acceleration (12) over a force (13 or 9)"));
 }
 
 std::string mode55(int specific, double modal_mass, const std::string& shape, int values) {
