@@ -31,7 +31,10 @@ class MeasuredNoise {
   /// `lines`: of this system.
   MeasuredNoise(frf::FrfSystem& system, const ident::Dofs& rows, const ident::Dofs& columns, const ident::Scene& scene,
                 std::vector<std::size_t> lines)
-      : lines_(std::move(lines)), entries_(rows.size() * columns.size()), columns_(columns.size()), variances_(system, rows, columns, scene) {
+      : lines_(std::move(lines)),
+        entries_(rows.size() * columns.size()),
+        columns_(columns.size()),
+        variances_(system, rows, columns, scene) {
     if (variances_.needs_prepare()) variances_.prepare(lines_);
   }
 
@@ -77,7 +80,7 @@ class MeasuredNoise {
 /// None where the files do not know their errors.
 std::unique_ptr<MeasuredNoise> measured_noise(frf::FrfSystem& system, const ident::Dofs& rows, const ident::Dofs& columns,
                                               const ident::Scene& scene, const std::vector<ident::Line>& lines,
-                                              std::size_t ident::Line::* line_of) {
+                                              std::size_t ident::Line::*line_of) {
   std::vector<std::size_t> numbers;
   for (const ident::Line& line : lines) numbers.push_back(line.*line_of);
   try {
@@ -88,9 +91,9 @@ std::unique_ptr<MeasuredNoise> measured_noise(frf::FrfSystem& system, const iden
   return nullptr;
 }
 
-/// Squares of the factors with which an error of the substructures' FRF (a, b) comes to the assembly's FRF (i, j), to first order:
-/// dH = (I − left E) dh (I − Eᵀ right), E the joint's rows. Of one side: of the joint's coordinates, and of i itself where it is none of
-/// these.
+/// Squares of the factors with which an error of the substructures' FRF (a, b) comes to the assembly's FRF (i, j), to first
+/// order: dH = (I − left E) dh (I − Eᵀ right), E the joint's rows. Of one side: of the joint's coordinates, and of i itself where
+/// it is none of these.
 struct ErrorFactors {
   Eigen::MatrixXd joint;  ///< [entries, N]
   std::vector<double> own;
@@ -109,23 +112,30 @@ struct ErrorFactors {
 
 /// Variances of the predicted FRFs by those of the substructures', `v`, whose errors are taken as independent.
 Eigen::MatrixXd predicted_variances(const ident::JointEffect& effect, const minimise::View& h, const Eigen::MatrixXcd& impedance,
-                                    const Eigen::MatrixXd& v, const std::vector<std::size_t>& rows, const std::vector<std::size_t>& columns) {
+                                    const Eigen::MatrixXd& v, const std::vector<std::size_t>& rows,
+                                    const std::vector<std::size_t>& columns) {
   const Eigen::Index n = impedance.rows(), r = v.rows(), c = v.cols();
-  Eigen::MatrixXcd h_bb(n, n), left(static_cast<Eigen::Index>(rows.size()), n), right(n, static_cast<Eigen::Index>(columns.size()));
+  Eigen::MatrixXcd h_bb(n, n), left(static_cast<Eigen::Index>(rows.size()), n),
+      right(n, static_cast<Eigen::Index>(columns.size()));
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index k = 0; k < n; ++k) h_bb(i, k) = h(static_cast<std::size_t>(r - n + i), static_cast<std::size_t>(c - n + k));
-    for (Eigen::Index k = 0; k < right.cols(); ++k) right(i, k) = effect.right(static_cast<std::size_t>(i), columns[static_cast<std::size_t>(k)]);
+    for (Eigen::Index k = 0; k < right.cols(); ++k)
+      right(i, k) = effect.right(static_cast<std::size_t>(i), columns[static_cast<std::size_t>(k)]);
   }
-  for (Eigen::Index i = 0; i < left.rows(); ++i) left.row(i) = effect.left.row(static_cast<Eigen::Index>(rows[static_cast<std::size_t>(i)]));
+  for (Eigen::Index i = 0; i < left.rows(); ++i)
+    left.row(i) = effect.left.row(static_cast<Eigen::Index>(rows[static_cast<std::size_t>(i)]));
   right = dense::solve(Eigen::MatrixXcd::Identity(n, n) + impedance * h_bb, Eigen::MatrixXcd(impedance * right));
-  const ErrorFactors above(left, rows, static_cast<std::size_t>(r)), below(right.transpose(), columns, static_cast<std::size_t>(c));
+  const ErrorFactors above(left, rows, static_cast<std::size_t>(r)),
+      below(right.transpose(), columns, static_cast<std::size_t>(c));
   Eigen::MatrixXd half = above.joint * v.bottomRows(n);  // [entries, columns of h]
   for (Eigen::Index i = 0; i < half.rows(); ++i) {
-    if (above.own[static_cast<std::size_t>(i)] > 0.0) half.row(i) += v.row(static_cast<Eigen::Index>(rows[static_cast<std::size_t>(i)]));
+    if (above.own[static_cast<std::size_t>(i)] > 0.0)
+      half.row(i) += v.row(static_cast<Eigen::Index>(rows[static_cast<std::size_t>(i)]));
   }
   Eigen::MatrixXd out = half.rightCols(n) * below.joint.transpose();
   for (Eigen::Index k = 0; k < out.cols(); ++k) {
-    if (below.own[static_cast<std::size_t>(k)] > 0.0) out.col(k) += half.col(static_cast<Eigen::Index>(columns[static_cast<std::size_t>(k)]));
+    if (below.own[static_cast<std::size_t>(k)] > 0.0)
+      out.col(k) += half.col(static_cast<Eigen::Index>(columns[static_cast<std::size_t>(k)]));
   }
   return out;
 }
@@ -178,7 +188,8 @@ class EntryErrorWorker final : public ident::ChunkWorker {
         pairs_(lines, ident::whole_rectangle(*plan.substructures, rows, columns),
                ident::whole_rectangle(*plan.assembly, out.responses, out.references)),
         noise_(measured_noise(*plan.assembly, out.responses, out.references, plan.scene, lines, &ident::Line::assembly)),
-        part_noise_(noise_ ? measured_noise(*plan.substructures, rows, columns, plan.scene, lines, &ident::Line::substructures) : nullptr),
+        part_noise_(noise_ ? measured_noise(*plan.substructures, rows, columns, plan.scene, lines, &ident::Line::substructures)
+                           : nullptr),
         sums_(out.rms_db.size(), 0.0),
         counts_(out.rms_db.size(), 0.0),
         noise_sums_(sums_),

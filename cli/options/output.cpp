@@ -126,9 +126,11 @@ void require_own(const OutputFile& output, bool record) {
 
 /// What the ending of a file says that it is, where an option writes something else.
 void require_ending(const OutputFile& output) {
-  constexpr std::array kinds = {std::pair{"--report", ".html .htm .xhtml .pdf"}, std::pair{"--json", ".json"}, std::pair{"--csv", ".csv .txt .tsv .dat"}};
-  constexpr std::string_view endings = " .html .htm .pdf .json .csv .h5 .hdf5 .uff .unv .mat .npy .npz .toml .doc .docx .odt .rtf .xls .xlsx .ods "
-                                       ".ppt .pptx .tex .md .png .svg .jpg .jpeg .ps .eps ";
+  constexpr std::array kinds = {std::pair{"--report", ".html .htm .xhtml .pdf"}, std::pair{"--json", ".json"},
+                                std::pair{"--csv", ".csv .txt .tsv .dat"}};
+  constexpr std::string_view endings =
+      " .html .htm .pdf .json .csv .h5 .hdf5 .uff .unv .mat .npy .npz .toml .doc .docx .odt .rtf .xls .xlsx .ods "
+      ".ppt .pptx .tex .md .png .svg .jpg .jpeg .ps .eps ";
   const auto kind = std::ranges::find(kinds, output.option, [](const auto& each) { return std::string_view(each.first); });
   std::string ending = Path(output.target).extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

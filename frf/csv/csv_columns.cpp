@@ -123,7 +123,9 @@ class HeaderRow {
   /// What the SI factor of the FRF does not look at.
   void require_unit_of(std::size_t column, CsvPart part, const std::string& unit) const {
     const std::string plain = lower_case(unit);
-    const bool right = part == phase_deg ? is_degrees(plain) : part == phase_rad ? plain.starts_with("rad") && !plain.starts_with("rad/") : plain == "1";
+    const bool right = part == phase_deg   ? is_degrees(plain)
+                       : part == phase_rad ? plain.starts_with("rad") && !plain.starts_with("rad/")
+                                           : plain == "1";
     const bool scaled = part == re || part == im || part == mag;
     if (scaled || right || states_no_unit(unit) || unit == "-") return;
     const bool variance = part == var_re || part == var_im;

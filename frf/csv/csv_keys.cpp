@@ -101,7 +101,8 @@ void read_csv_key(std::string_view line, const std::string& file, std::size_t nu
     fail(file, number, "the key '" + std::string(written.substr(0, 40)) + "' is not known",
          "did you mean " + std::string(near) + "? Or write a comment without = and :");
   } else if (!unit_given && is_unit_in_comment(value)) {
-    fail(file, number, "the unit '" + shown_label(value) + "' of the key '" + std::string(written.substr(0, 40)) + "' is not read",
+    fail(file, number,
+         "the unit '" + shown_label(value) + "' of the key '" + std::string(written.substr(0, 40)) + "' is not read",
          "did you mean # unit = " + shown_label(value) + "? Or reword the comment, or give --unit, in a scene unit");
   } else {
     return;

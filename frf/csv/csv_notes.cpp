@@ -62,8 +62,8 @@ class Notes {
   Notes(const std::string& file, const std::vector<std::string>& units, bool unit_given, CsvKeys& keys)
       : file_(file), units_(units), keys_(keys), unit_given_(unit_given) {
     const bool stated = units.size() > 1 && std::any_of(units.begin() + 1, units.end(), [](const std::string& unit) {
-      return quantity_of_unit(unit).has_value();
-    });
+                          return quantity_of_unit(unit).has_value();
+                        });
     unit_known_ = unit_given || stated || keys.contains("unit");
   }
 
@@ -99,21 +99,25 @@ class Notes {
     if (unit_given_) return;
     const auto [entry, fresh] = keys_.emplace("unit", note.value);
     if (!fresh && entry->second != note.value)
-      fail(note, "the unit is '" + shown_label(note.value) + "' here and '" + shown_label(entry->second) + "' elsewhere", give_unit);
+      fail(note, "the unit is '" + shown_label(note.value) + "' here and '" + shown_label(entry->second) + "' elsewhere",
+           give_unit);
     unit_known_ = true;
   }
 
   void set_axis(const CsvNote& note) {
     const auto [entry, fresh] = keys_.emplace("frequency_unit", note.value);
     if (!fresh && hertz_of(entry->second) != hertz_of(note.value))
-      fail(note, "the unit of the frequencies is '" + shown_label(note.value) + "' here and '" + shown_label(entry->second) + "' elsewhere",
+      fail(note,
+           "the unit of the frequencies is '" + shown_label(note.value) + "' here and '" + shown_label(entry->second) +
+               "' elsewhere",
            "correct it, or give --frequency-unit, in a scene frequency_unit");
   }
 
   void refuse_unit(const CsvNote& note) const {
     if (unit_known_) return;
     const std::string hint = unit_hint(note.value);
-    fail(note, "'" + shown_label(note.value) + "' is no unit of an FRF that is known" + (hint.empty() ? "" : " (" + hint + ")"), give_unit);
+    fail(note, "'" + shown_label(note.value) + "' is no unit of an FRF that is known" + (hint.empty() ? "" : " (" + hint + ")"),
+         give_unit);
   }
 
   const std::string& file_;
@@ -136,8 +140,8 @@ CsvNote csv_note(std::string_view line, std::size_t number, char separator) {
   return {number, std::string(trimmed(key)), std::string(value)};
 }
 
-void read_csv_notes(const std::vector<CsvNote>& notes, const std::string& file, const std::vector<std::string>& units, bool unit_given,
-                    CsvKeys& keys) {
+void read_csv_notes(const std::vector<CsvNote>& notes, const std::string& file, const std::vector<std::string>& units,
+                    bool unit_given, CsvKeys& keys) {
   Notes reader(file, units, unit_given, keys);
   for (const CsvNote& note : notes) reader.take(note);
 }

@@ -91,9 +91,10 @@ class CsvReader {
       table_.columns[0] = std::move(title->title);
       table_.units[0] = std::move(title->unit);
     } else if (given_.frequency_unit.empty()) {
-      table_.fail(table_.header_line, 0, "the first column is '" + std::string(cell) + "', so it is no table of FRFs",
-                  "begin the header row with frequency_hz, or give jointid-frf HDF5, UFF or MATLAB; does it hold frequencies? Give "
-                  "their unit: --frequency-unit Hz, in a scene frequency_unit");
+      table_.fail(
+          table_.header_line, 0, "the first column is '" + std::string(cell) + "', so it is no table of FRFs",
+          "begin the header row with frequency_hz, or give jointid-frf HDF5, UFF or MATLAB; does it hold frequencies? Give "
+          "their unit: --frequency-unit Hz, in a scene frequency_unit");
     }
   }
 
@@ -113,7 +114,9 @@ class CsvReader {
     return of_key;
   }
 
-  bool may_be_comma(std::string_view cell) const { return separator_ != ',' || cell.find(',') != std::string_view::npos; }  // in quotes
+  bool may_be_comma(std::string_view cell) const {
+    return separator_ != ',' || cell.find(',') != std::string_view::npos;
+  }  // in quotes
 
   bool parse(std::string_view cell, double& value) const { return parse_cell(cell, may_be_comma(cell), value); }
 
@@ -130,7 +133,8 @@ class CsvReader {
   bool is_heading_of_units(std::string_view line) const {
     const std::vector<std::string_view> cells = csv_cells(line, separator_);
     const std::string word = lower_case(cells.front());
-    return (word == "units:" || word == "units") && std::all_of(cells.begin() + 1, cells.end(), [](auto cell) { return cell.empty(); });
+    return (word == "units:" || word == "units") &&
+           std::all_of(cells.begin() + 1, cells.end(), [](auto cell) { return cell.empty(); });
   }
 
   /// A row without a number, under the titles.
@@ -160,9 +164,10 @@ class CsvReader {
   void read_row(std::string_view line) {
     const std::vector<std::string_view> cells = cells_of(line);
     if (cells.size() != table_.columns.size()) {
-      table_.fail(line_, std::min(cells.size(), table_.columns.size()) - (cells.empty() ? 0 : 1),
-                  "the line has " + std::to_string(cells.size()) + " cells and the header " + std::to_string(table_.columns.size()),
-                  "leave cells empty where nothing was measured");
+      table_.fail(
+          line_, std::min(cells.size(), table_.columns.size()) - (cells.empty() ? 0 : 1),
+          "the line has " + std::to_string(cells.size()) + " cells and the header " + std::to_string(table_.columns.size()),
+          "leave cells empty where nothing was measured");
     }
     for (std::size_t i = 0; i < cells.size(); ++i) read_cell(cells[i], i);
     table_.lines.push_back(line_);
@@ -175,7 +180,8 @@ class CsvReader {
     } else if (states_no_value(cell)) {
       value = std::numeric_limits<double>::quiet_NaN();
     } else if (column == 0 || !read_complex(cell, column, value)) {
-      table_.fail(line_, column, "'" + std::string(cell) + "' is not a number", "leave the cell empty where nothing was measured");
+      table_.fail(line_, column, "'" + std::string(cell) + "' is not a number",
+                  "leave the cell empty where nothing was measured");
     }
     if (const auto known = imaginary_.find(column); known != imaginary_.end()) known->second.resize(table_.rows() + 1, 0.0);
     table_.cells.push_back(value);

@@ -18,21 +18,22 @@ constexpr std::array<std::string_view, 11> frequency_titles = {"frequency",     
                                                                "frequency axis", "frequentie", "frekvens"};
 
 /// Of a column that counts the rows.
-constexpr std::array<std::string_view, 18> index_titles = {"",     "unnamed: 0", "index", "idx",   "#",      "no",   "no.", "nr",   "nr.",
-                                                           "line", "row",        "bin",   "point", "sample", "id",   "i",   "n",    "k"};
+constexpr std::array<std::string_view, 18> index_titles = {"",      "unnamed: 0", "index", "idx",  "#",   "no",
+                                                           "no.",   "nr",         "nr.",   "line", "row", "bin",
+                                                           "point", "sample",     "id",    "i",    "n",   "k"};
 
 /// Other words for parts, in lower case; `phase` needs a unit.
 constexpr std::array<std::pair<std::string_view, CsvPart>, 11> part_words = {{{"real", re},
-                                                                            {"imag", im},
-                                                                            {"imag.", im},
-                                                                            {"imaginary", im},
-                                                                            {"magnitude", mag},
-                                                                            {"abs", mag},
-                                                                            {"amplitude", mag},
-                                                                            {"realteil", re},
-                                                                            {"imaginärteil", im},
-                                                                            {"imagin\xE4rteil", im},
-                                                                            {"betrag", mag}}};
+                                                                              {"imag", im},
+                                                                              {"imag.", im},
+                                                                              {"imaginary", im},
+                                                                              {"magnitude", mag},
+                                                                              {"abs", mag},
+                                                                              {"amplitude", mag},
+                                                                              {"realteil", re},
+                                                                              {"imaginärteil", im},
+                                                                              {"imagin\xE4rteil", im},
+                                                                              {"betrag", mag}}};
 
 /// Where the brackets of the unit begin in a title: the last ones that belong together, "Re(H) (m/s^2/N)"; the first where more
 /// follows them or they are part of a ratio, "Re (g)/(lbf)", "Re (g)(lbf)".
@@ -113,16 +114,15 @@ class HeaderSearch {
     cells_ = cells.size(), commented_ = comment;
   }
 
-  static bool is_index(std::string_view cell) {
-    return std::ranges::find(index_titles, lower_case(cell)) != index_titles.end();
-  }
+  static bool is_index(std::string_view cell) { return std::ranges::find(index_titles, lower_case(cell)) != index_titles.end(); }
 
   /// Whether the line is one of numbers, or of what stands in their place, under the titles.
   bool begins_numbers(std::string_view line) const {
     const std::vector<std::string_view> cells = csv_cells(line, latest_->separator);
     const std::size_t at = latest_->index;
     if (cells.size() <= at + 1 || cells.size() + 1 < cells_ || cells.size() > cells_ + 1) return false;
-    return is_number_of_table(cells[at], latest_->separator) || (states_no_value(cells[at]) && is_number_of_table(cells[at + 1], latest_->separator));
+    return is_number_of_table(cells[at], latest_->separator) ||
+           (states_no_value(cells[at]) && is_number_of_table(cells[at + 1], latest_->separator));
   }
 
   char given_;

@@ -32,7 +32,8 @@ bool is_csv_part(std::string_view word);
 /// The cells of a line, of which some may stand in quotes with separators inside; views into the line.
 std::vector<std::string_view> csv_cells(std::string_view line, char separator);
 
-/// A cell of the row of titles: "Frequency [Hz]", "4:+Y/1:+Y re (g/N)". Brackets that hold a part are of the title: "FRF (Magnitude)".
+/// A cell of the row of titles: "Frequency [Hz]", "4:+Y/1:+Y re (g/N)". Brackets that hold a part are of the title: "FRF
+/// (Magnitude)".
 struct CsvTitle {
   std::string title;
   std::string unit;  ///< as it stands in brackets; else empty
@@ -49,9 +50,9 @@ struct CsvHeaderPlace {
   std::size_t index = 0;  ///< columns before the frequencies that only count the rows: 0 or 1
 };
 
-/// The row of titles of a table of FRFs: the last one above the numbers whose first cell is a title of frequencies ("Frequency [Hz]"),
-/// or whose second is behind a title that counts rows ("", "Unnamed: 0", "index", "No."). What stands above it is free text. It may
-/// stand in a comment. A separator that is given counts for all lines. Empty where there is none in the first lines.
+/// The row of titles of a table of FRFs: the last one above the numbers whose first cell is a title of frequencies ("Frequency
+/// [Hz]"), or whose second is behind a title that counts rows ("", "Unnamed: 0", "index", "No."). What stands above it is free
+/// text. It may stand in a comment. A separator that is given counts for all lines. Empty where there is none in the first lines.
 std::optional<CsvHeaderPlace> find_csv_header(std::string_view text, char separator = '\0');
 
 }  // namespace jointid::frf

@@ -21,7 +21,10 @@ class LvmReader {
   explicit LvmReader(const std::string& file) { out_.file = file; }
 
   LvmFile read(std::string_view rest) {
-    separator_ = rest.substr(0, rest.find('\n')).find('\t') == std::string_view::npos && rest.find("Separator,") != std::string_view::npos ? ',' : '\t';
+    separator_ =
+        rest.substr(0, rest.find('\n')).find('\t') == std::string_view::npos && rest.find("Separator,") != std::string_view::npos
+            ? ','
+            : '\t';
     for (line_ = 1; !rest.empty(); ++line_) take(take_until(rest, '\n'));
     if (out_.channels.empty()) fail("has no row of titles that begins with X_Value", "write it again with column headings");
     finish_axis();
@@ -96,7 +99,8 @@ class LvmReader {
   }
 
   void read_row(const std::vector<std::string_view>& cells) {
-    if (cells.size() <= places_.back()) fail("has " + std::to_string(cells.size()) + " cells, fewer than the titles", "write the file again");
+    if (cells.size() <= places_.back())
+      fail("has " + std::to_string(cells.size()) + " cells, fewer than the titles", "write the file again");
     if (!no_x_) out_.x.push_back(number(cells[0]));
     for (std::size_t k = 0; k < places_.size(); ++k) {
       if (multi_ && k > 0 && number(cells[places_[k] - 1]) != out_.x.back())

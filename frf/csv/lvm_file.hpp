@@ -24,9 +24,9 @@ struct LvmFile {
 /// Whether a text begins as one does.
 bool looks_like_lvm(std::string_view head);
 
-/// Reads one: keys up to ***End_of_Header***, those of the segment likewise, a row of titles from X_Value on, numbers; tabs or commas
-/// between, decimal point or comma, X_Columns No, One or Multi. The column Comment is passed over. Throws InputError naming the line:
-/// no titles, what is no number, several segments, axes of channels that differ.
+/// Reads one: keys up to ***End_of_Header***, those of the segment likewise, a row of titles from X_Value on, numbers; tabs or
+/// commas between, decimal point or comma, X_Columns No, One or Multi. The column Comment is passed over. Throws InputError
+/// naming the line: no titles, what is no number, several segments, axes of channels that differ.
 LvmFile read_lvm(const std::string& file, std::string_view text);
 
 }  // namespace jointid::frf

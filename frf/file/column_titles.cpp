@@ -32,7 +32,8 @@ bool are_units(const std::vector<std::string_view>& cells) {
 
 bool has_numbers(std::string_view line, char separator) {
   const DecimalMark mark(separator);
-  return std::ranges::any_of(split(line, separator), [&](std::string_view cell) { return !cell.empty() && is_number(cell, mark); });
+  return std::ranges::any_of(split(line, separator),
+                             [&](std::string_view cell) { return !cell.empty() && is_number(cell, mark); });
 }
 
 /// "Time [s]": names with units.
@@ -55,7 +56,8 @@ bool ColumnTitles::begins_with(std::string_view line, const std::string& place) 
     settle(line);
     if (empty()) {
       require_few(split(line, separator_).size(), place);
-      for (std::size_t i = 0; i < split(line, separator_).size(); ++i) columns_.columns.push_back({std::to_string(i + 1), {}, {}});
+      for (std::size_t i = 0; i < split(line, separator_).size(); ++i)
+        columns_.columns.push_back({std::to_string(i + 1), {}, {}});
     }
     return true;
   }
@@ -68,7 +70,8 @@ bool ColumnTitles::begins_with(std::string_view line, const std::string& place) 
 
 void ColumnTitles::end() {
   if (!empty() || texts_.empty()) return;
-  if (texts_seen_ > 2 || (texts_seen_ == 2 && has_numbers(texts_.back().text, separator_in(texts_.back().text)))) refuse(texts_[1], {});
+  if (texts_seen_ > 2 || (texts_seen_ == 2 && has_numbers(texts_.back().text, separator_in(texts_.back().text))))
+    refuse(texts_[1], {});
   take_names(texts_.front());
   if (texts_.size() > 1) take_units(texts_.back().text);
 }

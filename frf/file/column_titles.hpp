@@ -14,17 +14,18 @@ inline constexpr std::size_t most_columns = 100'000;
 
 /// What stands above the numbers of a table, taken line by line: comments (# or %), `sep=;` as spreadsheets write it, the names
 /// of the columns with or without units, and a row of units below them ("(ms)", "s", "[N]"). The separator is the one that `sep=`
-/// says, else the first of semicolon, tab and comma that stands in the line of names, else blanks. Free lines may stand above: the names
-/// are the last line of as many cells as the first line of numbers has, or the one before it where that holds units.
+/// says, else the first of semicolon, tab and comma that stands in the line of names, else blanks. Free lines may stand above:
+/// the names are the last line of as many cells as the first line of numbers has, or the one before it where that holds units.
 class ColumnTitles {
  public:
   explicit ColumnTitles(std::string file) { columns_.file = std::move(file); }
 
-  /// Whether the numbers begin with this line; else it was taken. Throws InputError at `place` for more than most_columns, and for a
-  /// line of texts under names with units.
+  /// Whether the numbers begin with this line; else it was taken. Throws InputError at `place` for more than most_columns, and
+  /// for a line of texts under names with units.
   bool begins_with(std::string_view line, const std::string& place);
 
-  /// To be called where no line began the numbers: the texts were all. Throws InputError where they were more than names and units.
+  /// To be called where no line began the numbers: the texts were all. Throws InputError where they were more than names and
+  /// units.
   void end();
 
   char separator() const { return separator_; }

@@ -35,7 +35,8 @@ class MatLookup {
   const MatInfo* find(std::string_view name) const { return find(std::span(&name, 1)); }
 
   /// The frequencies, Hz: of `variable` when given, else by name, else of the fields start_value, increment and number_of_values
-  /// of x_values. A `unit` that is given stands in place of the file's. Throws InputError listing what may be them when there are none.
+  /// of x_values. A `unit` that is given stands in place of the file's. Throws InputError listing what may be them when there are
+  /// none.
   std::vector<double> axis(const std::string& variable, const std::string& unit, const MatInfo& frf) const;
 
   /// How many there are, or 0 where they are not found.

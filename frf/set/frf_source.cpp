@@ -131,7 +131,8 @@ void FrfSource::read_coherence(const Block& block, std::span<double> out) {
   assert(header_.noise == NoiseRecord::coherence && out.size() == block.size());
   if (block.size() == 0) return;
   do_read_coherence(block, out);
-  const auto wrong = std::find_if(out.begin(), out.end(), [](double value) { return value < 0.0 || value > 1.0 + correlation_rounding; });
+  const auto wrong =
+      std::find_if(out.begin(), out.end(), [](double value) { return value < 0.0 || value > 1.0 + correlation_rounding; });
   if (wrong == out.end()) return;
   fail(header_, "coherence of " + place_text(header_, block, static_cast<std::size_t>(wrong - out.begin())),
          fmt::format("{} is not between 0 and 1", *wrong), "export the coherences again, or leave them out");
@@ -256,9 +257,9 @@ void FrfSource::read_reference_correlation(std::span<const std::size_t> lines, s
       for (std::size_t n = 0; n <= m; ++n) {
         const Complex value = of[m * size + n];
         if (std::isnan(value.real()) || std::isnan(value.imag())) continue;
-        const bool right = m == n
-                               ? std::abs(value - 1.0) <= correlation_rounding
-                               : std::abs(value) <= 1.0 + correlation_rounding && std::abs(value - std::conj(of[n * size + m])) <= correlation_rounding;
+        const bool right = m == n ? std::abs(value - 1.0) <= correlation_rounding
+                                  : std::abs(value) <= 1.0 + correlation_rounding &&
+                                        std::abs(value - std::conj(of[n * size + m])) <= correlation_rounding;
         if (right) continue;
         fail(header_,
              fmt::format("correlation of references {} and {}, line {}", header_.reference[references[m]].name(),

@@ -46,7 +46,8 @@ bool is_spreadsheet_error(std::string_view word) {
 }  // namespace
 
 bool states_no_value(std::string_view cell) {
-  constexpr std::array<std::string_view, 10> words = {"n/a", "na", "<na>", "null", "none", "missing", "n.a.", "\u2013", "\u2014", "nil"};
+  constexpr std::array<std::string_view, 10> words = {"n/a",     "na",   "<na>",   "null",   "none",
+                                                      "missing", "n.a.", "\u2013", "\u2014", "nil"};
   const std::string word = lower_case(cell);
   if (word.empty() || is_spreadsheet_error(word) || word.find_first_not_of('-') == std::string::npos) return true;
   const auto special = special_number(word);

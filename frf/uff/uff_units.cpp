@@ -144,8 +144,8 @@ std::optional<Quantity> quantity_of_types(const Header58& header, const Place& p
   return motion && is_force_type(below) ? std::optional(quantity_of_motion(above)) : std::nullopt;
 }
 
-/// By the labels, where one of the data types does not say it: they say motion, or the type of the numerator does, and they or the
-/// type of the denominator say force.
+/// By the labels, where one of the data types does not say it: they say motion, or the type of the numerator does, and they or
+/// the type of the denominator say force.
 std::optional<Quantity> quantity_of_labels(const LabelledUnits& labels, const Header58& header) {
   if (!labels.quantity || (!labels.denominator && !is_force_type(header.denominator.data_type))) return std::nullopt;
   return is_motion(header.numerator.data_type) ? quantity_of_motion(header.numerator.data_type) : *labels.quantity;

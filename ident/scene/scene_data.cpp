@@ -51,7 +51,8 @@ std::vector<PlacedFile> placed_files(const DataSection& data, const Names& names
 
 scene::Table file_table(const scene::Item& item) {
   std::vector<std::string> keys = correction_keys();
-  keys.insert(keys.begin(), {"quantity", "unit", "dofs", "reference_dofs", "variable", "frequency_variable", "frequency_unit", "mass"});
+  keys.insert(keys.begin(),
+              {"quantity", "unit", "dofs", "reference_dofs", "variable", "frequency_variable", "frequency_unit", "mass"});
   return item.table(keys);
 }
 

@@ -83,7 +83,8 @@ double value_of(const scene::Item& item, const std::string& name, std::size_t pl
 }
 
 /// The matrix of all joints by the values of its unknowns.
-Matrix matrix_of_values(const scene::Item& item, const std::vector<JointSpec>& joints, const restrictions::Restriction& all, Kind kind) {
+Matrix matrix_of_values(const scene::Item& item, const std::vector<JointSpec>& joints, const restrictions::Restriction& all,
+                        Kind kind) {
   const auto unknowns = unknowns_of(all, kind);
   std::vector<double> values(all.unknowns.size(), 0.0);
   for (std::size_t i = 0; i < unknowns.size(); ++i) values[unknowns[i].second] = value_of(item, unknowns[i].first, i);
@@ -108,8 +109,8 @@ Matrix matrix_of_numbers(const scene::Item& item, const std::vector<JointSpec>& 
     std::string names;
     constexpr std::size_t most = 8;
     for (std::size_t i = 0; i < std::min(most, unknowns.size()); ++i) names += (i > 0 ? ", " : "") + unknowns[i].first;
-    item.fail(std::to_string(found) + (found == 1 ? " number for " : " numbers for ") + std::to_string(unknowns.size()) + " unknowns, " +
-                  names + (unknowns.size() > most ? ", …" : ""),
+    item.fail(std::to_string(found) + (found == 1 ? " number for " : " numbers for ") + std::to_string(unknowns.size()) +
+                  " unknowns, " + names + (unknowns.size() > most ? ", …" : ""),
               "give one for each, in this order, or the matrix, [[…], …]");
   }
   return matrix_of_values(item, joints, all, kind);
@@ -133,8 +134,10 @@ std::map<Kind, Matrix> read_start_by_name(const scene::Item& item, const std::ve
       return table.find(valid.back()).has_value();
     };
     const auto count = static_cast<std::size_t>(std::ranges::count_if(unknowns, given));
-    if (count > 0 && count < unknowns.size()) item.fail(std::to_string(count) + " values for the " + std::to_string(unknowns.size()) +
-                                                            " unknowns of " + restrictions::key(kind), "give one for each");
+    if (count > 0 && count < unknowns.size())
+      item.fail(std::to_string(count) + " values for the " + std::to_string(unknowns.size()) + " unknowns of " +
+                    restrictions::key(kind),
+                "give one for each");
     if (count > 0) start[kind] = Matrix();
   }
   if (!start.empty()) item.table(valid);
@@ -155,7 +158,8 @@ std::map<Kind, Matrix> read_start(const scene::Item& item, const std::vector<Joi
       if (const auto matrix = table.find(restrictions::key(kind))) start[kind] = read_start_matrix(*matrix, joints, kind);
     }
   } else if (item.is_list() && !is_numbers(item)) {
-    item.fail("expected a table, found an array of " + std::to_string(item.list().size()), "write start = { stiffness = [[…], …] }");
+    item.fail("expected a table, found an array of " + std::to_string(item.list().size()),
+              "write start = { stiffness = [[…], …] }");
   } else {
     start[Kind::stiffness] = read_start_matrix(item, joints, Kind::stiffness);
   }

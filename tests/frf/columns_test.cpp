@@ -54,7 +54,8 @@ TEST_F(ColumnsFile, BlanksCommasSemicolonsAndNoHeader) {
 }
 
 TEST_F(ColumnsFile, FreeLinesStandAboveTheTitles) {
-  for (const char* above : {"Hammer test\n", "Channels,2\nSample rate,2048\n\n", "Date: 1.2.2024; Operator: X\nwindow,none,0,0\n"}) {
+  for (const char* above :
+       {"Hammer test\n", "Channels,2\nSample rate,2048\n\n", "Date: 1.2.2024; Operator: X\nwindow,none,0,0\n"}) {
     const Columns read = read_columns(write_file("a.csv", std::string(above) + "Time [s],Force [N]\n0,1\n0.5,2\n"));
     EXPECT_THAT(names(read), ElementsAre("Time", "Force")) << above;
     EXPECT_EQ(read.columns[1].unit, "N") << above;
@@ -69,9 +70,10 @@ TEST_F(ColumnsFile, FreeLinesStandAboveTheTitles) {
 }
 
 TEST_F(ColumnsFile, LabViewMeasurementFiles) {
-  const std::string head = "LabVIEW Measurement\t\nSeparator\tTab\nDecimal_Separator\t,\nX_Columns\tOne\n***End_of_Header***\t\n\t\n"
-                           "Channels\t2\t\t\nY_Unit_Label\tNewtons\tg\t\nX_Dimension\tTime\tTime\t\nX0\t0\t0\t\nDelta_X\t0,5\t0,5\t\n"
-                           "***End_of_Header***\t\t\t\nX_Value\tForce\tAcc (m/s^2)\tComment\n";
+  const std::string head =
+      "LabVIEW Measurement\t\nSeparator\tTab\nDecimal_Separator\t,\nX_Columns\tOne\n***End_of_Header***\t\n\t\n"
+      "Channels\t2\t\t\nY_Unit_Label\tNewtons\tg\t\nX_Dimension\tTime\tTime\t\nX0\t0\t0\t\nDelta_X\t0,5\t0,5\t\n"
+      "***End_of_Header***\t\t\t\nX_Value\tForce\tAcc (m/s^2)\tComment\n";
   const Columns read = read_columns(write_file("a.lvm", head + "0,0\t1,5\t2\thit\n0,5\t-1\t4e1\t\n"));
   EXPECT_THAT(names(read), ElementsAre("Time", "Force", "Acc"));
   EXPECT_EQ(read.columns[0].unit, "s");

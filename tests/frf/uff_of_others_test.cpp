@@ -413,8 +413,9 @@ TEST(UffOfOthers, AUnitOfTheAxisThatIsGivenStandsInPlaceOfItsLabel) {
   }
   Record record = accelerance();
   record.abscissa_unit = "Bogus";
-  EXPECT_THAT(refusal_of(record.str()), AllOf(HasSubstr("record 8"), HasSubstr("'Bogus'"),
-                                              HasSubstr("or say what the axis is in: --frequency-unit, in a scene frequency_unit")));
+  EXPECT_THAT(refusal_of(record.str()),
+              AllOf(HasSubstr("record 8"), HasSubstr("'Bogus'"),
+                    HasSubstr("or say what the axis is in: --frequency-unit, in a scene frequency_unit")));
   record.abscissa_type = 17;
   EXPECT_THAT(refusal_of(record.str(), given), HasSubstr("abscissa of data type 17 is not a frequency (18)"));
 }
@@ -427,10 +428,12 @@ TEST(UffOfOthers, AReactionForceIsAForce) {
   }
   Record contradicts = accelerance(1.0, "m/s^2", "N");
   contradicts.numerator_type = 8, contradicts.denominator_type = 1;
-  EXPECT_THAT(refusal_of(contradicts.str()), HasSubstr("data type 8 makes it receptance but its unit 'm/s^2' makes it accelerance"));
+  EXPECT_THAT(refusal_of(contradicts.str()),
+              HasSubstr("data type 8 makes it receptance but its unit 'm/s^2' makes it accelerance"));
   Record record = accelerance();
   record.numerator_type = 9, record.denominator_type = 12;
-  EXPECT_THAT(refusal_of(record.str()), HasSubstr("is not displacement (8), velocity (11) or acceleration (12) over a force (13 or 9)"));
+  EXPECT_THAT(refusal_of(record.str()),
+              HasSubstr("is not displacement (8), velocity (11) or acceleration (12) over a force (13 or 9)"));
 }
 
 std::string mode55(int specific, double modal_mass, const std::string& shape, int values) {

@@ -69,8 +69,12 @@ TEST(OwnOutput, IsReplaced) {
 
 TEST(OwnOutput, ANameOfAnotherKindIsRefused) {
   const InputFolder folder;
-  for (const auto& [option, name] : {std::pair{"--report", "r.docx"}, {"--report", "r.csv"}, {"--report", "r.PNG"}, {"--json", "r.csv"},
-                                     {"--csv", "r.html"}, {"--csv", "r.xlsx"}}) {
+  for (const auto& [option, name] : {std::pair{"--report", "r.docx"},
+                                     {"--report", "r.csv"},
+                                     {"--report", "r.PNG"},
+                                     {"--json", "r.csv"},
+                                     {"--csv", "r.html"},
+                                     {"--csv", "r.xlsx"}}) {
     const Outcome refused = run_command(folder.path(), {"solve", "A1.toml", option, name});
     EXPECT_EQ(refused.code, 2) << name;
     EXPECT_THAT(refused.err, HasSubstr(std::string(option) + " " + name + ": would not be a file of the kind that ."));
