@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "base/error.hpp"
-#include "frf/csv/csv_file.hpp"
 #include "frf/hdf5/hdf5_file.hpp"
+#include "frf/set/quantity.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -81,6 +81,21 @@ bool is_own_csv(const std::string& head) {
   return std::ranges::any_of(csv_heads, [&](const char* begin) { return head.starts_with(begin); });
 }
 
+/// As frf::write_csv() begins: quantity, its SI unit, then keys and titles without blanks between them.
+bool is_own_frfs(const std::string& head) {
+  std::istringstream lines(head);
+  std::string line, unit;
+  std::getline(lines, line);
+  std::getline(lines, unit);
+  for (const frf::Quantity quantity : {frf::Quantity::receptance, frf::Quantity::mobility, frf::Quantity::accelerance}) {
+    if (line != "# quantity = " + frf::name(quantity) || unit != "# unit = " + frf::unit(quantity)) continue;
+    while (std::getline(lines, line) && (line.starts_with("# node ") || line.starts_with("# averages = "))) {
+    }
+    return line.starts_with("frequency_hz,") && !has(line, ", ");
+  }
+  return false;
+}
+
 bool is_own_hdf5(const std::filesystem::path& file) {
   try {
     return frf::has_format_attribute(file);
@@ -100,7 +115,7 @@ bool is_own_file(const std::filesystem::path& file, bool record) {
   if (head.starts_with("{\n")) return is_own_json(head);
   if (head.starts_with("MATLAB 5.0")) return has(head.substr(0, 128), "written by jointid");
   if (head.starts_with("    -1\n")) return has(head, "\njointid\n");
-  if (head.starts_with("# quantity = ")) return has(head, frf::csv_mark);
+  if (head.starts_with("# quantity = ")) return is_own_frfs(head);
   if (head.starts_with("# jointid") || head.starts_with("jointid-journa") || is_own_csv(head)) return true;
   return record && is_record(head);
 }

@@ -32,9 +32,6 @@ bool names_frfs(std::span<const char> head);
 /// column is not measured. Throws InputError naming line and column.
 std::unique_ptr<FrfSource> open_csv(const std::filesystem::path& path, const OpenOptions& options = {});
 
-/// What write_csv() leaves in a comment, so that its files can be told from those that were measured.
-inline constexpr const char* csv_mark = "\n# written by jointid\n";
-
 /// Writes a set in that layout, in header.quantity and SI units, all digits.
 void write_csv(const FrfSet& set, const std::filesystem::path& path);
 

@@ -40,7 +40,7 @@ void append_line(std::string& text, const FrfSet& set, std::size_t line) {
 }
 
 std::string header_text(const FrfHeader& header) {
-  std::string text = "# quantity = " + name(header.quantity) + "\n# unit = " + unit(header.quantity) + csv_mark;
+  std::string text = "# quantity = " + name(header.quantity) + "\n# unit = " + unit(header.quantity) + "\n";
   text += csv_nodes_text(header.nodes);
   std::vector<CsvPart> parts = {re, im};
   if (header.noise == NoiseRecord::variance) parts.insert(parts.end(), {var_re, var_im});
