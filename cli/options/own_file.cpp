@@ -81,7 +81,7 @@ bool is_own_csv(const std::string& head) {
   return std::ranges::any_of(csv_heads, [&](const char* begin) { return head.starts_with(begin); });
 }
 
-/// As frf::write_csv() begins: quantity, its SI unit, then keys and titles without blanks between them.
+/// As frf::write_csv() begins: quantity, its SI unit, then keys, titles with blanks between them and numbers without.
 bool is_own_frfs(const std::string& head) {
   std::istringstream lines(head);
   std::string line, unit;
@@ -91,7 +91,8 @@ bool is_own_frfs(const std::string& head) {
     if (line != "# quantity = " + frf::name(quantity) || unit != "# unit = " + frf::unit(quantity)) continue;
     while (std::getline(lines, line) && (line.starts_with("# node ") || line.starts_with("# averages = "))) {
     }
-    return line.starts_with("frequency_hz,") && !has(line, ", ");
+    const bool titles = line.starts_with("frequency_hz, ");
+    return titles && std::getline(lines, line) && !has(line, " ");
   }
   return false;
 }

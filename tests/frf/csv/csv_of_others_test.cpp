@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "file_fixture.hpp"
+#include "tests/frf/file_fixture.hpp"
 
 namespace jointid::frf {
 namespace {
