@@ -1,6 +1,7 @@
 #include "scene/reader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
@@ -75,6 +76,12 @@ bool is_list_of_tables(const Value& value) {
          std::ranges::all_of(*list, [](const Value& entry) { return std::holds_alternative<Members>(entry.content); });
 }
 
+/// Inner tables that stand in a scene once for each of what they are.
+bool stands_as_list(const std::string& header) {
+  constexpr std::array lists = {"data.gains", "data.masses", "data.levels", "joint.friction", "couple.joint", "structure.modes"};
+  return std::ranges::find(lists, header) != lists.end();
+}
+
 }  // namespace
 
 template <class T>
@@ -83,7 +90,8 @@ const T& Item::as(const char* expected) const {
   const std::string header = table_.empty() ? key_ : table_ + "." + key_;
   std::string remedy;
   if (std::is_same_v<T, Members> && is_list_of_tables(*value_)) remedy = "[[" + header + "]] should say [" + header + "]";
-  if (std::is_same_v<T, Array> && is_table() && table_.empty()) remedy = "[" + header + "] should say [[" + header + "]]";
+  if (std::is_same_v<T, Array> && is_table() && (table_.empty() || stands_as_list(header)))
+    remedy = "[" + header + "] should say [[" + header + "]]";
   fail("expected " + std::string(expected) + ", found " + std::visit(Describe(), value_->content), remedy);
 }
 

@@ -42,6 +42,13 @@ Value convert(const toml::node& node) {
   return value;
 }
 
+std::string remedy_of(const std::string& text, const std::string& problem) {
+  if (text.find('\0') != std::string::npos) return "is it a scene file (TOML)?";
+  if (problem.find("cannot redefine") == std::string::npos) return "correct the TOML there";
+  return "a key stands in a table once; several springs of one name are a list: k1 = [[\"4:+Y\", \"5:+Y\"], [\"6:+Y\", "
+         "\"7:+Y\"]]";
+}
+
 }  // namespace
 
 Value parse_toml(const std::string& text, const Path& file) {
@@ -54,7 +61,7 @@ Value parse_toml(const std::string& text, const Path& file) {
                       .file = file.string(),
                       .place = "line " + std::to_string(at.line) + ", column " + std::to_string(at.column),
                       .problem = std::string(error.description()),
-                      .remedy = text.find('\0') != std::string::npos ? "is it a scene file (TOML)?" : "correct the TOML there"});
+                      .remedy = remedy_of(text, std::string(error.description()))});
   }
 }
 

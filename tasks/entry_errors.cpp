@@ -4,8 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <span>
+#include <utility>
+#include <vector>
 
+#include "base/eigen.hpp"
 #include "base/error.hpp"
+#include "dense/lu.hpp"
 #include "ident/result/chunk_pipeline.hpp"
 #include "ident/result/decibel_error.hpp"
 #include "ident/variance/variances.hpp"
@@ -23,11 +28,14 @@ std::vector<std::size_t> places_of(const ident::Dofs& wanted, const ident::Dofs&
 /// Variances of the measured FRFs of a rectangle, chunk by chunk.
 class MeasuredNoise {
  public:
-  MeasuredNoise(const ident::Plan& plan, const EntryErrors& of, const std::vector<ident::Line>& lines)
-      : lines_(lines), entries_(of.rms_db.size()), variances_(*plan.assembly, of.responses, of.references, plan.scene) {
-    std::vector<std::size_t> all;
-    for (const ident::Line& line : lines) all.push_back(line.assembly);
-    if (variances_.needs_prepare()) variances_.prepare(all);
+  /// `lines`: of this system.
+  MeasuredNoise(frf::FrfSystem& system, const ident::Dofs& rows, const ident::Dofs& columns, const ident::Scene& scene,
+                std::vector<std::size_t> lines)
+      : lines_(std::move(lines)),
+        entries_(rows.size() * columns.size()),
+        columns_(columns.size()),
+        variances_(system, rows, columns, scene) {
+    if (variances_.needs_prepare()) variances_.prepare(lines_);
   }
 
   /// Whether variances are known without a look at the scatter of the data.
@@ -35,18 +43,18 @@ class MeasuredNoise {
     return std::ranges::none_of(variances_.origins(), [](const auto& file) { return file.origin == ident::VarianceOrigin::scatter; });
   }
 
-  void read(std::size_t first, std::size_t last, const LinePairs& pairs) {
-    std::vector<std::size_t> numbers;
+  /// `measured(i)`: the FRFs of the i-th line from `first` on.
+  template <class Measured>
+  void read(std::size_t first, std::size_t last, Measured measured) {
     values_.clear();
     for (std::size_t i = first; i < last; ++i) {
-      numbers.push_back(lines_[i].assembly);
-      const minimise::View measured = pairs.assembly(i - first);
-      for (std::size_t r = 0; r < measured.rows; ++r) {
-        for (std::size_t c = 0; c < measured.columns; ++c) values_.push_back(measured(r, c));
+      const minimise::View frfs = measured(i - first);
+      for (std::size_t r = 0; r < frfs.rows; ++r) {
+        for (std::size_t c = 0; c < frfs.columns; ++c) values_.push_back(frfs(r, c));
       }
     }
     out_.resize(values_.size());
-    variances_.read(numbers, values_, out_);
+    variances_.read(std::span(lines_).subspan(first, last - first), values_, out_);
   }
 
   /// Of the i-th line of the last read(): E|error|².
@@ -55,21 +63,81 @@ class MeasuredNoise {
     return parts.real() + parts.imag();
   }
 
+  /// [rows, columns] of that line.
+  Eigen::MatrixXd variances(std::size_t i) const {
+    Eigen::MatrixXd of(at(entries_ / columns_), at(columns_));
+    for (std::size_t e = 0; e < entries_; ++e) of(at(e / columns_), at(e % columns_)) = variance(i, e);
+    return of;
+  }
+
  private:
-  const std::vector<ident::Line>& lines_;
-  std::size_t entries_;
+  std::vector<std::size_t> lines_;
+  std::size_t entries_, columns_;
   ident::Variances variances_;
   std::vector<Complex> values_, out_;
 };
 
 /// None where the files do not know their errors.
-std::unique_ptr<MeasuredNoise> measured_noise(const ident::Plan& plan, const EntryErrors& of, const std::vector<ident::Line>& lines) {
+std::unique_ptr<MeasuredNoise> measured_noise(frf::FrfSystem& system, const ident::Dofs& rows, const ident::Dofs& columns,
+                                              const ident::Scene& scene, const std::vector<ident::Line>& lines,
+                                              std::size_t ident::Line::*line_of) {
+  std::vector<std::size_t> numbers;
+  for (const ident::Line& line : lines) numbers.push_back(line.*line_of);
   try {
-    auto noise = std::make_unique<MeasuredNoise>(plan, of, lines);
+    auto noise = std::make_unique<MeasuredNoise>(system, rows, columns, scene, std::move(numbers));
     if (noise->is_known()) return noise;
   } catch (const InputError&) {  // too few lines to see a scatter
   }
   return nullptr;
+}
+
+/// Squares of the factors with which an error of the substructures' FRF (a, b) comes to the assembly's FRF (i, j), to first
+/// order: dH = (I − left E) dh (I − Eᵀ right), E the joint's rows. Of one side: of the joint's coordinates, and of i itself where
+/// it is none of these.
+struct ErrorFactors {
+  Eigen::MatrixXd joint;  ///< [entries, N]
+  std::vector<double> own;
+
+  /// `effect` [entries, N]: left, or the transpose of right; `places` of the entries among `count` coordinates, the joint's last.
+  ErrorFactors(const Eigen::MatrixXcd& effect, const std::vector<std::size_t>& places, std::size_t count)
+      : joint(effect.rows(), effect.cols()) {
+    const auto others = static_cast<Eigen::Index>(count) - effect.cols();
+    for (Eigen::Index i = 0; i < effect.rows(); ++i) {
+      const Eigen::Index place = at(places[static_cast<std::size_t>(i)]) - others;
+      own.push_back(place < 0 ? 1.0 : 0.0);
+      for (Eigen::Index n = 0; n < effect.cols(); ++n) joint(i, n) = std::norm((n == place ? 1.0 : 0.0) - effect(i, n));
+    }
+  }
+};
+
+/// Variances of the predicted FRFs by those of the substructures', `v`, whose errors are taken as independent.
+Eigen::MatrixXd predicted_variances(const ident::JointEffect& effect, const minimise::View& h, const Eigen::MatrixXcd& impedance,
+                                    const Eigen::MatrixXd& v, const std::vector<std::size_t>& rows,
+                                    const std::vector<std::size_t>& columns) {
+  const Eigen::Index n = impedance.rows(), r = v.rows(), c = v.cols();
+  Eigen::MatrixXcd h_bb(n, n), left(static_cast<Eigen::Index>(rows.size()), n),
+      right(n, static_cast<Eigen::Index>(columns.size()));
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index k = 0; k < n; ++k) h_bb(i, k) = h(static_cast<std::size_t>(r - n + i), static_cast<std::size_t>(c - n + k));
+    for (Eigen::Index k = 0; k < right.cols(); ++k)
+      right(i, k) = effect.right(static_cast<std::size_t>(i), columns[static_cast<std::size_t>(k)]);
+  }
+  for (Eigen::Index i = 0; i < left.rows(); ++i)
+    left.row(i) = effect.left.row(static_cast<Eigen::Index>(rows[static_cast<std::size_t>(i)]));
+  right = dense::solve(Eigen::MatrixXcd::Identity(n, n) + impedance * h_bb, Eigen::MatrixXcd(impedance * right));
+  const ErrorFactors above(left, rows, static_cast<std::size_t>(r)),
+      below(right.transpose(), columns, static_cast<std::size_t>(c));
+  Eigen::MatrixXd half = above.joint * v.bottomRows(n);  // [entries, columns of h]
+  for (Eigen::Index i = 0; i < half.rows(); ++i) {
+    if (above.own[static_cast<std::size_t>(i)] > 0.0)
+      half.row(i) += v.row(static_cast<Eigen::Index>(rows[static_cast<std::size_t>(i)]));
+  }
+  Eigen::MatrixXd out = half.rightCols(n) * below.joint.transpose();
+  for (Eigen::Index k = 0; k < out.cols(); ++k) {
+    if (below.own[static_cast<std::size_t>(k)] > 0.0)
+      out.col(k) += half.col(static_cast<Eigen::Index>(columns[static_cast<std::size_t>(k)]));
+  }
+  return out;
 }
 
 /// Root of the mean of squares; NaN of none.
@@ -90,7 +158,8 @@ class EntryErrorWorker final : public ident::ChunkWorker {
 
   void read(std::size_t first, std::size_t last) override {
     pairs_.read(first, last);
-    if (noise_) noise_->read(first, last, pairs_);
+    if (noise_) noise_->read(first, last, [this](std::size_t i) { return pairs_.assembly(i); });
+    if (part_noise_) part_noise_->read(first, last, [this](std::size_t i) { return pairs_.substructures(i); });
   }
 
   void work(std::size_t first, std::size_t last) override {
@@ -118,7 +187,9 @@ class EntryErrorWorker final : public ident::ChunkWorker {
         columns_(places_of(out.references, columns)),
         pairs_(lines, ident::whole_rectangle(*plan.substructures, rows, columns),
                ident::whole_rectangle(*plan.assembly, out.responses, out.references)),
-        noise_(measured_noise(plan, out, lines)),
+        noise_(measured_noise(*plan.assembly, out.responses, out.references, plan.scene, lines, &ident::Line::assembly)),
+        part_noise_(noise_ ? measured_noise(*plan.substructures, rows, columns, plan.scene, lines, &ident::Line::substructures)
+                           : nullptr),
         sums_(out.rms_db.size(), 0.0),
         counts_(out.rms_db.size(), 0.0),
         noise_sums_(sums_),
@@ -126,6 +197,8 @@ class EntryErrorWorker final : public ident::ChunkWorker {
 
   void add(std::size_t line, const minimise::View& h, const minimise::View& measured, const Eigen::MatrixXcd& impedance) {
     const ident::JointEffect effect = ident::joint_effect(h, h.rows, h.columns, impedance);
+    Eigen::MatrixXd predicted;
+    if (part_noise_) predicted = predicted_variances(effect, h, impedance, part_noise_->variances(line), rows_, columns_);
     double largest = 0.0;
     for (std::size_t r = 0; r < measured.rows; ++r) {
       for (std::size_t c = 0; c < measured.columns; ++c) largest = std::fmax(largest, std::abs(measured(r, c)));
@@ -135,7 +208,8 @@ class EntryErrorWorker final : public ident::ChunkWorker {
         const Complex value = effect.assembly(h(rows_[r], columns_[c]), rows_[r], columns_[c]);
         const std::size_t entry = r * columns_.size() + c;
         add(std::abs(value), std::abs(measured(r, c)), ident::zero_level * largest, entry);
-        if (noise_) add_noise(std::norm(value - measured(r, c)) / noise_->variance(line, entry), entry);
+        const double of_parts = part_noise_ ? predicted(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) : 0.0;
+        if (noise_) add_noise(std::norm(value - measured(r, c)) / (noise_->variance(line, entry) + of_parts), entry);
       }
     }
   }
@@ -158,7 +232,7 @@ class EntryErrorWorker final : public ident::ChunkWorker {
   std::size_t n_;
   std::vector<std::size_t> rows_, columns_;  ///< of the entries, in the rectangle of the substructures
   LinePairs pairs_;
-  std::unique_ptr<MeasuredNoise> noise_;
+  std::unique_ptr<MeasuredNoise> noise_, part_noise_;
   std::vector<double> sums_, counts_;
   std::vector<double> noise_sums_, noise_counts_;
 };

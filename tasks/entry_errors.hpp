@@ -9,8 +9,9 @@ struct EntryErrors {
   ident::Dofs responses, references;
   std::vector<double>
       rms_db;  ///< [R×C] rms over lines of |20 log10(|predicted|/|measured|)|; NaN where there is nothing to compare
-  /// [R×C] rms over lines of |predicted − measured| over the standard deviation of the measured FRF; NaN where that is not known,
-  /// empty where it is known of no FRF (variances of files, repeats or [noise] count, the scatter of lines does not).
+  /// [R×C] rms over lines of |predicted − measured| over its standard deviation: that of the measured FRF and, where they are
+  /// known, what the errors of the substructures' FRFs make of the predicted one, to first order; NaN where the first is not
+  /// known, empty where it is known of no FRF (variances of files, repeats or [noise] count, the scatter of lines does not).
   std::vector<double> rms_noise{};
   std::size_t lines = 0;
   std::size_t all_responses = 0, all_references = 0;  ///< of which those above are an even selection

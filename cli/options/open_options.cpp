@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/options/of_option.hpp"
+#include "frf/set/unit_label.hpp"
 #include "frf/set/units.hpp"
 
 namespace jointid::cli {
@@ -39,6 +40,13 @@ void add_open_options(CLI::App* command, frf::OpenOptions& open) {
   command->add_option("--variable", open.variable, "MAT, HDF5, npz: name of the FRF variable; S.field of a struct");
   command->add_option("--frequency-variable", open.frequency_variable,
                       "The same of the frequencies; of .npy the file that holds them");
+  command->add_option_function<std::string>(
+      "--frequency-unit",
+      [&open](const std::string& text) {
+        of_option("--frequency-unit", [&] { frf::hertz_per(text); });
+        open.frequency_unit = text;
+      },
+      "Unit of the frequencies in place of what the file says, e.g. kHz, rad/s or rpm");
 }
 
 }  // namespace jointid::cli

@@ -4,7 +4,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <filesystem>
+#include <string_view>
 
 #include "base/error.hpp"
 #include "base/temporary_file.hpp"
@@ -114,11 +117,26 @@ void require_output_apart(const std::vector<ident::NamedFile>& inputs) {
 
 bool overwriting = false;  ///< --force was given
 
-void require_own(const OutputFile& output) {
+void require_own(const OutputFile& output, bool record) {
   std::error_code ignored;
-  if (overwriting || !std::filesystem::is_regular_file(output.target, ignored) || is_own_file(output.target)) return;
+  if (overwriting || !std::filesystem::is_regular_file(output.target, ignored) || is_own_file(output.target, record)) return;
   refuse_use(output.words(), "is there already and does not look like a file of jointid",
-             "give another name, or --force (--overwrite) to replace it");
+             "give another name, or --force (--overwrite, where that names a column) to replace it");
+}
+
+/// What the ending of a file says that it is, where an option writes something else.
+void require_ending(const OutputFile& output) {
+  constexpr std::array kinds = {std::pair{"--report", ".html .htm .xhtml .pdf"}, std::pair{"--json", ".json"},
+                                std::pair{"--csv", ".csv .txt .tsv .dat"}};
+  constexpr std::string_view endings =
+      " .html .htm .pdf .json .csv .h5 .hdf5 .uff .unv .mat .npy .npz .toml .doc .docx .odt .rtf .xls .xlsx .ods "
+      ".ppt .pptx .tex .md .png .svg .jpg .jpeg .ps .eps ";
+  const auto kind = std::ranges::find(kinds, output.option, [](const auto& each) { return std::string_view(each.first); });
+  std::string ending = Path(output.target).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (kind == kinds.end() || ending.empty() || endings.find(" " + ending + " ") == std::string_view::npos) return;
+  if (std::string(" ").append(kind->second).append(" ").find(" " + ending + " ") != std::string::npos) return;
+  refuse_use(output.words(), "would not be a file of the kind that " + ending + " says", std::string("name it ") + kind->second);
 }
 
 /// "-" is standard output, a file where the shell says so.
@@ -129,7 +147,7 @@ FileIdentity target_identity(const std::string& target) {
 
 }  // namespace
 
-void check_targets(const std::vector<ident::NamedFile>& inputs, const std::vector<OptionTarget>& targets) {
+void check_targets(const std::vector<ident::NamedFile>& inputs, const std::vector<OptionTarget>& targets, bool records) {
   for (const ident::NamedFile& input : inputs) require_regular_file(input.path);
   require_output_apart(inputs);
   std::vector<OutputFile> outputs;
@@ -142,7 +160,8 @@ void check_targets(const std::vector<ident::NamedFile>& inputs, const std::vecto
     if (*target == "-") continue;
     require_no_input(output, inputs);
     require_folder(*target);
-    require_own(output);
+    require_ending(output);
+    require_own(output, records);
     if (option == "--report" && is_pdf(*target)) require_browser(output.words());
   }
 }

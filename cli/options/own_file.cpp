@@ -9,17 +9,35 @@
 
 #include "base/error.hpp"
 #include "frf/hdf5/hdf5_file.hpp"
+#include "frf/set/quantity.hpp"
 
 namespace jointid::cli {
 namespace {
 
 constexpr std::size_t head_bytes = 4096;
 
-/// Beginnings of the tables that commands write as CSV.
-constexpr std::array csv_heads = {
-    "name,value,unit,", "name,unit,truth,", "method,", "joint,quantity,", "joint,law,", "joint,level,", "curve,", "number,file,",
-    "mode,frequency_hz,", "force [N],", "sweep,value,", "displacement [m],", "table,row,", "channel,unit,", "relative velocity [m/s],",
-    "time [s]", "t [s]", "motion,", "frequency_hz", "frequency [Hz],", "line,", "law,", "level,", "file,", "point,"};
+/// Beginnings of the tables that commands write as CSV, long enough to be no one else's.
+constexpr std::array csv_heads = {"name,value,unit,std_error,",
+                                  "name,unit,truth,mean,bias,",
+                                  "method,equations,weighting,delta,",
+                                  "joint,quantity,unit,truth,bound,",
+                                  "joint,law,quantity,unit,value,",
+                                  "joint,level,frequency [Hz],displacement [m],",
+                                  "law,curve,name,value,unit,",
+                                  "curve,x,y\n",
+                                  "curve,place,parameter,force [N],",
+                                  "number,file,from_s,force_n,kept,",
+                                  "mode,frequency_hz,frequency_std,damping,",
+                                  "force [N],frequency [Hz],way,",
+                                  "force [N],frequency [Hz],harmonic,dof,",
+                                  "sweep,value,method,solver,",
+                                  "displacement [m],stiffness [N/m],damping [N/m],misfit",
+                                  "table,row,column,print,doubtful,",
+                                  "channel,unit,mean,mode 1",
+                                  "relative velocity [m/s],friction coefficient\n",
+                                  "motion,time [s],x(",
+                                  "frequency_hz,condition,kept,usable",
+                                  "y("};
 
 /// Keys of the JSON that commands write, at its top level.
 constexpr std::array json_keys = {"status", "verdict", "trials", "method", "methods", "laws", "joints", "modes", "levels", "channels",
@@ -53,10 +71,30 @@ bool all_with_units(const std::string& line) {
   return any;
 }
 
-bool is_own_csv(const std::string& head) {
+/// Motions, their events and sweeps, and aligned records, as others write theirs, too.
+bool is_record(const std::string& head) {
   const std::string line = head.substr(0, head.find('\n'));
-  if (all_with_units(line)) return true;
-  return std::ranges::any_of(csv_heads, [&](const char* begin) { return line.starts_with(begin); }) || has(line, ",status,");
+  return line.starts_with("time [s],") || line.starts_with("t [s],") || all_with_units(line) || has(line, ",status,");
+}
+
+bool is_own_csv(const std::string& head) {
+  return std::ranges::any_of(csv_heads, [&](const char* begin) { return head.starts_with(begin); });
+}
+
+/// As frf::write_csv() begins: quantity, its SI unit, then keys, titles with blanks between them and numbers without.
+bool is_own_frfs(const std::string& head) {
+  std::istringstream lines(head);
+  std::string line, unit;
+  std::getline(lines, line);
+  std::getline(lines, unit);
+  for (const frf::Quantity quantity : {frf::Quantity::receptance, frf::Quantity::mobility, frf::Quantity::accelerance}) {
+    if (line != "# quantity = " + frf::name(quantity) || unit != "# unit = " + frf::unit(quantity)) continue;
+    while (std::getline(lines, line) && (line.starts_with("# node ") || line.starts_with("# averages = "))) {
+    }
+    const bool titles = line.starts_with("frequency_hz, ");
+    return titles && std::getline(lines, line) && !has(line, " ");
+  }
+  return false;
 }
 
 bool is_own_hdf5(const std::filesystem::path& file) {
@@ -69,7 +107,7 @@ bool is_own_hdf5(const std::filesystem::path& file) {
 
 }  // namespace
 
-bool is_own_file(const std::filesystem::path& file) {
+bool is_own_file(const std::filesystem::path& file, bool record) {
   const std::string head = bytes_of(file, false);
   if (head.empty()) return true;
   if (head.starts_with("\x89HDF\r\n")) return is_own_hdf5(file);
@@ -78,7 +116,9 @@ bool is_own_file(const std::filesystem::path& file) {
   if (head.starts_with("{\n")) return is_own_json(head);
   if (head.starts_with("MATLAB 5.0")) return has(head.substr(0, 128), "written by jointid");
   if (head.starts_with("    -1\n")) return has(head, "\njointid\n");
-  return head.starts_with("# quantity = ") || head.starts_with("# jointid") || head.starts_with("jointid-journa") || is_own_csv(head);
+  if (head.starts_with("# quantity = ")) return is_own_frfs(head);
+  if (head.starts_with("# jointid") || head.starts_with("jointid-journa") || is_own_csv(head)) return true;
+  return record && is_record(head);
 }
 
 }  // namespace jointid::cli

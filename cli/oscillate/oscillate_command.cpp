@@ -18,11 +18,13 @@ namespace jointid::cli {
 namespace {
 
 void check_outputs(const OscillateArguments& arguments, const tasks::OscillateScene& scene) {
-  check_targets(tasks::files_of(scene), {{"--json", arguments.json},
-                                         {"--csv", arguments.csv},
-                                         {"--report", arguments.report},
-                                         {"--sweep", arguments.sweep},
-                                         {"--events", arguments.events}});
+  check_targets(tasks::files_of(scene),
+                {{"--json", arguments.json},
+                 {"--csv", arguments.csv},
+                 {"--report", arguments.report},
+                 {"--sweep", arguments.sweep},
+                 {"--events", arguments.events}},
+                true);
 }
 
 void write(const OscillateArguments& arguments, const tasks::OscillateResult& run, std::ostream& out) {

@@ -7,7 +7,7 @@ namespace jointid::cli {
 
 ExitCode execute(const SeriesAlignArguments& arguments, std::ostream& out) {
   check_targets({{arguments.file, "FILE"}},
-                {{"--output", arguments.output}, {"--json", arguments.json}, {"--report", arguments.report}});
+                {{"--output", arguments.output}, {"--json", arguments.json}, {"--report", arguments.report}}, true);
   const tasks::AlignResult found = [&] {
     Progress progress;
     return tasks::run_align(arguments, progress.control());

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "frf/csv/csv_titles.hpp"
 #include "frf/set/line_scale.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/set/units.hpp"
@@ -20,11 +21,13 @@ namespace {
 
 constexpr std::size_t most_label_lines = 60;
 
-/// Without units in the titles: those are read as CSV.
+/// Without units and names of FRFs in the titles: those are read as CSV.
 bool is_heading_row(std::string_view line) {
   const std::string text = lower_case(trimmed(line));
-  if (text.find_first_of("[(") != std::string::npos) return false;
-  return text.starts_with("frequency") && text.find('\t') != std::string::npos && text.find("real") != std::string::npos;
+  if (text.find_first_of("[(") != std::string::npos || !text.starts_with("frequency")) return false;
+  const std::size_t second = text.find_first_not_of(" \t", text.find('\t'));
+  return text.find('\t') != std::string::npos && second != std::string::npos &&
+         std::string_view(text).substr(second).starts_with("real");
 }
 
 /// Bytes above 127 that begin no UTF-8 character are Latin-1.
@@ -58,13 +61,6 @@ std::optional<Dof> channel_dof(std::string_view text) {
   }
 }
 
-/// (A)(B) as A/B.
-std::string as_ratio(std::string unit) {
-  const std::size_t between = unit.find(")(");
-  if (between != std::string::npos) unit.replace(between, 2, ")/(");
-  return unit;
-}
-
 std::size_t dof_place(std::vector<Dof>& dofs, const Dof& dof) {
   const auto found = std::ranges::find(dofs, dof);
   if (found != dofs.end()) return static_cast<std::size_t>(found - dofs.begin());
@@ -76,6 +72,7 @@ class AnalyserText {
  public:
   AnalyserText(const std::filesystem::path& path, const OpenOptions& options) : options_(options) {
     set_.header.file = path.string();
+    hz_per_unit_ = hertz_per(options.frequency_unit).value_or(1.0);
   }
 
   FrfSet read(std::string_view rest) {
@@ -181,7 +178,8 @@ class AnalyserText {
   void read_units(const std::vector<std::string_view>& cells) {
     const std::string of_axis = lower_case(cells[0]);
     if (of_axis.empty() || of_axis.starts_with("units")) return;
-    hz_per_unit_ = located(set_.header.file, here(), [&] { return hertz_per(cells[0]).value_or(1.0); });
+    if (options_.frequency_unit.empty())
+      hz_per_unit_ = located(set_.header.file, here(), [&] { return hertz_per(cells[0]).value_or(1.0); });
     for (std::size_t k = 0; k < frfs_ && 2 * k + 1 < cells.size(); ++k) units_[k] = as_ratio(as_utf8(cells[2 * k + 1]));
   }
 

@@ -18,25 +18,6 @@ namespace {
 
 using enum CsvPart;
 
-/// Other words for parts, in lower case; `phase` needs a unit.
-constexpr std::array<std::pair<std::string_view, CsvPart>, 11> part_words = {{{"real", re},
-                                                                            {"imag", im},
-                                                                            {"imag.", im},
-                                                                            {"imaginary", im},
-                                                                            {"magnitude", mag},
-                                                                            {"abs", mag},
-                                                                            {"amplitude", mag},
-                                                                            {"realteil", re},
-                                                                            {"imaginärteil", im},
-                                                                            {"imagin\xE4rteil", im},
-                                                                            {"betrag", mag}}};
-
-bool is_part(std::string_view word) {
-  const std::string plain = lower_case(word);
-  return plain == "phase" || std::ranges::find(csv_part_names, plain) != csv_part_names.end() ||
-         std::ranges::find(part_words, plain, [](const auto& pair) { return pair.first; }) != part_words.end();
-}
-
 /// The FRF and its part of a title: "4:+Y/1:+Y re", "Real H1" or "Re(H1)".
 struct Title {
   std::string_view label, part;
@@ -47,7 +28,7 @@ Title title_of(std::string_view name) {
   if (last == std::string_view::npos && open != std::string_view::npos && name.ends_with(')'))
     return {name.substr(open + 1, name.size() - open - 2), name.substr(0, open)};
   if (last == std::string_view::npos) return {{}, name};
-  const bool leads = !is_part(name.substr(last + 1)) && is_part(name.substr(0, first));
+  const bool leads = !is_csv_part(name.substr(last + 1)) && is_csv_part(name.substr(0, first));
   return leads ? Title{trimmed(name.substr(first)), name.substr(0, first)} : Title{name.substr(0, last), name.substr(last + 1)};
 }
 
@@ -119,14 +100,9 @@ class HeaderRow {
   }
 
   CsvPart parse_part(std::size_t column, std::string_view word) const {
-    const std::string plain = lower_case(word);
     const std::string& unit = table_.units[column];
-    const auto found = std::ranges::find(csv_part_names, plain);
-    const auto other = std::ranges::find(part_words, plain, [](const auto& pair) { return pair.first; });
-    std::optional<CsvPart> part;
-    if (found != csv_part_names.end()) part = static_cast<CsvPart>(found - csv_part_names.begin());
-    if (other != part_words.end()) part = other->second;
-    if (plain == "phase") part = phase_part(column, unit);
+    std::optional<CsvPart> part = csv_part(word);
+    if (lower_case(word) == "phase") part = phase_part(column, unit);
     if (!part) {
       fail(column, "'" + table_.columns[column] + "' is not a column of an FRF",
            "write response/reference and re, im, mag, phase_deg, phase_rad, var_re, var_im or coherence, e.g. 4:+Y/1:+Y "
@@ -139,7 +115,7 @@ class HeaderRow {
   CsvPart phase_part(std::size_t column, const std::string& unit) const {
     const std::string plain = lower_case(unit);
     if (is_degrees(plain)) return phase_deg;
-    if (plain == "rad") return phase_rad;
+    if (plain == "rad" || plain == "radians" || plain == "radian") return phase_rad;
     fail(column, "'" + table_.columns[column] + "' does not say whether it is in degrees or radians",
          "name it phase_deg or phase_rad");
   }
@@ -147,7 +123,9 @@ class HeaderRow {
   /// What the SI factor of the FRF does not look at.
   void require_unit_of(std::size_t column, CsvPart part, const std::string& unit) const {
     const std::string plain = lower_case(unit);
-    const bool right = part == phase_deg ? is_degrees(plain) : part == phase_rad ? plain == "rad" : plain == "1";
+    const bool right = part == phase_deg   ? is_degrees(plain)
+                       : part == phase_rad ? plain.starts_with("rad") && !plain.starts_with("rad/")
+                                           : plain == "1";
     const bool scaled = part == re || part == im || part == mag;
     if (scaled || right || states_no_unit(unit) || unit == "-") return;
     const bool variance = part == var_re || part == var_im;
@@ -171,7 +149,7 @@ class HeaderRow {
            "write e.g. 4:+Y/1:+Y re, or give the DOFs: --response 4:+Y --reference 1:+Y, in a scene dofs and reference_dofs");
     }
     const auto parse = [&](std::string_view text) {
-      return located(table_.file, CsvTable::place(table_.header_line, column), [&] { return Dof::parse(text); });
+      return located(table_.file, table_.place(table_.header_line, column), [&] { return Dof::parse(text); });
     };
     const Dof response = parse(label.substr(0, slash));
     const Dof reference = parse(label.substr(slash + 1));

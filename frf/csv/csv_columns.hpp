@@ -3,18 +3,14 @@
 #include <array>
 #include <cstddef>
 #include <map>
-#include <string_view>
+#include <string>
 #include <utility>
 
 #include "frf/csv/csv_table.hpp"
+#include "frf/csv/csv_titles.hpp"
 #include "frf/set/frf_source.hpp"
 
 namespace jointid::frf {
-
-/// What a column holds of its pair of DOFs; a pair is complete with re and im, or with mag and a phase.
-enum class CsvPart : std::size_t { re, im, mag, phase_deg, phase_rad, var_re, var_im, coherence };
-inline constexpr std::array<std::string_view, 8> csv_part_names = {"re",        "im",     "mag",    "phase_deg",
-                                                                   "phase_rad", "var_re", "var_im", "coherence"};
 
 /// Which column holds what, by the header row of a table.
 class CsvColumns {

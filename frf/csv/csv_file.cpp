@@ -13,10 +13,13 @@
 #include "base/error.hpp"
 #include "frf/csv/csv_columns.hpp"
 #include "frf/csv/csv_nodes.hpp"
+#include "frf/csv/csv_text.hpp"
+#include "frf/csv/lvm_file.hpp"
 #include "frf/set/line_scale.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/set/units.hpp"
 #include "frf/text/located.hpp"
+#include "frf/text/unit_names.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -46,12 +49,44 @@ std::string first_unit(const CsvTable& table, const CsvColumns& columns) {
   return {};
 }
 
-/// What the user says stands in place of what the file says.
-void set_unit(CsvTable& table, const std::string& unit) {
+/// What the user says stands in place of what the file says of the FRFs, understood or not.
+void set_unit(CsvTable& table, const CsvColumns& columns, const std::string& unit) {
   table.keys["unit"] = unit;
-  for (std::size_t i = 1; i < table.units.size(); ++i) {
-    if (quantity_of_unit(table.units[i])) table.units[i].clear();
+  for (const auto& [pair, of_pair] : columns.pairs()) {
+    for (const CsvPart part : {re, im, mag}) {
+      if (of_pair.has(part)) table.units[of_pair[part]].clear();
+    }
   }
+}
+
+/// FRFs of a LabVIEW measurement file.
+CsvTable table_of(LvmFile&& lvm, const CsvGiven& given) {
+  CsvTable table;
+  table.file = lvm.file, table.header_line = table.units_line = lvm.titles_line;
+  if (lower_case(lvm.dimension) != "frequency" && given.frequency_unit.empty())
+    fail(table, "X_Dimension", "is over '" + shown_label(lvm.dimension) + "', not over frequencies",
+         "make FRFs of time records by jointid frf, or say what the axis is in: --frequency-unit, in a scene frequency_unit");
+  const std::string& axis = given.frequency_unit.empty() ? lvm.x_unit : given.frequency_unit;
+  table.hz_per_unit = located(table.file, "X_Unit_Label", [&] { return hertz_per(axis).value_or(1.0); });
+  table.columns = {"Frequency"}, table.units = {""}, table.places = {0};
+  for (const LvmFile::Channel& channel : lvm.channels) {
+    CsvTitle title = csv_title(channel.name);
+    table.places.push_back(table.columns.size());
+    table.columns.push_back(std::move(title.title));
+    table.units.push_back(channel.unit.empty() ? title.unit : as_ratio(channel.unit));
+  }
+  for (std::size_t row = 0; row < lvm.x.size(); ++row) {
+    table.lines.push_back(lvm.titles_line + 1 + row);
+    table.cells.push_back(lvm.x[row]);
+    for (const LvmFile::Channel& channel : lvm.channels) table.cells.push_back(channel.values[row]);
+  }
+  return table;
+}
+
+CsvTable read_table(const std::filesystem::path& path, const OpenOptions& options) {
+  const CsvGiven given{.unit = !options.unit.empty(), .frequency_unit = options.frequency_unit};
+  const std::string text = read_csv_text(path);
+  return looks_like_lvm(text) ? table_of(read_lvm(path.string(), text), given) : read_csv_table(path.string(), text, given);
 }
 
 Quantity read_quantity(const CsvTable& table, const CsvColumns& columns, const OpenOptions& options) {
@@ -63,15 +98,24 @@ Quantity read_quantity(const CsvTable& table, const CsvColumns& columns, const O
   fail(table, {}, "does not say which quantity it holds", "begin it with e.g. # quantity = accelerance");
 }
 
+/// Factor to SI of a label; what is wrong with it can be put right by the user, too.
+double factor_of(const CsvTable& table, const std::string& place, const std::string& label, const FrfHeader& header) {
+  try {
+    return located(table.file, place, [&] { return si_factor(label, header); });
+  } catch (const InputError& error) {
+    fail(table, place, error.parts().problem, error.parts().remedy + "; or say what the numbers are: --unit, in a scene unit");
+  }
+}
+
 /// By the key `unit`, by the unit of its columns, or 1. Throws where both are there and differ.
 double si_factor_of(const CsvTable& table, const CsvColumns& columns, const CsvColumns::OfPair& pair, const FrfHeader& header) {
   const auto key = table.keys.find("unit");
   const bool by_key = key != table.keys.end() && !states_no_unit(key->second);
   std::size_t column = 0;
   const std::string& own = columns.unit(pair, column);
-  const double of_file = by_key ? located(table.file, "# unit", [&] { return si_factor(key->second, header); }) : 1.0;
+  const double of_file = by_key ? factor_of(table, "# unit", key->second, header) : 1.0;
   if (column == 0) return of_file;
-  const double of_column = located(table.file, CsvTable::place(table.units_line, column), [&] { return si_factor(own, header); });
+  const double of_column = factor_of(table, table.place(table.units_line, column), own, header);
   if (by_key && std::abs(of_file - of_column) > 1e-9 * of_file) {
     table.fail(table.units_line, column,
                "the unit '" + shown_label(own) + "' is not that of # unit, '" + shown_label(key->second) + "'",
@@ -175,10 +219,12 @@ std::vector<double> read_frequency(const CsvTable& table) {
 
 bool looks_like_csv(std::span<const char> head) {
   std::string_view rest(head.data(), head.size());
-  if (rest.starts_with("\xFF\xFE") || rest.starts_with("\xFE\xFF")) return true;  // UTF-16
+  if (rest.starts_with("\xFF\xFE") || rest.starts_with("\xFE\xFF") || looks_like_lvm(rest)) return true;  // UTF-16, LabVIEW
   const auto binary = [](char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\r' && c != '\n'; };
-  if (std::ranges::any_of(head, binary)) return false;
+  while (!rest.empty() && (rest.back() == '\x1A' || rest.back() == '\0')) rest.remove_suffix(1);  // an end of file of DOS
+  if (rest.empty() || std::ranges::any_of(rest, binary)) return false;
   if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
+  if (find_csv_header(rest)) return true;
   while (!rest.empty()) {
     const std::string_view line = rest.substr(0, rest.find('\n'));
     rest.remove_prefix(std::min(rest.size(), line.size() + 1));
@@ -203,12 +249,12 @@ bool names_frfs(std::span<const char> head) {
 }
 
 std::unique_ptr<FrfSource> open_csv(const std::filesystem::path& path, const OpenOptions& options) {
-  CsvTable table = read_csv_table(path);
-  if (!options.unit.empty()) set_unit(table, options.unit);
+  CsvTable table = read_table(path, options);
   FrfSet set;
   set.header.file = table.file;
   set.header.nodes = read_csv_nodes(table);
   const CsvColumns columns(table, options, set.header);
+  if (!options.unit.empty()) set_unit(table, columns, options.unit);
   set.header.quantity = read_quantity(table, columns, options);
   set.header.frequency_hz = read_frequency(table);
   read_noise_kind(table, columns, set.header);

@@ -80,28 +80,30 @@ bool is_unit_in_comment(std::string_view comment) {
 
 }  // namespace
 
-void read_csv_key(std::string_view line, const std::string& file, std::size_t number, CsvKeys& keys) {
+void read_csv_key(std::string_view line, const std::string& file, std::size_t number, bool unit_given, CsvKeys& keys) {
   line.remove_prefix(1);
   const std::size_t end = line.find_first_of("=:");
   const bool comment = end == std::string_view::npos;
   const std::string_view written = trimmed(line.substr(0, end)), value = comment ? written : trimmed(line.substr(end + 1));
-  if (comment && !is_unit_in_comment(value)) return;
+  if (comment && (unit_given || !is_unit_in_comment(value))) return;
   std::string key = plain_key(written);
   const auto known = std::ranges::find(known_keys, key, [](const auto& pair) { return pair.first; });
   if (comment) {
-    fail(file, number, "'" + shown_label(value) + "' is a unit that is not read", "did you mean # unit = ...? Or reword the comment");
+    fail(file, number, "'" + shown_label(value) + "' is a unit that is not read",
+         "did you mean # unit = ...? Or reword the comment, or give --unit, in a scene unit");
   } else if (known != known_keys.end()) {
     key = known->second;
   } else if (key.starts_with("node ")) {
     key = std::string(written);
     std::ranges::transform(key.begin(), key.begin() + 4, key.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  } else if (const std::string_view near = near_key(key); !near.empty()) {
+  } else if (const std::string_view near = near_key(key); !near.empty() && !(unit_given && near == "unit")) {
     fail(file, number, "the key '" + std::string(written.substr(0, 40)) + "' is not known",
          "did you mean " + std::string(near) + "? Or write a comment without = and :");
-  } else if (is_unit_in_comment(value)) {
-    fail(file, number, "the unit '" + shown_label(value) + "' of the key '" + std::string(written.substr(0, 40)) + "' is not read",
-         "did you mean # unit = " + shown_label(value) + "? Or reword the comment");
+  } else if (!unit_given && is_unit_in_comment(value)) {
+    fail(file, number,
+         "the unit '" + shown_label(value) + "' of the key '" + std::string(written.substr(0, 40)) + "' is not read",
+         "did you mean # unit = " + shown_label(value) + "? Or reword the comment, or give --unit, in a scene unit");
   } else {
     return;
   }

@@ -1,17 +1,14 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "frf/csv/csv_keys.hpp"
+#include "frf/csv/csv_titles.hpp"
 
 namespace jointid::frf {
-
-/// The first column of a table of FRFs.
-inline constexpr const char* csv_frequency_column = "frequency_hz";
 
 /// A table of numbers with named columns, as it stands in a text file.
 struct CsvTable {
@@ -25,30 +22,34 @@ struct CsvTable {
   std::size_t units_line = 0;      ///< of a row of units under it, or that line
   std::vector<std::size_t> lines;  ///< line of each row, from 1
   std::vector<double> cells;       ///< [rows, columns], NaN where empty
+  std::vector<std::size_t> places;  ///< of each column in the file, from 0
 
   std::size_t rows() const { return lines.size(); }
   double cell(std::size_t row, std::size_t column) const { return cells[row * columns.size() + column]; }
 
-  /// "line 7, column 3"; columns from 0 inside, from 1 in messages.
-  static std::string place(std::size_t line, std::size_t column);
+  /// "line 7, column 3" of the file; columns from 0 inside, from 1 in messages.
+  std::string place(std::size_t line, std::size_t column) const;
 
   /// Throws InputError (data) at that cell.
   [[noreturn]] void fail(std::size_t line, std::size_t column, std::string problem, std::string remedy) const;
 };
 
-/// The whole of a text file as UTF-8, without a byte-order mark; UTF-16 is converted. Throws InputError when it cannot be read.
-std::string read_csv_text(const std::filesystem::path& path);
+/// What the user says in place of what a table does.
+struct CsvGiven {
+  bool unit = false;           ///< a unit of the FRFs: comments that look like one are only comments
+  std::string frequency_unit;  ///< empty: as the table says; else the first column holds frequencies, whatever its title
+};
 
-/// The separator of a line: semicolon, else tab, else comma; '\0' when it has none.
-char csv_separator(std::string_view line);
-
-/// Reads a table separated by comma, semicolon or tab, or as a first line `sep=;` says. Cells may stand in quotes; numbers may
-/// have decimal commas where these do not separate, all of them or none. The first column is the frequency: `frequency_hz`,
-/// "Frequency [Hz]", "Freq (kHz)", "f [Hz]", "omega". Keys: quantity, unit, averages, frequency_unit and node N, in any case,
-/// with = or :, also units for unit; lines
+/// Reads the table of a text (read_csv_text()), separated by comma, semicolon or tab, or as a first line `sep=;` says. Free lines
+/// may stand above the row of titles (find_csv_header(), read_csv_notes()). Cells may stand in quotes; numbers may have decimal
+/// commas where these do not separate, all of them or none. The first column is the frequency: `frequency_hz`, "Frequency [Hz]",
+/// "Freq (kHz)", "f [Hz]", "omega"; one before it that counts the rows and empty ones at the end are passed over. A column of
+/// complex numbers (parse_complex()) becomes two, with re and im behind its title. What stands in place of a number that is none
+/// (states_no_value()) is NaN. Keys: quantity, unit, averages, frequency_unit and node N, in any case, with = or :, also units
+/// for unit; lines
 /// `# key = value` with any other key are comments, but for keys that look like these. Throws InputError naming line and column
 /// of what is no finite number, rows of another length than the header, a unit that is not understood and a key that is nearly
 /// one.
-CsvTable read_csv_table(const std::filesystem::path& path);
+CsvTable read_csv_table(const std::string& file, std::string_view text, const CsvGiven& given = {});
 
 }  // namespace jointid::frf

@@ -3,9 +3,11 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "frf/csv/csv_table.hpp"
+#include "frf/csv/csv_titles.hpp"
+#include "frf/set/unit_label.hpp"
 #include "frf/text/label_text.hpp"
 #include "frf/text/number_text.hpp"
+#include "frf/text/unit_names.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -20,56 +22,127 @@ bool is_number(std::string_view cell, const DecimalMark& mark) {
   return parse_cell(cell, mark.may_be_comma(), value);
 }
 
+/// Whether a line may be one of units: "(ms)", "s;N", "[g]".
+bool are_units(const std::vector<std::string_view>& cells) {
+  return std::ranges::all_of(cells, [](std::string_view cell) {
+    const std::string_view label = without_brackets(cell);
+    return label != cell || states_no_unit(label) || parse_unit(label) || !not_a_unit(label).empty();
+  });
+}
+
+bool has_numbers(std::string_view line, char separator) {
+  const DecimalMark mark(separator);
+  return std::ranges::any_of(split(line, separator),
+                             [&](std::string_view cell) { return !cell.empty() && is_number(cell, mark); });
+}
+
+/// "Time [s]": names with units.
+bool have_units(const std::vector<std::string_view>& cells) {
+  return std::ranges::any_of(cells, [](std::string_view cell) {
+    const NumberColumn column = titled_column(cell);
+    return !column.unit.empty() && !column.name.empty();
+  });
+}
+
 }  // namespace
 
 bool is_comment(std::string_view text) { return text.empty() || text.front() == '#' || text.front() == '%'; }
 
 bool ColumnTitles::begins_with(std::string_view line, const std::string& place) {
+  constexpr std::size_t most_texts = 4;
   const std::string_view text = trimmed(line);
   if (is_comment(text) || take_separator(text)) return false;
-  if (empty()) return !take_names(line, place);
-  return !take_units(line);
+  if (is_of_numbers(line)) {
+    settle(line);
+    if (empty()) {
+      require_few(split(line, separator_).size(), place);
+      for (std::size_t i = 0; i < split(line, separator_).size(); ++i)
+        columns_.columns.push_back({std::to_string(i + 1), {}, {}});
+    }
+    return true;
+  }
+  if (texts_.empty()) require_few(split(line, separator_in(line)).size(), place);
+  if (texts_.size() == most_texts) texts_.erase(texts_.begin() + 2);
+  texts_.push_back({std::string(line), place});
+  ++texts_seen_;
+  return false;
+}
+
+void ColumnTitles::end() {
+  if (!empty() || texts_.empty()) return;
+  if (texts_seen_ > 2 || (texts_seen_ == 2 && has_numbers(texts_.back().text, separator_in(texts_.back().text))))
+    refuse(texts_[1], {});
+  take_names(texts_.front());
+  if (texts_.size() > 1) take_units(texts_.back().text);
+}
+
+char ColumnTitles::separator_in(std::string_view line) const { return separator_ != '\0' ? separator_ : separator_of(line); }
+
+/// By its first cell; a first line of all lines that is not all numbers is one of names, whatever that cell is.
+bool ColumnTitles::is_of_numbers(std::string_view line) const {
+  const char separator = separator_in(line);
+  const DecimalMark mark(separator);
+  const std::vector<std::string_view> cells = split(line, separator);
+  const auto number = [&](std::string_view cell) { return is_number(cell, mark); };
+  const bool all = std::ranges::all_of(cells, number);
+  if (texts_.empty()) return all;
+  const bool any = std::ranges::any_of(cells, [&](std::string_view cell) { return !cell.empty() && number(cell); });
+  return any && number(cells.front()) && (all || !cells.front().empty());
+}
+
+void ColumnTitles::settle(std::string_view numbers) {
+  const auto fits = [&](const TextLine& line) {
+    const char separator = separator_in(line.text);
+    return split(line.text, separator).size() == split(numbers, separator).size();
+  };
+  if (texts_.empty()) {
+    separator_ = separator_in(numbers);
+    return;
+  }
+  const auto last = std::ranges::find_if(texts_.rbegin(), texts_.rend(), fits);
+  if (last == texts_.rend()) return take_names(texts_.back());
+  const auto above = last + 1;
+  if (above == texts_.rend() || !fits(*above)) return take_names(*last);
+  const std::vector<std::string_view> cells = split(last->text, separator_in(last->text));
+  if (has_numbers(last->text, separator_in(last->text))) refuse(*last, {});
+  const bool units = are_units(cells) || (texts_seen_ == 2 && !have_units(cells));
+  take_names(units ? *above : *last);
+  const bool stated = std::ranges::any_of(columns_.columns, [](const NumberColumn& column) { return !column.unit.empty(); });
+  if (units && stated) refuse(*last, "; the titles above have units already");
+  if (units) take_units(last->text);
+}
+
+void ColumnTitles::refuse(const TextLine& line, const std::string& why) const {
+  const std::string cell(split(line.text, separator_in(line.text)).front().substr(0, 40));
+  throw InputError({ErrorKind::data, columns_.file, line.place + ", column 1", "'" + cell + "' is not a number",
+                    "begin lines that are no numbers with #" + why});
+}
+
+void ColumnTitles::require_few(std::size_t columns, const std::string& place) const {
+  if (columns <= most_columns) return;
+  throw InputError({ErrorKind::data, columns_.file, place,
+                    std::to_string(columns) + " columns are more than the " + std::to_string(most_columns) + " that are read",
+                    "export fewer channels, or in several files; are rows and columns exchanged?"});
 }
 
 bool ColumnTitles::take_separator(std::string_view text) {
-  if (!empty() || separator_ != '\0' || text.size() != 5) return false;
+  if (!texts_.empty() || separator_ != '\0' || text.size() != 5) return false;
   if (!text.starts_with("sep=") && !text.starts_with("SEP=") && !text.starts_with("Sep=")) return false;
   separator_ = text.back();
   return true;
 }
 
-bool ColumnTitles::take_names(std::string_view line, const std::string& place) {
-  if (separator_ == '\0') separator_ = separator_of(line);
-  const std::vector<std::string_view> cells = split(line, separator_);
-  if (cells.size() > most_columns) {
-    throw InputError(
-        {ErrorKind::data, columns_.file, place,
-         std::to_string(cells.size()) + " columns are more than the " + std::to_string(most_columns) + " that are read",
-         "export fewer channels, or in several files; are rows and columns exchanged?"});
-  }
-  const DecimalMark mark(separator_);
-  named_ = !std::ranges::all_of(cells, [&](std::string_view cell) { return is_number(cell, mark); });
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    columns_.columns.push_back(named_ ? titled_column(cells[i]) : NumberColumn{std::to_string(i + 1), {}, {}});
-  return named_;
+void ColumnTitles::take_names(const TextLine& line) {
+  separator_ = separator_in(line.text);
+  const std::vector<std::string_view> cells = split(line.text, separator_);
+  require_few(cells.size(), line.place);
+  for (const std::string_view cell : cells) columns_.columns.push_back(titled_column(cell));
 }
 
-bool ColumnTitles::take_units(std::string_view line) {
-  if (!named_ || has_units_) return false;
+void ColumnTitles::take_units(std::string_view line) {
   const std::vector<std::string_view> cells = split(line, separator_);
-  if (cells.size() != columns_.columns.size()) return false;
-  const DecimalMark mark(separator_);
-  bool any = false;
-  for (const std::string_view cell : cells) {
-    if (cell.empty()) continue;
-    if (is_number(cell, mark)) return false;
-    any = true;
-  }
-  if (!any || std::ranges::any_of(columns_.columns, [](const NumberColumn& column) { return !column.unit.empty(); }))
-    return false;
-  for (std::size_t i = 0; i < cells.size(); ++i) columns_.columns[i].unit = without_brackets(cells[i]);
-  has_units_ = true;
-  return true;
+  for (std::size_t i = 0; i < std::min(cells.size(), columns_.columns.size()); ++i)
+    if (!cells[i].empty()) columns_.columns[i].unit = without_brackets(cells[i]);
 }
 
 bool DecimalMark::fits(std::string_view line) {

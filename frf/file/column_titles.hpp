@@ -14,13 +14,19 @@ inline constexpr std::size_t most_columns = 100'000;
 
 /// What stands above the numbers of a table, taken line by line: comments (# or %), `sep=;` as spreadsheets write it, the names
 /// of the columns with or without units, and a row of units below them ("(ms)", "s", "[N]"). The separator is the one that `sep=`
-/// says, else the first of semicolon, tab and comma that stands in the first line, else blanks.
+/// says, else the first of semicolon, tab and comma that stands in the line of names, else blanks. Free lines may stand above:
+/// the names are the last line of as many cells as the first line of numbers has, or the one before it where that holds units.
 class ColumnTitles {
  public:
   explicit ColumnTitles(std::string file) { columns_.file = std::move(file); }
 
-  /// Whether the numbers begin with this line; else it was taken. Throws InputError at `place` for more than most_columns.
+  /// Whether the numbers begin with this line; else it was taken. Throws InputError at `place` for more than most_columns, and
+  /// for a line of texts under names with units.
   bool begins_with(std::string_view line, const std::string& place);
+
+  /// To be called where no line began the numbers: the texts were all. Throws InputError where they were more than names and
+  /// units.
+  void end();
 
   char separator() const { return separator_; }
   /// Without numbers; of a table without names 1, 2, …
@@ -28,13 +34,24 @@ class ColumnTitles {
   bool empty() const { return columns_.columns.empty(); }
 
  private:
+  struct TextLine {
+    std::string text, place;
+  };
+
   bool take_separator(std::string_view text);
-  bool take_names(std::string_view line, const std::string& place);  ///< false: it is the first line of numbers
-  bool take_units(std::string_view line);
+  bool is_of_numbers(std::string_view line) const;
+  char separator_in(std::string_view line) const;
+  /// Names by the lines of texts; `numbers` is the first line of numbers.
+  void settle(std::string_view numbers);
+  void take_names(const TextLine& line);
+  void take_units(std::string_view line);
+  [[noreturn]] void refuse(const TextLine& line, const std::string& why) const;
+  void require_few(std::size_t columns, const std::string& place) const;
 
   Columns columns_;
   char separator_ = '\0';
-  bool named_ = false, has_units_ = false;
+  std::vector<TextLine> texts_;  ///< the first two and the last two
+  std::size_t texts_seen_ = 0;
 };
 
 /// Numbers between semicolons and tabs may have decimal commas; in one table either all of them do or none.

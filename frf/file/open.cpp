@@ -4,6 +4,7 @@
 #include "base/text.hpp"
 #include "frf/file/file_format.hpp"
 #include "frf/set/corrections.hpp"
+#include "frf/set/unit_label.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -35,6 +36,15 @@ void require_own_unit(const Format& format, const std::filesystem::path& path, c
          "--unit, in a scene unit");
 }
 
+void require_own_axis(const Format& format, const std::filesystem::path& path, const OpenOptions& options) {
+  if (options.frequency_unit.empty()) return;
+  hertz_per(options.frequency_unit);
+  if (format.format != FileFormat::jointid_hdf5) return;
+  refuse(path,
+         "the unit '" + options.frequency_unit + "' of the frequencies is given, and a file of format " + format.name + " has Hz",
+         "leave out --frequency-unit, in a scene frequency_unit; a scene can stretch frequencies (frequency_scale)");
+}
+
 /// DOFs that a reader had no use for, since the file names its own.
 void require_given_dofs(const FrfHeader& header, const std::filesystem::path& path, const OpenOptions& options) {
   const auto require = [&](const std::vector<Dof>& given, const std::vector<Dof>& own, const char* which, const char* option) {
@@ -56,6 +66,7 @@ std::unique_ptr<FrfSource> open(const std::filesystem::path& path, const OpenOpt
   const Format& format = format_of(path);
   require_variables(format, path, options);
   require_own_unit(format, path, options);
+  require_own_axis(format, path, options);
   auto source = format.open(path, options);
   if (!format.variables) require_given_dofs(source->header(), path, options);
   return options.quantity ? reinterpreted(std::move(source), *options.quantity) : std::move(source);

@@ -3,11 +3,13 @@
 #include <filesystem>
 
 #include "base/error.hpp"
+#include "frf/csv/lvm_file.hpp"
 #include "frf/file/column_titles.hpp"
 #include "frf/file/columns.hpp"
 #include "frf/file/file_format.hpp"
 #include "frf/mat/mat_column.hpp"
 #include "frf/text/number_text.hpp"
+#include "frf/text/unit_names.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -34,6 +36,7 @@ class TextColumns {
         add(line);
       }
     }
+    if (out_.columns.empty()) titles_.end();
     if (titles_.empty()) fail(out_.file, {}, "holds no numbers", "give columns of numbers, e.g. u,F");
     if (out_.columns.empty()) begin();
     return std::move(out_);
@@ -151,11 +154,27 @@ Columns read_variables(MatFile& file) {
   return out;
 }
 
+/// Channels behind their axis, "X_Value [s]" where it is one of times.
+Columns columns_of(LvmFile&& lvm) {
+  Columns out{lvm.file, {}};
+  const bool times = lower_case(lvm.dimension) == "time";
+  out.columns.push_back({times ? "Time" : lvm.dimension, lvm.x_unit.empty() && times ? "s" : lvm.x_unit, std::move(lvm.x)});
+  for (LvmFile::Channel& channel : lvm.channels) {
+    out.columns.push_back(titled_column(channel.name));
+    if (!channel.unit.empty()) out.columns.back().unit = channel.unit;
+    out.columns.back().values = std::move(channel.values);
+  }
+  return out;
+}
+
 }  // namespace
 
 Columns read_columns(const std::filesystem::path& path) {
   const std::optional<FileFormat> binary = detect_binary_format(path);
-  if (!binary) return TextColumns(path).read(read_text(path));
+  if (!binary) {
+    const std::string text = read_text(path);
+    return looks_like_lvm(text) ? columns_of(read_lvm(path.string(), text)) : TextColumns(path).read(text);
+  }
   const auto file = *binary == FileFormat::matlab_v5 ? open_mat_variables_v5(path) : open_mat_variables_v73(path);
   return read_variables(*file);
 }

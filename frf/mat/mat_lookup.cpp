@@ -174,13 +174,13 @@ double MatLookup::hz_per_unit(const MatInfo& axis) const {
 }
 
 /// Of a struct x_values, as Testlab exports it; nothing where there is none.
-std::vector<double> MatLookup::stepped_axis() const {
+std::vector<double> MatLookup::stepped_axis(const std::string& unit) const {
   const double start = number("x_values.start_value"), step = number("x_values.increment"),
                count = number("x_values.number_of_values");
   if (std::isnan(step) || std::isnan(count)) return {};
   if (!(count >= 1.0) || count > longest_axis || count != std::floor(count))
     fail(place_of("x_values.number_of_values"), fmt::format("{:g} is no number of lines", count), "export the FRFs again");
-  const std::string label = text(axis_unit_names);
+  const std::string label = unit.empty() ? text(axis_unit_names) : unit;
   const double hz =
       label.empty() ? 1.0
                     : located(file_.file(), place_of("x_values.quantity.label"), [&] { return hertz_per(label).value_or(1.0); });
@@ -206,15 +206,15 @@ void MatLookup::fail_axis(const MatInfo& frf) const {
        "add one named frequency (Hz) or omega (rad/s), or name it: --frequency-variable, in a scene frequency_variable");
 }
 
-std::vector<double> MatLookup::axis(const std::string& variable, const MatInfo& frf) const {
+std::vector<double> MatLookup::axis(const std::string& variable, const std::string& unit, const MatInfo& frf) const {
   const MatInfo* info = variable.empty() ? axis_by_name() : &named_axis(variable);
   if (info == nullptr) {
-    std::vector<double> stepped = stepped_axis();
+    std::vector<double> stepped = stepped_axis(unit);
     if (stepped.empty()) fail_axis(frf);
     return stepped;
   }
   std::vector<double> values = numbers(*info);
-  const double hz = hz_per_unit(*info);
+  const double hz = unit.empty() ? hz_per_unit(*info) : hertz_per(unit).value_or(1.0);
   for (double& value : values) value *= hz;
   return values;
 }

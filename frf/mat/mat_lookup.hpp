@@ -35,8 +35,9 @@ class MatLookup {
   const MatInfo* find(std::string_view name) const { return find(std::span(&name, 1)); }
 
   /// The frequencies, Hz: of `variable` when given, else by name, else of the fields start_value, increment and number_of_values
-  /// of x_values. Throws InputError listing what may be them when there are none.
-  std::vector<double> axis(const std::string& variable, const MatInfo& frf) const;
+  /// of x_values. A `unit` that is given stands in place of the file's. Throws InputError listing what may be them when there are
+  /// none.
+  std::vector<double> axis(const std::string& variable, const std::string& unit, const MatInfo& frf) const;
 
   /// How many there are, or 0 where they are not found.
   std::size_t axis_length(const std::string& variable) const;
@@ -60,7 +61,7 @@ class MatLookup {
   const MatInfo* axis_by_name() const;
   const MatInfo& named_axis(const std::string& variable) const;
   double hz_per_unit(const MatInfo& axis) const;
-  std::vector<double> stepped_axis() const;
+  std::vector<double> stepped_axis(const std::string& unit) const;
   [[noreturn]] void fail_axis(const MatInfo& frf) const;
   std::vector<std::string> texts(const MatInfo& info) const;
   std::vector<std::string> nodes_and_directions(bool response) const;

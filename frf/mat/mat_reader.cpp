@@ -36,7 +36,7 @@ class Reader {
   FrfSet read() {
     FrfHeader& header = set_.header;
     header.file = file_.file();
-    header.frequency_hz = lookup_.axis(options_.frequency_variable, *frf_.values);
+    header.frequency_hz = lookup_.axis(options_.frequency_variable, options_.frequency_unit, *frf_.values);
     read_dofs();
     header.quantity = read_quantity();
     if (header.response.empty()) {

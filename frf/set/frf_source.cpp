@@ -84,7 +84,7 @@ class MemorySource final : public FrfSource {
 };
 
 /// Coherences of 1 may come from averages of single precision.
-constexpr double rounding = 1e-5;
+constexpr double correlation_rounding = 1e-5;
 
 /// "4:+Y/1:+Y, line 7": what stands at a place of a block.
 std::string place_text(const FrfHeader& header, const Block& block, std::size_t at) {
@@ -101,7 +101,7 @@ std::vector<std::size_t> indices(std::size_t count) {
 
 /// Throws InputError unless the covariance of an error with itself is real and not below 0, to rounding.
 void require_diagonal(const FrfHeader& header, std::size_t line, std::size_t r, std::size_t c, Complex value) {
-  if (!(value.real() < 0.0) && !(std::abs(value.imag()) > rounding * value.real())) return;
+  if (!(value.real() < 0.0) && !(std::abs(value.imag()) > correlation_rounding * value.real())) return;
   fail(header, fmt::format("covariance of {}/{}, line {}", header.response[r].name(), header.reference[c].name(), line + 1),
        fmt::format("{:g} + {:g}i is no variance", value.real(), value.imag()),
        "export the covariances again, or leave them out");
@@ -131,7 +131,8 @@ void FrfSource::read_coherence(const Block& block, std::span<double> out) {
   assert(header_.noise == NoiseRecord::coherence && out.size() == block.size());
   if (block.size() == 0) return;
   do_read_coherence(block, out);
-  const auto wrong = std::find_if(out.begin(), out.end(), [](double value) { return value < 0.0 || value > 1.0 + rounding; });
+  const auto wrong =
+      std::find_if(out.begin(), out.end(), [](double value) { return value < 0.0 || value > 1.0 + correlation_rounding; });
   if (wrong == out.end()) return;
   fail(header_, "coherence of " + place_text(header_, block, static_cast<std::size_t>(wrong - out.begin())),
          fmt::format("{} is not between 0 and 1", *wrong), "export the coherences again, or leave them out");
@@ -256,9 +257,9 @@ void FrfSource::read_reference_correlation(std::span<const std::size_t> lines, s
       for (std::size_t n = 0; n <= m; ++n) {
         const Complex value = of[m * size + n];
         if (std::isnan(value.real()) || std::isnan(value.imag())) continue;
-        const bool right = m == n
-                               ? std::abs(value - 1.0) <= rounding
-                               : std::abs(value) <= 1.0 + rounding && std::abs(value - std::conj(of[n * size + m])) <= rounding;
+        const bool right = m == n ? std::abs(value - 1.0) <= correlation_rounding
+                                  : std::abs(value) <= 1.0 + correlation_rounding &&
+                                        std::abs(value - std::conj(of[n * size + m])) <= correlation_rounding;
         if (right) continue;
         fail(header_,
              fmt::format("correlation of references {} and {}, line {}", header_.reference[references[m]].name(),

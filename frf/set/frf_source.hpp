@@ -135,6 +135,7 @@ struct OpenOptions {
   std::vector<Dof> reference;        ///< default: as the responses, when the matrix is square
   std::string variable;              ///< files of named arrays (MAT, HDF5, npz): the FRFs, S.field of a struct
   std::string frequency_variable{};  ///< the same of the frequencies; of .npy the file that holds them
+  std::string frequency_unit{};      ///< of the frequencies, e.g. "kHz", in place of what the file says of it
   Spectra spectra = Spectra::none;   ///< other formats do not tell them from FRFs
 };
 

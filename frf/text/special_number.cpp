@@ -1,6 +1,8 @@
 #include "frf/text/special_number.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -32,7 +34,25 @@ std::optional<double> of_old_windows(std::string_view text) {
   return std::nullopt;
 }
 
+/// "#DIV/0!", "#NAME?", "#N/A" in any language, "#####" where a column was too narrow, "Err:502" of LibreOffice.
+bool is_spreadsheet_error(std::string_view word) {
+  if (word.starts_with("err:")) return word.size() > 4 && word.find_first_not_of("0123456789", 4) == std::string_view::npos;
+  if (!word.starts_with('#') || word.size() < 3) return false;
+  constexpr std::array<std::string_view, 4> without_mark = {"#n/a", "#na", "#nv", "#n/d"};
+  return word.ends_with('!') || word.ends_with('?') || std::ranges::find(without_mark, word) != without_mark.end() ||
+         word.find_first_not_of('#') == std::string_view::npos;
+}
+
 }  // namespace
+
+bool states_no_value(std::string_view cell) {
+  constexpr std::array<std::string_view, 10> words = {"n/a",     "na",   "<na>",   "null",   "none",
+                                                      "missing", "n.a.", "\u2013", "\u2014", "nil"};
+  const std::string word = lower_case(cell);
+  if (word.empty() || is_spreadsheet_error(word) || word.find_first_not_of('-') == std::string::npos) return true;
+  const auto special = special_number(word);
+  return (special && std::isnan(*special)) || std::ranges::find(words, word) != words.end();
+}
 
 std::optional<double> special_number(std::string_view text) {
   const std::string lower = lower_case(text);

@@ -10,4 +10,8 @@ namespace jointid::frf {
 /// included.
 std::optional<double> special_number(std::string_view text);
 
+/// Whether a cell of a table says that it has no value: what special_number() reads as NaN, the errors of spreadsheets (#DIV/0!,
+/// #N/A, #NUM!, #WERT!, #NV, Err:502, #####), NA, N/A, <NA>, null, None, missing, and dashes.
+bool states_no_value(std::string_view cell);
+
 }  // namespace jointid::frf

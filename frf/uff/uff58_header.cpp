@@ -150,7 +150,7 @@ bool is_of_type(const Unit& unit, int type) {
   const bool motion = is(1, 0, 0) || is(1, -1, 0) || is(1, -2, 0);
   if (type == type_displacement || type == type_velocity || type == type_acceleration)
     return motion || (unit.force == -1 && unit.length <= 1);
-  if (type == type_force) return is(0, 0, 1) || is(1, 0, 1);
+  if (is_force_type(type)) return is(0, 0, 1) || is(1, 0, 1);
   if (type == type_frequency) return unit.length == 0 && unit.time == -1 && unit.force == 0 && unit.angle == 1;
   return type < 2 && (motion || is(0, 0, 1) || unit.force == -1);
 }

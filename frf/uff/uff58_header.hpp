@@ -22,9 +22,11 @@ inline constexpr int function_multiple_coherence = 26;
 inline constexpr int type_displacement = 8;
 inline constexpr int type_velocity = 11;
 inline constexpr int type_acceleration = 12;
-inline constexpr int type_force = 13;
+inline constexpr int type_force = 13, type_reaction_force = 9;
+/// Excitation or reaction force.
+constexpr bool is_force_type(int type) { return type == type_force || type == type_reaction_force; }
 inline constexpr int type_time = 17;
-inline constexpr int type_frequency = 18;
+inline constexpr int type_frequency = 18, type_rpm = 19;
 
 /// Number of header lines of a dataset 58.
 inline constexpr std::size_t header_lines = 11;

@@ -94,6 +94,10 @@ class CatalogueBuilder {
   CatalogueBuilder(ByteFile& file, const OpenOptions& options) : file_(file), options_(options) {
     header_.file = file.name();
     datasets_ = scan(file);
+    if (options.frequency_unit.empty()) return;
+    for (Dataset& dataset : datasets_) {
+      if (dataset.function) give_axis_unit(*dataset.function);
+    }
   }
 
   Catalogue build() {
@@ -128,6 +132,12 @@ class CatalogueBuilder {
       if (dataset.function) dataset.function->id = {};
     }
     datasets_.shrink_to_fit();
+  }
+
+  /// What the user says stands in place of the label.
+  void give_axis_unit(Header58& header) const {
+    header.abscissa.unit = options_.frequency_unit;
+    if (header.abscissa.data_type == type_rpm) header.abscissa.data_type = type_frequency;
   }
 
   /// Written with the numbers of the header's axis: nothing is to be compared line by line.

@@ -126,24 +126,29 @@ LabelledUnits read_labels(const Header58& header, const Place& place) {
   return read;
 }
 
+Quantity quantity_of_motion(int type) {
+  if (type == type_displacement) return Quantity::receptance;
+  return type == type_velocity ? Quantity::mobility : Quantity::accelerance;
+}
+
 std::optional<Quantity> quantity_of_types(const Header58& header, const Place& place) {
   const int above = header.numerator.data_type;
   const int below = header.denominator.data_type;
   const bool motion = is_motion(above);
-  if ((!motion && above > 1) || (below != type_force && below > 1)) {
+  if ((!motion && above > 1) || (!is_force_type(below) && below > 1)) {
     place.fail("records 9 and 10",
                "an FRF of data type " + std::to_string(above) + " over " + std::to_string(below) +
-                   " is not displacement (8), velocity (11) or acceleration (12) over excitation force (13)",
+                   " is not displacement (8), velocity (11) or acceleration (12) over a force (13 or 9)",
                "export receptances, mobilities or accelerances");
   }
-  if (!motion || below != type_force) return std::nullopt;
-  if (above == type_displacement) return Quantity::receptance;
-  return above == type_velocity ? Quantity::mobility : Quantity::accelerance;
+  return motion && is_force_type(below) ? std::optional(quantity_of_motion(above)) : std::nullopt;
 }
 
-/// By the labels alone: they say motion, and they or the data type say force.
+/// By the labels, where one of the data types does not say it: they say motion, or the type of the numerator does, and they or
+/// the type of the denominator say force.
 std::optional<Quantity> quantity_of_labels(const LabelledUnits& labels, const Header58& header) {
-  return labels.denominator || header.denominator.data_type == type_force ? labels.quantity : std::nullopt;
+  if (!labels.quantity || (!labels.denominator && !is_force_type(header.denominator.data_type))) return std::nullopt;
+  return is_motion(header.numerator.data_type) ? quantity_of_motion(header.numerator.data_type) : *labels.quantity;
 }
 
 Quantity resolve_quantity(std::optional<Quantity> types, std::optional<Quantity> label, std::optional<Quantity> given,
@@ -217,7 +222,7 @@ Ordinate interpret_labelled(const Header58& header, const UnitFactors& factors, 
 
 bool may_be_motion_over_force(const Header58& header) {
   const int above = header.numerator.data_type, below = header.denominator.data_type;
-  if ((!is_motion(above) && above > 1) || (below != type_force && below > 1)) return false;
+  if ((!is_motion(above) && above > 1) || (!is_force_type(below) && below > 1)) return false;
   if (above > 1 || parse_unit(header.numerator.unit)) return true;
   const std::string hint = unit_hint(header.numerator.unit);
   return !hint.ends_with("is a pressure") && !hint.ends_with("is a strain") && !hint.ends_with("is a temperature");
@@ -234,7 +239,7 @@ Ordinate interpret_ordinate(const Header58& header, const UnitFactors& factors, 
 }
 
 std::optional<bool> spectrum_of_forces(const Header58& header) {
-  if (header.numerator.data_type > 1) return header.numerator.data_type == type_force;
+  if (header.numerator.data_type > 1) return is_force_type(header.numerator.data_type);
   const auto unit = parse_unit(header.numerator.unit);
   return unit ? std::optional(unit->force == 1) : std::nullopt;
 }
@@ -261,12 +266,14 @@ Ordinate interpret_spectrum(const Header58& header, const UnitFactors& factors, 
 double abscissa_to_hz(const Header58& header, const Place& place) {
   if (header.abscissa.data_type > 1 && header.abscissa.data_type != type_frequency) {
     place.fail("record 8", "abscissa of data type " + std::to_string(header.abscissa.data_type) + " is not a frequency (18)",
-               "export FRFs over frequency");
+               std::string("export FRFs over frequency") +
+                   (header.abscissa.data_type == type_rpm ? ", or give --frequency-unit rpm, in a scene frequency_unit" : ""));
   }
   try {
     return hertz_per(header.abscissa.unit).value_or(1.0);
   } catch (const InputError& error) {
-    place.fail("record 8", error.parts().problem, error.parts().remedy);
+    place.fail("record 8", error.parts().problem,
+               error.parts().remedy + "; or say what the axis is in: --frequency-unit, in a scene frequency_unit");
   }
 }
 

@@ -76,6 +76,8 @@ const Hints& hints() {
       {"data.files.* reference_dofs", QT_TRANSLATE_NOOP("Said", "of its references; without them those of the responses")},
       {"data.files.* variable", QT_TRANSLATE_NOOP("Said", "the variable of a MATLAB file that has the FRFs")},
       {"data.files.* frequency_variable", QT_TRANSLATE_NOOP("Said", "the variable that holds its frequencies")},
+      {"data.files.* frequency_unit",
+       QT_TRANSLATE_NOOP("Said", "of its frequencies, where it says none or a wrong one: kHz, rad/s")},
       {"data.files.* mass", QT_TRANSLATE_NOOP("Said", "of the structure as weighed, hung free, in kg")},
       {"data.files.* frequency_scale", QT_TRANSLATE_NOOP("Said", "true frequency over that of the file: 0.5 to 2")},
       {"data.files.* rename", QT_TRANSLATE_NOOP("Said", "sensors: { \"OLD\" = \"NEW\" }, { \"4:+Y\" = \"5:+Y\" }")},

@@ -28,6 +28,7 @@ std::string open_text(const frf::OpenOptions& options) {
   add("unit", options.unit);
   add("variable", options.variable);
   add("frequency-variable", options.frequency_variable);
+  add("frequency-unit", options.frequency_unit);
   return text + list_text("response", options.response) + list_text("reference", options.reference);
 }
 

@@ -46,6 +46,7 @@ void require_no_measurement(const DataFile& model) {
                     : !options.response.empty()           ? "dofs"
                     : !options.variable.empty()           ? "variable"
                     : !options.frequency_variable.empty() ? "frequency_variable"
+                    : !options.frequency_unit.empty()     ? "frequency_unit"
                                                           : nullptr;
   if (key == nullptr) return;
   refuse(model.path, "[data.files]", std::string(key) + " is given for a model", "remove it; a model's file says what it is");

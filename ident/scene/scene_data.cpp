@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "frf/set/unit_label.hpp"
 #include "frf/set/units.hpp"
 #include "ident/scene/scene_sections.hpp"
 
@@ -50,7 +51,8 @@ std::vector<PlacedFile> placed_files(const DataSection& data, const Names& names
 
 scene::Table file_table(const scene::Item& item) {
   std::vector<std::string> keys = correction_keys();
-  keys.insert(keys.begin(), {"quantity", "unit", "dofs", "reference_dofs", "variable", "frequency_variable", "mass"});
+  keys.insert(keys.begin(),
+              {"quantity", "unit", "dofs", "reference_dofs", "variable", "frequency_variable", "frequency_unit", "mass"});
   return item.table(keys);
 }
 
@@ -71,6 +73,10 @@ frf::OpenOptions read_options(const scene::Table& table) {
   }
   if (const auto variable = table.find("variable")) options.variable = variable->text_not_empty();
   if (const auto variable = table.find("frequency_variable")) options.frequency_variable = variable->text_not_empty();
+  if (const auto unit = table.find("frequency_unit")) {
+    options.frequency_unit = unit->text_not_empty();
+    unit->here([&] { frf::hertz_per(options.frequency_unit); });
+  }
   return options;
 }
 

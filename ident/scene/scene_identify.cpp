@@ -78,21 +78,14 @@ double value_of(const scene::Item& item, const std::string& name, std::size_t pl
   const std::size_t dot = name.find_last_of('.');
   if (const auto whole = table.find(name)) return whole->number();
   if (const auto last = table.find(dot == std::string::npos ? name : name.substr(dot + 1))) return last->number();
-  item.fail("has no value of " + name, "give one for each unknown");
+  item.fail("has no value of " + name + (table.members().empty() ? "" : ", but one of " + table.members().front().first),
+            "give one for each unknown, by the names of `jointid plan`");
 }
 
-/// The matrix of all joints of numbers for its unknowns.
-Matrix matrix_of_numbers(const scene::Item& item, const std::vector<JointSpec>& joints, Kind kind) {
-  const restrictions::Restriction all = item.here([&] { return restrictions::build(joints); });
-  if (!item.is_list() && !item.is_table() && !takes_one_number(all, kind)) {
-    item.fail("one number is for springs or a diagonal", "give the matrix, [[…], …]");
-  }
+/// The matrix of all joints by the values of its unknowns.
+Matrix matrix_of_values(const scene::Item& item, const std::vector<JointSpec>& joints, const restrictions::Restriction& all,
+                        Kind kind) {
   const auto unknowns = unknowns_of(all, kind);
-  const std::size_t found = item.is_list() ? item.list().size() : item.is_table() ? item.open_table().members().size() : unknowns.size();
-  if (found != unknowns.size()) {
-    item.fail(std::to_string(found) + " numbers for " + std::to_string(unknowns.size()) + " unknowns",
-              "give one for each, in the order of `jointid plan`, or the matrix, [[…], …]");
-  }
   std::vector<double> values(all.unknowns.size(), 0.0);
   for (std::size_t i = 0; i < unknowns.size(); ++i) values[unknowns[i].second] = value_of(item, unknowns[i].first, i);
   const std::vector<double> flat = all.matrix(kind, values);
@@ -104,19 +97,69 @@ Matrix matrix_of_numbers(const scene::Item& item, const std::vector<JointSpec>& 
   return matrix;
 }
 
+/// The matrix of all joints of numbers for its unknowns.
+Matrix matrix_of_numbers(const scene::Item& item, const std::vector<JointSpec>& joints, Kind kind) {
+  const restrictions::Restriction all = item.here([&] { return restrictions::build(joints); });
+  if (!item.is_list() && !item.is_table() && !takes_one_number(all, kind)) {
+    item.fail("one number is for springs or a diagonal", "give the matrix, [[…], …]");
+  }
+  const auto unknowns = unknowns_of(all, kind);
+  const std::size_t found = item.is_list() ? item.list().size() : item.is_table() ? item.open_table().members().size() : unknowns.size();
+  if (found != unknowns.size()) {
+    std::string names;
+    constexpr std::size_t most = 8;
+    for (std::size_t i = 0; i < std::min(most, unknowns.size()); ++i) names += (i > 0 ? ", " : "") + unknowns[i].first;
+    item.fail(std::to_string(found) + (found == 1 ? " number for " : " numbers for ") + std::to_string(unknowns.size()) +
+                  " unknowns, " + names + (unknowns.size() > most ? ", …" : ""),
+              "give one for each, in this order, or the matrix, [[…], …]");
+  }
+  return matrix_of_values(item, joints, all, kind);
+}
+
+/// "k1" of "K.k1", "K(1,1)" as it is.
+std::string short_name(const std::string& name) { return name.substr(name.find_last_of('.') + 1); }
+
+/// `{ "K.k1" = 1e6, "D.k1" = 1e4 }` or, of the stiffness, `{ k1 = 1e6 }`: the unknowns of each kind by name. Empty where no key
+/// is an unknown, or one is a kind.
+std::map<Kind, Matrix> read_start_by_name(const scene::Item& item, const std::vector<JointSpec>& joints) {
+  std::map<Kind, Matrix> start;
+  const scene::Table table = item.open_table();
+  const restrictions::Restriction all = item.here([&] { return restrictions::build(joints); });
+  std::vector<std::string> valid;
+  for (const Kind kind : restrictions::all_kinds) {
+    if (table.find(restrictions::key(kind))) return {};
+    const auto unknowns = unknowns_of(all, kind);
+    const auto given = [&](const auto& unknown) {
+      valid.push_back(kind == Kind::stiffness && !table.find(unknown.first) ? short_name(unknown.first) : unknown.first);
+      return table.find(valid.back()).has_value();
+    };
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(unknowns, given));
+    if (count > 0 && count < unknowns.size())
+      item.fail(std::to_string(count) + " values for the " + std::to_string(unknowns.size()) + " unknowns of " +
+                    restrictions::key(kind),
+                "give one for each");
+    if (count > 0) start[kind] = Matrix();
+  }
+  if (!start.empty()) item.table(valid);
+  for (auto& [kind, matrix] : start) matrix = matrix_of_values(item, joints, all, kind);
+  return start;
+}
+
 Matrix read_start_matrix(const scene::Item& item, const std::vector<JointSpec>& joints, Kind kind) {
   return item.is_list() && !is_numbers(item) ? item.square_matrix(joint_size(joints)) : matrix_of_numbers(item, joints, kind);
 }
 
 std::map<Kind, Matrix> read_start(const scene::Item& item, const std::vector<JointSpec>& joints) {
-  std::map<Kind, Matrix> start;
+  std::map<Kind, Matrix> start = item.is_table() ? read_start_by_name(item, joints) : std::map<Kind, Matrix>();
+  if (!start.empty()) return start;
   if (item.is_table()) {
     const scene::Table table = item.table(kind_keys());
     for (const Kind kind : restrictions::all_kinds) {
       if (const auto matrix = table.find(restrictions::key(kind))) start[kind] = read_start_matrix(*matrix, joints, kind);
     }
   } else if (item.is_list() && !is_numbers(item)) {
-    item.table({});  // a matrix needs its name
+    item.fail("expected a table, found an array of " + std::to_string(item.list().size()),
+              "write start = { stiffness = [[…], …] }");
   } else {
     start[Kind::stiffness] = read_start_matrix(item, joints, Kind::stiffness);
   }

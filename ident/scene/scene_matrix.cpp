@@ -39,10 +39,13 @@ EntryMatrix read_entries(const scene::Item& item) {
 }
 
 Spring read_spring(const scene::Item& item) {
+  if (!item.is_list())
+    item.fail("is no spring, which is a list of its two ends",
+              "write [[\"4:+Y\", \"5:+Y\"], …], or with names { k1 = [\"4:+Y\", \"5:+Y\"], … }");
   std::vector<scene::Item> ends = item.list();
   if (ends.size() != 2) {
     item.fail("a spring has two ends, found " + std::to_string(ends.size()),
-              "write [\"4:+Y\", \"ground\"] for one end");
+              "write [\"4:+Y\", \"ground\"] for one end; a name stands before it, { k1 = [\"4:+Y\", \"5:+Y\"], … }");
   }
   if (ends[0].text() == "ground") std::swap(ends[0], ends[1]);
   Spring spring{ends[0].dof(), std::nullopt};

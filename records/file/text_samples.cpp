@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/statistics.hpp"
+#include "frf/csv/lvm_file.hpp"
 #include "frf/file/column_titles.hpp"
 #include "frf/text/number_text.hpp"
 #include "records/file/channel_choice.hpp"
@@ -111,6 +112,7 @@ class TextSamples final : public SampleStream {
   /// The titles, if any; leaves the position at the first line of numbers.
   void begin() {
     frf::ColumnTitles head(file_);
+    bool began = false;
     std::string_view line;
     for (;;) {
       std::uint64_t byte = lines_.position();
@@ -119,14 +121,20 @@ class TextSamples final : public SampleStream {
         throw InputError(
             {ErrorKind::data, file_, "", "is no text, UFF, MATLAB, HDF5 or numpy file", "export the record as one of them"});
       }
+      if (byte == 0 && frf::looks_like_lvm(line)) {
+        throw InputError({ErrorKind::data, file_, "", "is a LabVIEW measurement file, which is not streamed",
+                          "write its channels as text with one line of titles, or as HDF5"});
+      }
       if (byte == 0 && line.starts_with("\xEF\xBB\xBF")) {
         line.remove_prefix(3);
         byte = 3;
       }
       if (!head.begins_with(line, place_of(byte))) continue;
       lines_.seek(byte);
+      began = true;
       break;
     }
+    if (!began) head.end();
     if (head.empty()) throw InputError({ErrorKind::data, file_, "", "holds no numbers", "give columns of numbers, e.g. t,x"});
     titles_ = head.columns();
     separator_ = head.separator();

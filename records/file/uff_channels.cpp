@@ -28,6 +28,7 @@ std::optional<ChannelKind> kind_of_type(int type) {
     case frf::uff::type_acceleration:
       return ChannelKind::acceleration;
     case frf::uff::type_force:
+    case frf::uff::type_reaction_force:
       return ChannelKind::force;
     default:
       return std::nullopt;

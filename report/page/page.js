@@ -99,9 +99,23 @@ function drawAll() {
   document.documentElement.dataset.plots = String(groups.reduce((sum, group) => sum + group.plots.length, 0));
 }
 
+/// Tables that are wider than the paper are made smaller, to a half; those that are wider still are broken where they must.
+function fitTables(on) {
+  const smallest = 0.5;
+  for (const table of document.querySelectorAll(".wide > table")) {
+    table.classList.remove("cramped");
+    table.style.zoom = "";
+    const room = table.parentElement.clientWidth, share = room / table.scrollWidth;
+    if (!on || !(share < 1)) continue;
+    table.classList.toggle("cramped", share < smallest);
+    table.style.zoom = Math.max(smallest, 0.99 * share);
+  }
+}
+
 function prepareForPaper(on) {
   document.documentElement.classList.toggle("printing", on);
   document.body.style.width = on ? "680px" : "";
+  fitTables(on);
   drawAll();
 }
 

@@ -96,6 +96,10 @@ async function fitsPaper() {
   await settle();
   const fits = groups.every((group) => group.plots.every(({ plot }) => isDrawn(plot) && plot.width <= 680));
   const white = colour("paper") === "#ffffff";
+  for (const text of brokenNumbers()) console.error("a number is broken on paper: " + text);
+  for (const table of document.querySelectorAll(".wide > table:not(.cramped)")) {
+    if (table.getBoundingClientRect().width > table.parentElement.clientWidth + 1) console.error("a table is wider than the paper");
+  }
   prepareForPaper(false);
   await settle();
   return fits && white;

@@ -2,6 +2,7 @@
 
 #include "report/json_value.hpp"
 #include "report/result/study_text.hpp"
+#include "tasks/study/run_study.hpp"
 
 namespace jointid::report {
 namespace {
@@ -33,6 +34,7 @@ std::string study_json(const tasks::StudyResult& result) {
                {"seed", result.seed},
                {"file", result.file},
                {"notes", result.notes},
+               {"message", tasks::study_doubt(of)},
                {"quantile_levels", study::study_quantiles}};
   json["unknowns"] = Json::array();
   for (const auto& one : of.unknowns) json["unknowns"].push_back(unknown(one));

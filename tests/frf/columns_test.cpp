@@ -53,6 +53,38 @@ TEST_F(ColumnsFile, BlanksCommasSemicolonsAndNoHeader) {
   }
 }
 
+TEST_F(ColumnsFile, FreeLinesStandAboveTheTitles) {
+  for (const char* above :
+       {"Hammer test\n", "Channels,2\nSample rate,2048\n\n", "Date: 1.2.2024; Operator: X\nwindow,none,0,0\n"}) {
+    const Columns read = read_columns(write_file("a.csv", std::string(above) + "Time [s],Force [N]\n0,1\n0.5,2\n"));
+    EXPECT_THAT(names(read), ElementsAre("Time", "Force")) << above;
+    EXPECT_EQ(read.columns[1].unit, "N") << above;
+    EXPECT_THAT(read.columns[1].values, ElementsAre(1.0, 2.0)) << above;
+  }
+  EXPECT_THAT(names(read_columns(write_file("a.csv", "Rig,two\nTime [s],Force [N]\n0,1\n"))), ElementsAre("Time", "Force"));
+  const Columns read = read_columns(write_file("a.csv", "Rig,two\nt,F\ns,N\n0,1\n"));
+  EXPECT_THAT(names(read), ElementsAre("t", "F"));
+  EXPECT_EQ(read.columns[1].unit, "N");
+  EXPECT_THAT(error("t,F\nnow,x\nthen,y\n"), AllOf(HasSubstr("line 2"), HasSubstr("'now' is not a number")));
+  EXPECT_THAT(error("t [s],F [N]\nnow,x\n0,1\n"), AllOf(HasSubstr("line 2, column 1"), HasSubstr("'now' is not a number")));
+}
+
+TEST_F(ColumnsFile, LabViewMeasurementFiles) {
+  const std::string head =
+      "LabVIEW Measurement\t\nSeparator\tTab\nDecimal_Separator\t,\nX_Columns\tOne\n***End_of_Header***\t\n\t\n"
+      "Channels\t2\t\t\nY_Unit_Label\tNewtons\tg\t\nX_Dimension\tTime\tTime\t\nX0\t0\t0\t\nDelta_X\t0,5\t0,5\t\n"
+      "***End_of_Header***\t\t\t\nX_Value\tForce\tAcc (m/s^2)\tComment\n";
+  const Columns read = read_columns(write_file("a.lvm", head + "0,0\t1,5\t2\thit\n0,5\t-1\t4e1\t\n"));
+  EXPECT_THAT(names(read), ElementsAre("Time", "Force", "Acc"));
+  EXPECT_EQ(read.columns[0].unit, "s");
+  EXPECT_EQ(read.columns[1].unit, "Newtons");
+  EXPECT_EQ(read.columns[2].unit, "g");
+  EXPECT_THAT(read.columns[0].values, ElementsAre(0.0, 0.5));
+  EXPECT_THAT(read.columns[1].values, ElementsAre(1.5, -1.0));
+  EXPECT_THAT(read.columns[2].values, ElementsAre(2.0, 40.0));
+  EXPECT_THAT(error(head + "0\t1\t2\n***End_of_Header***\n0\t1\t2\n"), HasSubstr("begins another segment"));
+}
+
 TEST_F(ColumnsFile, FindsAColumnByAWordOfItsName) {
   const Columns read = read_columns(write_file("a.csv", "t,Normal_force,Rel. displacement\n1,2,3\n"));
   EXPECT_EQ(read.find({"displacement", "position"})->name, "Rel. displacement");

@@ -65,6 +65,9 @@ TEST(NamedArrays, StoredArchiveOfNumpy) {
   EXPECT_EQ(set.header.reference, dofs({"1:+Z", "2:+Z", "3:-X"}));
   EXPECT_EQ(set.header.quantity, Quantity::receptance);
   expect_stored(read("square.npz"), 0.0, 0.0, 2);
+  OpenOptions in_kilohertz;
+  in_kilohertz.frequency_unit = "kHz";
+  EXPECT_EQ(read("stored.npz", in_kilohertz).header.frequency_hz[1], 1000.0 * set.header.frequency_hz[1]);
 }
 
 TEST(NamedArrays, PackedArchiveOfBigEndianSinglesInFortranOrderWithItsUnit) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "frf/file/file_format.hpp"
 #include "frf/uff/uff55.hpp"
@@ -399,6 +400,40 @@ TEST(UffOfOthers, SystemsThatAreNotDescribedAreNeverTheGlobalOne) {
       first_node(dataset18(7, 1, {0, 0, 0, 1, 0, 0, 0, 0, 1}) + node15(1, 0, 7)).axes);  // 1 is global where nothing else is 1
   EXPECT_THAT(refusal_of(dataset18(1, 0, {0, 0, 0, 1, 0, 0, 2, 0, 0}) + node15(1, 0, 1) + accelerance().str()),
               HasSubstr("do not say a plane"));
+}
+
+TEST(UffOfOthers, AUnitOfTheAxisThatIsGivenStandsInPlaceOfItsLabel) {
+  OpenOptions given;
+  for (const auto& [label, type] : {std::pair{"NONE", 18}, {"Bogus", 18}, {"Hz", 0}, {"rpm", 19}}) {
+    Record record = accelerance(1.0, "m/s^2", "N");
+    record.abscissa_unit = label, record.abscissa_type = type;
+    record.first *= 60.0, record.step *= 60.0;
+    given.frequency_unit = "rpm";
+    expect_right(read(record.str(), given));
+  }
+  Record record = accelerance();
+  record.abscissa_unit = "Bogus";
+  EXPECT_THAT(refusal_of(record.str()),
+              AllOf(HasSubstr("record 8"), HasSubstr("'Bogus'"),
+                    HasSubstr("or say what the axis is in: --frequency-unit, in a scene frequency_unit")));
+  record.abscissa_type = 17;
+  EXPECT_THAT(refusal_of(record.str(), given), HasSubstr("abscissa of data type 17 is not a frequency (18)"));
+}
+
+TEST(UffOfOthers, AReactionForceIsAForce) {
+  for (const auto& [above, below, si] : {std::tuple{"NONE", "NONE", 1.0}, {"g", "lbf", gravity / pound}}) {
+    Record record = accelerance(si, above, below);
+    record.denominator_type = 9;
+    expect_right(read(record.str()), 1e-9);
+  }
+  Record contradicts = accelerance(1.0, "m/s^2", "N");
+  contradicts.numerator_type = 8, contradicts.denominator_type = 1;
+  EXPECT_THAT(refusal_of(contradicts.str()),
+              HasSubstr("data type 8 makes it receptance but its unit 'm/s^2' makes it accelerance"));
+  Record record = accelerance();
+  record.numerator_type = 9, record.denominator_type = 12;
+  EXPECT_THAT(refusal_of(record.str()),
+              HasSubstr("is not displacement (8), velocity (11) or acceleration (12) over a force (13 or 9)"));
 }
 
 std::string mode55(int specific, double modal_mass, const std::string& shape, int values) {

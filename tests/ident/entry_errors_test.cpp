@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "ident/identify.hpp"
 #include "problems/case/in_memory.hpp"
+#include "problems/planted.hpp"
 #include "problems/problem.hpp"
 
 namespace jointid::ident {
@@ -72,6 +74,27 @@ TEST(EntryErrors, AreThoseOfTheFrfsRegeneratedOneByOne) {
     EXPECT_EQ(all.frfs.size(), errors.rms_db.size());
     EXPECT_GT(largest, 0.5) << name;
   }
+}
+
+/// Of the right joint and noisy FRFs of parts and assembly: noise explains all of it.
+TEST(EntryErrors, InUnitsOfNoiseAreOneWhereNoiseIsAll) {
+  problems::Problem problem = problems::make("A1");
+  problem.noise = frf::NoiseModel{.kind = frf::NoiseKind::circular, .level = 0.002};
+  Scene scene = problems::scene(problem);
+  scene.noise = NoiseSection{.model = "circular", .level = 0.002, .frf_model = std::get<frf::NoiseModel>(problem.noise)};
+  scene.identify.variance = VarianceChoice::noise;
+  const SolvedProblem exact = solved_problem("A1");
+  double sum = 0.0, count = 0.0;
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const auto plan = problems::plan(scene, problems::polluted(problem, seed, 0));
+    for (const double error : tasks::entry_errors(*plan, exact.solution.bands).rms_noise) {
+      if (!std::isfinite(error)) continue;
+      sum += error * error;
+      count += 1.0;
+    }
+  }
+  ASSERT_GT(count, 100.0);
+  EXPECT_NEAR(std::sqrt(sum / count), 1.0, 0.15);
 }
 
 TEST(EntryErrors, OutsideEveryBandThereIsNothingToCompare) {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -33,6 +34,10 @@ std::vector<Target> targets() {
           {{"convert", "A1_assembly.h5", "x.uff"}, "    -1\n   151\nmodel\nNONE\nan analyser\n"},
           {{"convert", "A1_assembly.h5", "x.mat"}, "MATLAB 5.0 MAT-file, Platform: PCWIN64\n"},
           {{"convert", "A1_assembly.h5", "x.csv"}, "frequency;re;im\n"},
+          {{"convert", "A1_assembly.h5", "x.csv"}, "# quantity = accelerance\nfrequency_hz,1:+Z/1:+Z re,1:+Z/1:+Z im\n1,2,3\n"},
+          {{"solve", "A1.toml", "--csv", "x.csv"}, "frequency_hz,1:+Z/1:+Z re\n1,2\n"},
+          {{"solve", "A1.toml", "--csv", "x.csv"}, "time [s],force [N]\n0,1\n"},
+          {{"study", "A1.toml", "--trials", "3", "--csv", "x.csv"}, "file,status,remark\na,b,c\n"},
           {{"convert", "A1_assembly.h5", "x.h5"}, "\x89HDF\r\n\x1a\n"}};
 }
 
@@ -60,6 +65,23 @@ TEST(OwnOutput, IsReplaced) {
     const Outcome again = run_command(folder.path(), command);
     EXPECT_EQ(again.code, 0) << command[0] << " " << command.back() << again.err;
   }
+}
+
+TEST(OwnOutput, ANameOfAnotherKindIsRefused) {
+  const InputFolder folder;
+  for (const auto& [option, name] : {std::pair{"--report", "r.docx"},
+                                     {"--report", "r.csv"},
+                                     {"--report", "r.PNG"},
+                                     {"--json", "r.csv"},
+                                     {"--csv", "r.html"},
+                                     {"--csv", "r.xlsx"}}) {
+    const Outcome refused = run_command(folder.path(), {"solve", "A1.toml", option, name});
+    EXPECT_EQ(refused.code, 2) << name;
+    EXPECT_THAT(refused.err, HasSubstr(std::string(option) + " " + name + ": would not be a file of the kind that ."));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / name));
+  }
+  for (const auto& [option, name] : {std::pair{"--report", "r.htm"}, {"--report", "r"}, {"--csv", "r.txt"}, {"--json", "r.2024"}})
+    EXPECT_EQ(run_command(folder.path(), {"solve", "A1.toml", option, name}).code, 0) << name;
 }
 
 std::string solved(const InputFolder& folder, std::vector<std::string> options) {

@@ -255,6 +255,9 @@ TEST(SceneErrors, TablesAndListsOfTables) {
   expect_error("[[data]]\nsubstructures = ['a.h5']\n", "line 1, data", "expected a table, found an array of 1; [[data]] should say [data]");
   expect_error(right_data + right_joint + "[virtual_points]\nname = 'VP1'\n", "line 5, [virtual_points]",
                "[virtual_points] should say [[virtual_points]]");
+  expect_error(right_data + right_joint + "[data.gains]\ndof = '4:+Y'\n", "line 5, [data.gains]",
+               "[data.gains] should say [[data.gains]]");
+  expect_error(right_data + right_joint + "[data.masses]\ndof = '4:+Y'\n", "line 5", "[data.masses] should say [[data.masses]]");
 }
 
 TEST(SceneErrors, StartsByNumbers) {
@@ -263,6 +266,11 @@ TEST(SceneErrors, StartsByNumbers) {
   expect_error(springs + "start = [1e6, 2e6]", "line 6, [identify] start", "2 numbers for 1 unknowns");
   expect_error(springs + "start = { stiffness = { k = 1e6 } }", "line 6, [identify.start.stiffness]", "has no value of K[4:+Y,5:+Y]");
   expect_error(springs + "start = { mass = 1.0 }", "line 6", "no joint has that matrix");
+  expect_error(springs + "start = { \"K[4:+Y,5:+Y]\" = 1e6, k = 1e6 }", "line 6, [identify.start] k",
+               "the key 'k' is not known here");
+  expect_error(springs + "start = { k = 1e6 }", "line 6, [identify.start] k",
+               "use stiffness, mass, viscous_damping or hysteretic_damping");
+  expect_error(springs + "start = [[1e6]]", "line 6, [identify] start", "write start = { stiffness = [[…], …] }");
 }
 
 TEST(SceneErrors, NamesOfSprings) {
@@ -270,6 +278,11 @@ TEST(SceneErrors, NamesOfSprings) {
   expect_error(begin + "{ '1k' = ['4:+Y', '5:+Y'] }", "line 4", "'1k' is no name of a spring");
   expect_error(begin + "{ k = ['4:+Y', '6:+Y'] }", "line 4", "6:+Y is not a DOF of the joint");
   expect_error(begin + "{ k = ['4:+Y', '4:-Y'] }", "line 4", "the spring has both ends on one DOF");
+  expect_error(begin + "{ k = ['4:+Y', '5:+Y'], k = ['5:+Y', 'ground'] }", "line 4",
+               "several springs of one name are a list: k1 = [[");
+  expect_error(begin + "[{ k = ['4:+Y', '5:+Y'] }]", "line 4, [joint.stiffness.springs[1]]", "or with names { k1 = [");
+  expect_error(begin + "['4:+Y', '5:+Y']", "line 4, [joint.stiffness] springs[1]", "write [[\"4:+Y\", \"5:+Y\"], …]");
+  expect_error(begin + "[['k', '4:+Y', '5:+Y']]", "line 4, [joint.stiffness] springs[1]", "a name stands before it, { k1 = [");
 }
 
 /// GCC 12 destroyed the file's name of such a level twice.

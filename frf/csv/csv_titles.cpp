@@ -1,0 +1,206 @@
+#include "frf/csv/csv_titles.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "frf/set/unit_label.hpp"
+#include "frf/text/number_text.hpp"
+#include "frf/text/special_number.hpp"
+#include "frf/text/unit_names.hpp"
+
+namespace jointid::frf {
+namespace {
+
+using enum CsvPart;
+
+constexpr std::array<std::string_view, 11> frequency_titles = {"frequency",      "freq",       "frequencies", "frequenz",
+                                                               "freq.",          "fréquence",  "frecuencia",  "frequenza",
+                                                               "frequency axis", "frequentie", "frekvens"};
+
+/// Of a column that counts the rows.
+constexpr std::array<std::string_view, 18> index_titles = {"",      "unnamed: 0", "index", "idx",  "#",   "no",
+                                                           "no.",   "nr",         "nr.",   "line", "row", "bin",
+                                                           "point", "sample",     "id",    "i",    "n",   "k"};
+
+/// Other words for parts, in lower case; `phase` needs a unit.
+constexpr std::array<std::pair<std::string_view, CsvPart>, 11> part_words = {{{"real", re},
+                                                                              {"imag", im},
+                                                                              {"imag.", im},
+                                                                              {"imaginary", im},
+                                                                              {"magnitude", mag},
+                                                                              {"abs", mag},
+                                                                              {"amplitude", mag},
+                                                                              {"realteil", re},
+                                                                              {"imaginärteil", im},
+                                                                              {"imagin\xE4rteil", im},
+                                                                              {"betrag", mag}}};
+
+/// Where the brackets of the unit begin in a title: the last ones that belong together, "Re(H) (m/s^2/N)"; the first where more
+/// follows them or they are part of a ratio, "Re (g)/(lbf)", "Re (g)(lbf)".
+std::size_t begin_of_unit(std::string_view title) {
+  const std::size_t first = title.find_first_of("[(");
+  if (first == std::string_view::npos || (title.back() != ')' && title.back() != ']')) return first;
+  int depth = 0;
+  for (std::size_t at = title.size(); at-- > first;) {
+    if (title[at] == ')' || title[at] == ']') ++depth;
+    if (title[at] != '(' && title[at] != '[') continue;
+    if (--depth > 0) continue;
+    const std::string_view before = trimmed(title.substr(0, at));
+    const bool side_by_side = first > 0 && title[first - 1] == ' ' && at > 0 && title[at - 1] == ')';
+    return before.ends_with('/') || before.ends_with('*') || side_by_side ? first : at;
+  }
+  return first;
+}
+
+/// "Re(H11)", whose brackets hold the name of an FRF.
+bool is_function(std::string_view title, std::size_t open) {
+  const std::string name = lower_case(title.substr(0, open));
+  constexpr std::array<std::string_view, 6> functions = {"re", "im", "real", "imag", "abs", "mag"};
+  if (title.back() != ')' || std::ranges::find(functions, name) == functions.end()) return false;
+  const std::string_view inside = title.substr(open + 1, title.size() - open - 2);
+  return !parse_unit(inside) && unit_hint(inside).empty();
+}
+
+bool is_known_frequency(std::string_view title) {
+  return title == csv_frequency_column || std::ranges::find(frequency_titles, title) != frequency_titles.end();
+}
+
+/// "freq_khz" into "freq" and "khz", as the cell writes them.
+void split_unit(CsvTitle& title) {
+  const std::string plain = lower_case(title.title);
+  for (const std::string_view known : frequency_titles) {
+    const bool longer = plain.size() > known.size() + 1 && plain.starts_with(known);
+    if (!longer || std::string_view(" _,/").find(plain[known.size()]) == std::string_view::npos) continue;
+    title.unit = title.title.substr(plain.find_first_not_of(" _,/", known.size()));
+    title.title = known;
+    return;
+  }
+}
+
+bool is_number_of_table(std::string_view cell, char separator) {
+  double value = 0.0;
+  return !cell.empty() && parse_cell(cell, separator != ',' || cell.find(',') != std::string_view::npos, value);
+}
+
+/// Looks for the row of titles line by line.
+class HeaderSearch {
+ public:
+  explicit HeaderSearch(char separator) : given_(separator) {}
+
+  /// False once the row is known.
+  bool take(std::string_view line, std::size_t number) {
+    const std::string_view text = trimmed(line);
+    if (text.empty()) return true;
+    if (latest_ && begins_numbers(line)) return false;
+    const bool comment = text.front() == '#' || text.front() == '%';
+    consider(comment ? text.substr(1) : line, number, comment);
+    return true;
+  }
+
+  std::optional<CsvHeaderPlace> found() const { return latest_; }
+
+ private:
+  void consider(std::string_view line, std::size_t number, bool comment) {
+    const char separator = given_ != '\0' ? given_ : csv_separator(line);
+    if (separator == '\0') return;
+    const std::vector<std::string_view> cells = csv_cells(line, separator);
+    const std::size_t index = frequency_title(cells[0]) ? 0 : 1;
+    if (cells.size() < 2 + index || (index == 1 && !is_index(cells[0]))) return;
+    const auto title = frequency_title(cells[index]);
+    if (!title || std::ranges::any_of(cells, [&](std::string_view cell) { return is_number_of_table(cell, separator); })) return;
+    const bool units = latest_ && cells.size() == cells_ && lower_case(title->title) == "hz";
+    if (units || (latest_ && !commented_ && comment)) return;
+    latest_ = CsvHeaderPlace{number, separator, index};
+    cells_ = cells.size(), commented_ = comment;
+  }
+
+  static bool is_index(std::string_view cell) { return std::ranges::find(index_titles, lower_case(cell)) != index_titles.end(); }
+
+  /// Whether the line is one of numbers, or of what stands in their place, under the titles.
+  bool begins_numbers(std::string_view line) const {
+    const std::vector<std::string_view> cells = csv_cells(line, latest_->separator);
+    const std::size_t at = latest_->index;
+    if (cells.size() <= at + 1 || cells.size() + 1 < cells_ || cells.size() > cells_ + 1) return false;
+    return is_number_of_table(cells[at], latest_->separator) ||
+           (states_no_value(cells[at]) && is_number_of_table(cells[at + 1], latest_->separator));
+  }
+
+  char given_;
+  std::optional<CsvHeaderPlace> latest_;
+  std::size_t cells_ = 0;
+  bool commented_ = false;
+};
+
+}  // namespace
+
+std::optional<CsvPart> csv_part(std::string_view word) {
+  const std::string plain = lower_case(word);
+  const auto found = std::ranges::find(csv_part_names, plain);
+  if (found != csv_part_names.end()) return static_cast<CsvPart>(found - csv_part_names.begin());
+  const auto other = std::ranges::find(part_words, plain, [](const auto& pair) { return pair.first; });
+  return other != part_words.end() ? std::optional(other->second) : std::nullopt;
+}
+
+bool is_csv_part(std::string_view word) { return csv_part(word) || lower_case(word) == "phase"; }
+
+char csv_separator(std::string_view line) {
+  for (const char separator : {';', '\t', ','}) {
+    if (line.find(separator) != std::string_view::npos) return separator;
+  }
+  return '\0';
+}
+
+std::string as_ratio(std::string unit) {
+  const std::size_t between = unit.find(")(");
+  if (between != std::string::npos) unit.replace(between, 2, ")/(");
+  return unit;
+}
+
+std::vector<std::string_view> csv_cells(std::string_view line, char separator) {
+  if (line.find('"') == std::string_view::npos) return split(line, separator);
+  std::vector<std::string_view> cells;
+  bool quoted = false;
+  std::size_t begin = 0;
+  for (std::size_t at = 0; at <= line.size(); ++at) {
+    if (at < line.size() && line[at] == '"') quoted = !quoted;
+    if (at < line.size() && (quoted || line[at] != separator)) continue;
+    cells.push_back(trimmed(line.substr(begin, at - begin)));
+    begin = at + 1;
+  }
+  return cells;
+}
+
+CsvTitle csv_title(std::string_view cell) {
+  const std::size_t open = begin_of_unit(cell);
+  if (open == std::string_view::npos || is_function(cell, open)) return {std::string(cell), {}};
+  std::string_view unit = cell.substr(open);
+  const char close = unit.front() == '[' ? ']' : ')';
+  if (unit.find(close) == unit.size() - 1) unit = unit.substr(1, unit.size() - 2);
+  const std::string title(trimmed(cell.substr(0, open))), inside(trimmed(unit));
+  if (is_csv_part(inside)) return {title + " " + inside, {}};
+  return {title, as_ratio(inside)};
+}
+
+std::optional<CsvTitle> frequency_title(std::string_view cell) {
+  CsvTitle title = csv_title(cell);
+  const std::string plain = lower_case(title.title);
+  const bool angular = plain == "omega" || plain == "ω", alone = plain == "hz";
+  if (title.unit.empty()) {
+    split_unit(title);
+    if (angular) title.unit = "rad/s";
+    if (alone) title.unit = title.title;
+  }
+  if (angular || alone || (plain == "f" && !title.unit.empty()) || is_known_frequency(lower_case(title.title))) return title;
+  return std::nullopt;
+}
+
+std::optional<CsvHeaderPlace> find_csv_header(std::string_view text, char separator) {
+  constexpr std::size_t most_lines = 1000;
+  HeaderSearch search(separator);
+  for (std::size_t line = 1; line <= most_lines && !text.empty(); ++line) {
+    if (!search.take(take_until(text, '\n'), line)) break;
+  }
+  return search.found();
+}
+
+}  // namespace jointid::frf

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace jointid::frf {
+
+/// The first column of a table of FRFs.
+inline constexpr const char* csv_frequency_column = "frequency_hz";
+
+/// The separator of a line: semicolon, else tab, else comma; '\0' when it has none.
+char csv_separator(std::string_view line);
+
+/// The unit "(A)(B)" of analysers as "(A)/(B)".
+std::string as_ratio(std::string unit);
+
+/// What a column holds of its pair of DOFs; a pair is complete with re and im, or with mag and a phase.
+enum class CsvPart : std::size_t { re, im, mag, phase_deg, phase_rad, var_re, var_im, coherence };
+inline constexpr std::array<std::string_view, 8> csv_part_names = {"re",        "im",     "mag",    "phase_deg",
+                                                                   "phase_rad", "var_re", "var_im", "coherence"};
+
+/// The part that a word names, in any case: "re", "Real", "Betrag"; empty for others, and for "phase", which needs a unit.
+std::optional<CsvPart> csv_part(std::string_view word);
+
+/// Whether it names one, "phase" included.
+bool is_csv_part(std::string_view word);
+
+/// The cells of a line, of which some may stand in quotes with separators inside; views into the line.
+std::vector<std::string_view> csv_cells(std::string_view line, char separator);
+
+/// A cell of the row of titles: "Frequency [Hz]", "4:+Y/1:+Y re (g/N)". Brackets that hold a part are of the title: "FRF
+/// (Magnitude)".
+struct CsvTitle {
+  std::string title;
+  std::string unit;  ///< as it stands in brackets; else empty
+};
+CsvTitle csv_title(std::string_view cell);
+
+/// The same of the first column: "Freq_kHz" has the unit kHz, "omega" rad/s; empty where it is no title of frequencies.
+std::optional<CsvTitle> frequency_title(std::string_view cell);
+
+/// Where the row of titles stands in a text.
+struct CsvHeaderPlace {
+  std::size_t line = 0;   ///< from 1
+  char separator = '\0';  ///< of its cells
+  std::size_t index = 0;  ///< columns before the frequencies that only count the rows: 0 or 1
+};
+
+/// The row of titles of a table of FRFs: the last one above the numbers whose first cell is a title of frequencies ("Frequency
+/// [Hz]"), or whose second is behind a title that counts rows ("", "Unnamed: 0", "index", "No."). What stands above it is free
+/// text. It may stand in a comment. A separator that is given counts for all lines. Empty where there is none in the first lines.
+std::optional<CsvHeaderPlace> find_csv_header(std::string_view text, char separator = '\0');
+
+}  // namespace jointid::frf
