@@ -1,0 +1,53 @@
+"""How a run is watched."""
+
+from __future__ import annotations
+
+import sys
+from contextlib import contextmanager
+from typing import Any, Callable, Iterator
+
+from .errors import InputError
+
+Watch = Callable[[str, int, int], None]
+
+
+class Bar:
+    """A line on standard error: "planning", "assemble ████░░░░ 120 of 300"."""
+
+    WIDTH = 24
+
+    def __init__(self) -> None:
+        self._shown = False
+
+    def __call__(self, stage: str, done: int, total: int) -> None:
+        text = stage
+        if total > 0:
+            full = min(self.WIDTH, self.WIDTH * done // total)
+            text += f" {'█' * full}{'░' * (self.WIDTH - full)} {done} of {total}"
+        sys.stderr.write(f"\r\x1b[K{text}")
+        sys.stderr.flush()
+        self._shown = True
+
+    def close(self) -> None:
+        if self._shown:
+            sys.stderr.write("\r\x1b[K")
+            sys.stderr.flush()
+
+
+@contextmanager
+def watcher(progress: Any) -> Iterator[Watch | None]:
+    """None: a bar on a terminal, else nothing; True: a bar; False: nothing; a function is called with (stage, done, total)."""
+    if progress is None:
+        progress = hasattr(sys.stderr, "isatty") and sys.stderr.isatty()
+    if progress is False:
+        yield None
+    elif progress is True:
+        bar = Bar()
+        try:
+            yield bar
+        finally:
+            bar.close()
+    elif callable(progress):
+        yield progress
+    else:
+        raise InputError(f"{progress!r} is no function", place="progress", remedy="give True, False or a function of (stage, done, total)")
