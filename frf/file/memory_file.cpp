@@ -89,12 +89,19 @@ class ArraySource final : public FrfSource {
   std::shared_ptr<const FrfArrays> arrays_;
 };
 
+/// The name of a set as that of a file, of none that has a meaning by its ending.
+std::string file_name(std::string set) {
+  std::ranges::replace(set, '/', '_');
+  return set.empty() || set.starts_with('.') || set.ends_with(".toml") ? "set" + set + "_" : set;
+}
+
 /// What is in memory under which path. Runs open and close files on threads of their own.
 class MemoryFiles {
  public:
   std::filesystem::path add(std::shared_ptr<const FrfArrays> arrays) {
+    const std::string name = file_name(arrays->header.file);
     const std::lock_guard lock(mutex_);
-    std::filesystem::path path = "/jointid-memory/" + std::to_string(next_++) + "/set";
+    std::filesystem::path path = "/jointid-memory/" + std::to_string(next_++) + "/" + name;
     files_[path] = std::move(arrays);
     return path;
   }

@@ -6,7 +6,7 @@
 >>> solution.status
 'ok'
 >>> round(solution.matrices["stiffness"][0, 0])
-198720
+662400
 """
 
 from __future__ import annotations

@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import os
 import shutil
+import sys
 import tempfile
 import warnings
 import weakref
@@ -24,10 +25,14 @@ PathOrSet = Any  # str, os.PathLike or FrfSet
 
 
 def _warn(result: Result, what: str) -> None:
+    """At the caller's line, who is outside of this package."""
+    level = 1
+    while sys._getframe(level).f_globals.get("__name__", "").partition(".")[0] == __name__.partition(".")[0]:
+        level += 1
     if not result.usable and result.status not in ("suspicious", "wrong"):
-        warnings.warn(f"{what}: {result.status or 'not usable'}: {result.message}", UnusableWarning, stacklevel=4)
+        warnings.warn(f"{what}: {result.status or 'not usable'}: {result.message}", UnusableWarning, stacklevel=level + 1)
     elif result.status == "doubtful":
-        warnings.warn(f"{what}: doubtful: {result.message}", DoubtfulWarning, stacklevel=4)
+        warnings.warn(f"{what}: doubtful: {result.message}", DoubtfulWarning, stacklevel=level + 1)
 
 
 def _run(scene: Scene, command: str, function: Callable, *options: Any, threads: int = 0, progress: Any = None,
@@ -195,9 +200,9 @@ def identify(substructures: Any = None, assembly: Any = None, joint: Any = None,
     >>> import jointid, tempfile
     >>> folder = tempfile.mkdtemp()
     >>> _ = jointid.write_problem("A1", folder, clean=True)
-    >>> parts = [jointid.read(f"{folder}/A1_sub{i}.h5") for i in (1, 2)]
+    >>> parts = [jointid.read(f"{folder}/A1_substructure_{i}.h5") for i in (1, 2)]
     >>> joint = {"dofs": ["4:+Y", "4:+RZ", "5:+Y", "5:+RZ"], "stiffness": "symmetric", "hysteretic_damping": "symmetric"}
-    >>> solution = jointid.identify(parts, jointid.read(f"{folder}/A1_asm.h5"), joint, frequency=(400, 1000))
+    >>> solution = jointid.identify(parts, jointid.read(f"{folder}/A1_assembly.h5"), joint, frequency=(400, 1000))
     >>> solution.status, len(solution.unknowns)
     ('ok', 20)
     """
@@ -363,24 +368,33 @@ def couple(parts: Any, *, join: Any = None, ground: Any = None, keep: Any = None
     return _run(scene, "couple", _jointid.couple, path, bool(bounds), threads=threads, progress=progress, kind=FrfResult)
 
 
-def decouple(assembly: PathOrSet, part: PathOrSet, interface: Sequence[str] | None = None, **options: Any) -> FrfResult:
+def decouple(assembly: PathOrSet, part: PathOrSet, interface: Sequence[str], **options: Any) -> FrfResult:
     """FRFs of what is left of an assembly without one of its parts: dual decoupling, ``jointid couple`` with ``remove``.
 
     Parameters
     ----------
     assembly, part : FrfSet or path
     interface : DOFs that both have
-        Those of the interface, and, for an extended interface, internal ones of the part. Default: all that both have.
+        Those of the interface. With internal DOFs of the part as well (extended interface) the conditions depend on each other:
+        give ``threshold="fixed"`` or another of couple().
     options : as of couple()
+
+    Returns
+    -------
+    FrfResult
+        ``result.frfs()``: the DOFs of the assembly.
     """
     whole, taken = (each if isinstance(each, FrfSet) else _read(each) for each in (assembly, part))
     if whole.name == taken.name:
         taken = taken._like(name=f"{taken.name} (part)")
     own = {dof.coordinate for dof in taken.dofs}
-    shared = [dof for dof in (whole.dofs if interface is None else map(Dof, interface)) if dof.coordinate in own]
-    if not shared:
-        raise InputError(f"{whole.name} and {taken.name} have no DOF in common", place="interface",
-                         remedy="give both the same names at the interface", kind="data")
+    coordinates = {dof.coordinate for dof in whole.dofs}
+    shared = [Dof(dof) for dof in ([interface] if isinstance(interface, str) else interface)]
+    for dof in shared:
+        for known, name in ((coordinates, whole.name), (own, taken.name)):
+            if dof.coordinate not in known:
+                raise InputError(f"{name} has no DOF {dof}", place="interface", kind="data",
+                                 remedy="it has " + ", ".join(sorted(known)[:12]))
     join = [[f"{whole.name}/{dof}", f"{taken.name}/{dof}"] for dof in shared]
     options.setdefault("keep", [f"{whole.name}/{dof}" if dof.coordinate in own else str(dof) for dof in whole.dofs])
     return couple([whole, taken], join=join, remove=[taken.name], **options)
@@ -510,7 +524,7 @@ def loading_curve(curves: Any, *, progress: Any = None, **options: Any) -> Resul
 
     >>> import numpy as np, jointid
     >>> u = np.linspace(1e-6, 60e-6, 60)
-    >>> jointid.loading_curve((u, np.minimum(1e7 * u, 200.0)), law=["bilinear"])["laws"][0]["law"]
+    >>> jointid.loading_curve((u, np.minimum(1e7 * u, 200.0)), law=["bilinear"])["best_law"]
     'bilinear'
     """
     if isinstance(options.get("law"), str):

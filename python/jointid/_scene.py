@@ -122,7 +122,7 @@ class Scene:
         if isinstance(value, Mapping):
             first = sorted(value.items(), key=lambda item: item[0] not in ("data", "parts", "substructures", "assembly"))
             made = {each: self._with_paths(item, each) for each, item in first}
-            return {self._path_named(each) or each: item for each, item in made.items()}
+            return {self._path_named(each) or each: item for each, item in made.items()} if key == "files" else made
         if isinstance(value, (list, tuple)):
             return [self._with_paths(item, key) for item in value]
         if isinstance(value, str):

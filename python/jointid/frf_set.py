@@ -95,7 +95,7 @@ class FrfSet:
     >>> frfs
     mass on a spring: receptance (m/N), 4 lines from 10 to 100 Hz, 1 response × 1 reference
     >>> frfs["1:+Z", "1:+Z"].shape, frfs.to("accelerance").unit
-    ((4,), 'm/(s²·N)')
+    ((4,), 'm/(s^2*N)')
     """
 
     def __init__(self, frfs: Any, frequency: Any, responses: Iterable[str], references: Iterable[str] | None = None, *,

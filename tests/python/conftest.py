@@ -27,7 +27,7 @@ def sets(a1):
     """Substructures and assembly of A1, in memory."""
     folder = os.path.dirname(a1)
     read = lambda part: jointid.read(os.path.join(folder, f"A1_{part}.h5"))
-    return [read("sub1"), read("sub2")], read("asm")
+    return [read("substructure_1"), read("substructure_2")], read("assembly")
 
 
 JOINT = {"dofs": ["4:+Y", "4:+RZ", "5:+Y", "5:+RZ"], "stiffness": "symmetric", "hysteretic_damping": "symmetric"}

@@ -145,8 +145,8 @@ def test_quantities_are_powers_of_omega():
     np.testing.assert_allclose(mobility.frfs, 1j * omega * receptance.frfs, rtol=1e-14)
     np.testing.assert_allclose(accelerance.frfs, -(omega**2) * receptance.frfs, rtol=1e-14)
     np.testing.assert_allclose(accelerance.to("receptance").frfs, receptance.frfs, rtol=1e-14)
-    np.testing.assert_allclose(mobility.variance, omega**2 * (3.0 + 2.0j), rtol=1e-14)
-    np.testing.assert_allclose(accelerance.variance, omega**4 * (2.0 + 3.0j), rtol=1e-14)
+    np.testing.assert_allclose(mobility.variance, omega**2 * np.full((7, 3, 2), 3.0 + 2.0j), rtol=1e-14)
+    np.testing.assert_allclose(accelerance.variance, omega**4 * receptance.variance, rtol=1e-14)
     assert receptance.to("receptance") is receptance
 
 

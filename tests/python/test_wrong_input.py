@@ -131,7 +131,7 @@ def scene(**changes):
 
 
 WRONG_SCENES = {
-    "no scene": (3, "scene", "path"),
+    "no scene": (3, "identify", "or a scene"),
     "an unknown table": (scene(identifi={}), "identif", "identify"),
     "an unknown key": (scene(identify={"methode": "one"}), "[identify]", "method"),
     "a wrong word": (scene(identify={"method": "tow"}), "[identify] method", "two"),
