@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import datetime
-import json
+import functools
 import math
 import os
 import re
 import tomllib
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from typing import Any, Iterable, Iterator, Mapping
+from json.encoder import encode_basestring
+from typing import Any
 
 from . import _jointid
 from .errors import InputError
@@ -20,11 +22,12 @@ _NAMES_FILES = {"remove", "files", "file"}  # keys whose text names a file of [d
 
 
 def _quoted(text: str, place: str) -> str:
-    try:
-        text.encode("utf-8")
-    except UnicodeEncodeError:
-        raise InputError(f"{text!r} is no text of Unicode", place=place, remedy="use other letters") from None
-    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
+    if not text.isascii():
+        try:
+            text.encode("utf-8")
+        except UnicodeEncodeError:
+            raise InputError(f"{text!r} is no text of Unicode", place=place, remedy="use other letters") from None
+    return encode_basestring(text).replace("\x7f", "\\u007f")
 
 
 def _number(value: float) -> str:
@@ -37,30 +40,40 @@ def _plain(value: Any) -> Any:
     """Arrays and numbers of NumPy as lists and numbers of Python; paths as text."""
     if isinstance(value, os.PathLike):
         return os.fspath(value)
-    if hasattr(value, "tolist") and not isinstance(value, (str, bytes)):
-        return value.tolist()
-    return value
+    return value.tolist() if hasattr(value, "tolist") else value
 
 
 def toml_value(value: Any, place: str) -> str:
     """A value of a dict as TOML, on one line."""
-    value = _plain(value)
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, int):
-        return str(value)
-    if isinstance(value, float):
-        return _number(value)
-    if isinstance(value, str):
+    kind = type(value)
+    if kind is str:
         return _quoted(value, place)
+    if kind is float:
+        return _number(value)
+    if kind is bool:
+        return "true" if value else "false"
+    if kind is int:
+        return str(value)
+    if kind is list or kind is tuple:
+        return "[" + ", ".join([toml_value(item, f"{place}[{i + 1}]") for i, item in enumerate(value)]) + "]"
     if isinstance(value, Mapping):
-        pairs = (f"{_quoted(_key(key, place), place)} = {toml_value(item, _below(place, key))}"
-                 for key, item in value.items() if item is not None)
-        return "{ " + ", ".join(pairs) + " }"
-    if isinstance(value, (list, tuple, set, frozenset, range)):
-        return "[" + ", ".join(toml_value(item, f"{place}[{i + 1}]") for i, item in enumerate(value)) + "]"
+        return "{ " + ", ".join([f"{_quoted(_key(key, place), place)} = {toml_value(item, _below(place, key))}"
+                                 for key, item in value.items() if item is not None]) + " }"
+    return _other_value(value, place)
+
+
+def _other_value(value: Any, place: str) -> str:
+    """Of what is not a plain value of Python, by what it is like."""
+    plain = _plain(value)
+    if plain is not value:
+        return toml_value(plain, place)
     if isinstance(value, (datetime.date, datetime.time)):
         return value.isoformat()
+    for kind in (str, int, float):
+        if isinstance(value, kind):
+            return toml_value(kind(value), place)
+    if isinstance(value, (list, tuple, set, frozenset, range)):
+        return toml_value(list(value), place)
     raise InputError(f"{value!r} is a {type(value).__name__}, which no scene can have", place=place,
                      remedy="give a number, text, bool, list, dict, array, path or FrfSet")
 
@@ -85,6 +98,13 @@ def toml_text(scene: Mapping) -> str:
     lines = [(isinstance(value, Mapping), f"{_quoted(_key(key, ''), '')} = {toml_value(value, f'[{key}]')}\n")
              for key, value in scene.items() if value is not None]
     return "".join(line for _, line in sorted(lines, key=lambda each: each[0]))
+
+
+@functools.cache
+def _frf_set() -> type:
+    from .frf_set import FrfSet
+
+    return FrfSet
 
 
 class Scene:
@@ -115,9 +135,12 @@ class Scene:
 
     def _with_paths(self, value: Any, key: str = "") -> Any:
         """The same with the paths of files in memory in place of sets, and of the names of these."""
-        from .frf_set import FrfSet
-
-        if isinstance(value, FrfSet):
+        kind = type(value)
+        if kind is str:
+            return self._with_path(value, key) if self._names else value
+        if kind is float or kind is int:
+            return value
+        if isinstance(value, _frf_set()):
             return self._path_of(value)
         if isinstance(value, Mapping):
             first = sorted(value.items(), key=lambda item: item[0] not in ("data", "parts", "substructures", "assembly"))
@@ -125,9 +148,7 @@ class Scene:
             return {self._path_named(each) or each: item for each, item in made.items()} if key == "files" else made
         if isinstance(value, (list, tuple)):
             return [self._with_paths(item, key) for item in value]
-        if isinstance(value, str):
-            return self._with_path(value, key)
-        return value
+        return self._with_path(value, key) if isinstance(value, str) else value
 
     def _path_named(self, name: str) -> str | None:
         return next((path for path, known in self._names.items() if known == name), None)
@@ -136,6 +157,8 @@ class Scene:
         """Of the name of a set, or of a DOF of one, as in "engine/4:+Y"."""
         if key in _NAMES_FILES:
             return self._path_named(text) or text
+        if "/" not in text:
+            return text
         name, slash, dof = text.rpartition("/")
         path = self._path_named(name) if slash and ":" in dof else None
         return f"{path}/{dof}" if path else text
@@ -177,9 +200,7 @@ class Scene:
 
 def as_list(value: Any) -> list:
     """One set or path as a list of one."""
-    from .frf_set import FrfSet
-
-    if isinstance(value, (str, os.PathLike, FrfSet)):
+    if isinstance(value, (str, os.PathLike, _frf_set())):
         return [value]
     if isinstance(value, Iterable) and not isinstance(value, dict):
         return list(value)
