@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import atexit
+import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
+from . import _jointid
 from .errors import InputError
 
 Watch = Callable[[str, int, int], None]
@@ -52,3 +55,12 @@ def watcher(progress: Any) -> Iterator[Watch | None]:
         yield progress
     else:
         raise InputError(f"{progress!r} is no function", place="progress", remedy="give True, False or a function of (stage, done, total)")
+
+
+@atexit.register
+def _leave() -> None:
+    """Ends the process where a run that Ctrl-C did not stop still goes on: it must not meet the end of what it uses."""
+    if _jointid.runs_left() > 0:
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(130)
