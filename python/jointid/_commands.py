@@ -272,7 +272,7 @@ def study(substructures: Any = None, assembly: Any = None, joint: Any = None, *,
     """
     scene = _joint_scene(substructures, assembly, joint, method, equations, weighting, delta, identify, sections)
     folder = tempfile.mkdtemp(prefix="jointid-") if out is None else None
-    path = os.path.join(folder, "study.h5") if folder is not None else os.fspath(out)
+    path = os.fspath(out) if out is not None else os.path.join(folder or "", "study.h5")
     try:
         result = _run(scene, "study", _jointid.study, _whole(trials, "trials"), _whole(seed, "seed"), path, bool(resume),
                       threads=threads, progress=progress)
@@ -534,10 +534,10 @@ def loading_curve(curves: Any, *, progress: Any = None, **options: Any) -> Resul
         options["normal_load"] = [float(options["normal_load"])]
     task = _with_options(_jointid.LoadingCurveTask(), options, "loading_curve")
     arrays = _curves(curves)
-    if arrays is None:
-        task.files = _paths(curves)
-        return _result(_Named(), "loading_curve", progress, lambda watch: _jointid.loading_curve(task, watch))
-    return _result(_Named(), "loading_curve", progress, lambda watch: _jointid.loading_curve_arrays(arrays, task, watch))
+    if arrays is not None:
+        return _result(_Named(), "loading_curve", progress, lambda watch: _jointid.loading_curve_arrays(arrays or [], task, watch))
+    task.files = _paths(curves)
+    return _result(_Named(), "loading_curve", progress, lambda watch: _jointid.loading_curve(task, watch))
 
 
 def _curves(curves: Any) -> list[tuple[str, np.ndarray, np.ndarray]] | None:
@@ -550,11 +550,8 @@ def _curves(curves: Any) -> list[tuple[str, np.ndarray, np.ndarray]] | None:
         named = [("curve", curves)]
     else:
         named = [(f"curve {k + 1}", curve) for k, curve in enumerate(curves)]
-    out = []
-    for name, (displacement, force) in named:
-        columns = [np.ascontiguousarray(each, dtype=float) for each in (displacement, force)]
-        out.append((str(name), *columns))
-    return out
+    return [(str(name), np.ascontiguousarray(displacement, dtype=float), np.ascontiguousarray(force, dtype=float))
+            for name, (displacement, force) in named]
 
 
 def frf(files: Any, *, progress: Any = None, **options: Any) -> FrfResult:
@@ -601,12 +598,12 @@ def pod(record: Any, *, names: Sequence[str] | None = None, units: Sequence[str]
         array = np.ascontiguousarray(record, dtype=float)
         if array.ndim != 2 or array.shape[1] == 0:
             raise InputError(f"its shape is {array.shape}", place="record", remedy="the axes are [sample, channel]", kind="data")
-        names = [str(k + 1) for k in np.arange(array.shape[1])] if names is None else list(names)
-        units = [""] * array.shape[1] if units is None else list(units)
-        if not len(names) == len(units) == array.shape[1]:
-            raise InputError(f"{len(names)} names and {len(units)} units for {array.shape[1]} channels", place="names",
+        channels = [str(k + 1) for k in np.arange(array.shape[1])] if names is None else list(names)
+        of_channels = [""] * array.shape[1] if units is None else list(units)
+        if not len(channels) == len(of_channels) == array.shape[1]:
+            raise InputError(f"{len(channels)} names and {len(of_channels)} units for {array.shape[1]} channels", place="names",
                              remedy="give one for each channel", kind="data")
-        return _result(_Named(), "pod", progress, lambda watch: _jointid.pod_array(array, names, units, task, watch))
+        return _result(_Named(), "pod", progress, lambda watch: _jointid.pod_array(array, channels, of_channels, task, watch))
     task.files = _paths(record)
     return _result(_Named(), "pod", progress, lambda watch: _jointid.pod(task, threads, watch))
 

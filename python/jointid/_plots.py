@@ -75,7 +75,7 @@ def plot_matrix(solution: Any, kind: str, axes: Any) -> Any:
     if axes is None:
         _, axes = _pyplot().subplots(layout="constrained")
     matrix, names = matrices[kind], [str(dof) for dof in solution.dofs]
-    largest = np.nanmax(np.abs(matrix)) or 1.0
+    largest = float(np.nanmax(np.abs(matrix))) or 1.0
     image = axes.imshow(matrix, cmap="RdBu_r", vmin=-largest, vmax=largest)
     axes.set_xticks(range(len(names)), names, rotation=90)
     axes.set_yticks(range(len(names)), names)

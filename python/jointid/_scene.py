@@ -10,7 +10,7 @@ import re
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from json.encoder import encode_basestring
+from json.encoder import encode_basestring  # type: ignore[attr-defined]
 from typing import Any
 
 from . import _jointid
@@ -123,7 +123,7 @@ class Scene:
         if not self.is_file and not isinstance(scene, Mapping):
             raise InputError(f"{type(scene).__name__} is no scene", place="scene",
                              remedy="give the path of a scene file, or a dict with the same keys")
-        self.text = _jointid.read_text(self.file) if self.is_file else toml_text(self._with_paths(scene))
+        self.text: str | bytes = _jointid.read_text(self.file) if self.is_file else toml_text(self._with_paths(scene))
 
     @staticmethod
     def table_of(file: str | os.PathLike) -> dict[str, Any]:

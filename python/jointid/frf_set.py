@@ -113,7 +113,7 @@ class FrfSet:
         self._axes: dict = {}
         self._repeats = 0
         self._precision = _precision(frfs)
-        self.frfs = self._checked(frfs)
+        self.frfs: np.ndarray = self._checked(frfs)
         factor = self._factor(unit)
         if factor != 1.0:
             self.frfs = self.frfs * factor
@@ -161,14 +161,14 @@ class FrfSet:
     def _of(cls, parts: Mapping[str, Any]) -> "FrfSet":
         """What C++ hands over, without a copy."""
         self = cls.__new__(cls)
-        array = lambda key: None if parts[key] is None else np.asarray(parts[key])  # noqa: E731
+        array = lambda key: np.asarray(parts[key]) if parts[key] is not None else None  # noqa: E731
         self.name = parts["name"]
         self.responses = tuple(Dof(name) for name in parts["responses"])
         self.references = tuple(Dof(name) for name in parts["references"])
         self.quantity, self.averages = parts["quantity"], parts["averages"]
         self.nodes = {node: tuple(place) for node, place in parts["nodes"].items()}
         self._axes, self._repeats, self._precision = parts["axes"], parts["repeats"], parts["precision"]
-        self.frequency, self.frfs = array("frequency"), array("frfs")
+        self.frequency, self.frfs = np.asarray(parts["frequency"]), np.asarray(parts["frfs"])
         self.variance, self.coherence = array("variance"), array("coherence")
         self.covariance, self.reference_correlation = array("covariance"), array("reference_correlation")
         return self
@@ -204,7 +204,8 @@ class FrfSet:
     @property
     def shape(self) -> tuple[int, int, int]:
         """(lines, responses, references)"""
-        return self.frfs.shape
+        lines, rows, columns = self.frfs.shape
+        return lines, rows, columns
 
     def __len__(self) -> int:
         return len(self.frequency)
@@ -304,7 +305,7 @@ class FrfSet:
 
     def _of_band(self, band: tuple[float, float]) -> "FrfSet":
         low, high = (float(end) for end in band)
-        first, last = np.searchsorted(self.frequency, low, "left"), np.searchsorted(self.frequency, high, "right")
+        first, last = int(np.searchsorted(self.frequency, low, "left")), int(np.searchsorted(self.frequency, high, "right"))
         if first >= last:
             raise InputError(f"there is no line from {low:g} to {high:g} Hz", place="band", kind="data",
                              remedy=f"the lines go from {self.frequency[0]:g} to {self.frequency[-1]:g} Hz")
@@ -409,8 +410,7 @@ def read(path: str | os.PathLike | Sequence[str | os.PathLike], *, quantity: str
     >>> read(file).frfs.ravel()
     array([2.e-06+0.j, 2.e-06+0.j, 2.e-06+0.j])
     """
-    several = not isinstance(path, (str, os.PathLike))
-    paths = [os.fspath(each) for each in path] if several else [os.fspath(path)]
+    paths = [os.fspath(each) for each in ([path] if isinstance(path, (str, os.PathLike)) else path)]
     if not paths:
         raise InputError("there is no file", place="path", remedy="name at least one")
     options = _open_options(quantity, unit, responses, references, variable, frequency_variable)

@@ -49,6 +49,14 @@ class Unknown:
         return self.value
 
 
+def _pair(numbers: Any) -> tuple[float, float] | None:
+    """Two numbers of JSON, NaN where they are null; None for null."""
+    if numbers is None:
+        return None
+    low, high = (float("nan") if number is None else number for number in numbers)
+    return low, high
+
+
 def _suspects(check: dict[str, Any] | None) -> Iterator[Finding]:
     for each in (check or {}).get("suspects", []):
         yield Finding(each["kind"], each["evidence"], each["remedy"] or "", each["file"], tuple(Dof(dof) for dof in each["dofs"]),
@@ -161,7 +169,7 @@ class Result:
         makers = {".json": self.to_json, ".csv": self.csv, ".html": self.page, ".txt": self.text}
         if ending not in makers:
             raise InputError(f"{ending!r} is the ending of no result", file=os.fspath(path), remedy="write .json, .csv, .txt or .html")
-        text = makers[ending]()
+        text = makers[ending]()  # type: ignore[operator]
         if text is None:
             raise InputError(f"{self._command} has no {ending}", file=os.fspath(path), remedy="write .json or .txt")
         temporary = f"{os.fspath(path)}.{os.getpid()}.part"
@@ -215,10 +223,8 @@ class Solution(Result):
         out = {}
         for each in self["unknowns"]:
             value = float("nan") if each["value"] is None else each["value"]
-            interval = each["ci95"]
-            out[each["name"]] = Unknown(each["name"], value, each["unit"], each["std_error"],
-                                        None if interval is None else tuple(float("nan") if x is None else x for x in interval),
-                                        each["determined"], each)
+            out[each["name"]] = Unknown(each["name"], value, each["unit"], each["std_error"], _pair(each["ci95"]), each["determined"],
+                                        each)
         return out
 
     @property
@@ -250,8 +256,7 @@ class Solution(Result):
     def bands(self) -> list[tuple[tuple[float, float] | None, dict[str, np.ndarray]]]:
         """(band in Hz or None, matrices) of each band of the scene."""
         bands = self.to_dict().get("bands") or [{"band_hz": None, "matrices": self["matrices"]}]
-        return [(None if band["band_hz"] is None else tuple(band["band_hz"]),
-                 {kind: np.array(rows, dtype=float) for kind, rows in band["matrices"].items()}) for band in bands]
+        return [(_pair(band["band_hz"]), {kind: np.array(rows, dtype=float) for kind, rows in band["matrices"].items()}) for band in bands]
 
     def dynamic_stiffness(self, frequency: Any) -> np.ndarray:
         """Z_J(ω) = K − ω²M + i(ωC + D) of the joint, [line, DOF, DOF], N/m, at frequencies in Hz.
