@@ -174,8 +174,7 @@ Outcome outcome_of(tasks::FrfRun made) {
 }
 
 Outcome frf_of(const tasks::FrfTask& task, const py::object& progress) {
-  return watched(progress, 0,
-                 [task](const ident::Control& control) { return outcome_of(tasks::run_frf(task, control)); });
+  return watched(progress, 0, [task](const ident::Control& control) { return outcome_of(tasks::run_frf(task, control)); });
 }
 
 std::vector<frf::Dof> parsed(const std::vector<std::string>& names) {
@@ -188,7 +187,8 @@ std::vector<frf::Dof> parsed(const std::vector<std::string>& names) {
 template <class Get>
 auto part(Get get) {
   using Value = std::remove_reference_t<decltype(get(std::declval<tasks::FrfTask&>()))>;
-  return std::pair{[get](tasks::FrfTask& of) { return Value(get(of)); }, [get](tasks::FrfTask& of, const Value& to) { get(of) = to; }};
+  return std::pair{[get](tasks::FrfTask& of) { return Value(get(of)); },
+                   [get](tasks::FrfTask& of, const Value& to) { get(of) = to; }};
 }
 
 void bind_frf(py::module_& module) {
@@ -250,7 +250,8 @@ Outcome pod_of(const tasks::PodTask& task, std::size_t threads, const py::object
   tasks::PodTask asked = task;
   asked.threads = threads;
   tasks::check(asked);
-  return watched(progress, threads, [asked](const ident::Control& control) { return outcome_of(tasks::run_pod(asked, control)); });
+  return watched(progress, threads,
+                 [asked](const ident::Control& control) { return outcome_of(tasks::run_pod(asked, control)); });
 }
 
 /// Samples in memory [T, m], of named channels with units.

@@ -43,8 +43,8 @@ struct Solved {
 
 std::string page_of(Solved& solved, const ident::Control& control) {
   const std::lock_guard lock(solved.mutex);
-  const tasks::SolutionDetails details =
-      tasks::solution_details(*solved.plan, solved.solution, {std::nullopt, report::most_frfs, report::worst_frfs_drawn}, control);
+  const tasks::SolutionDetails details = tasks::solution_details(
+      *solved.plan, solved.solution, {std::nullopt, report::most_frfs, report::worst_frfs_drawn}, control);
   return report::solve_report(*solved.plan, solved.solution, details);
 }
 

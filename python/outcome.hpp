@@ -8,8 +8,8 @@
 
 namespace jointid::python {
 
-/// What a command found. Texts are made when somebody asks for them, by functions that own all that they use; one that is empty is not
-/// to be had of this command.
+/// What a command found. Texts are made when somebody asks for them, by functions that own all that they use; one that is empty
+/// is not to be had of this command.
 struct Outcome {
   std::string status;   ///< as in the JSON; empty where the command has none
   std::string message;  ///< why, and what helps; empty when all is well

@@ -9,8 +9,8 @@
 
 namespace jointid::python {
 
-/// `jointid couple`. `out`: where the assembly's FRFs are written, jointid-frf HDF5; empty: they stay in memory. Throws InputError and
-/// Interrupted, as all of these do.
+/// `jointid couple`. `out`: where the assembly's FRFs are written, jointid-frf HDF5; empty: they stay in memory. Throws
+/// InputError and Interrupted, as all of these do.
 Outcome couple(const SceneText& scene, const std::filesystem::path& out, bool bounds, const ident::Control& control);
 
 /// `jointid equivalent`, of scenes of friction laws too.

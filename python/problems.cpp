@@ -18,9 +18,11 @@ py::dict names_and_descriptions() {
   return out;
 }
 
-std::string write(const std::string& name, const std::string& directory, const std::string& format, std::uint64_t seed, bool clean) {
+std::string write(const std::string& name, const std::string& directory, const std::string& format, std::uint64_t seed,
+                  bool clean) {
   const py::gil_scoped_release release;
-  return problems::write(problems::make(name), directory, {.format = format, .seed = seed, .method = {}, .clean = clean}).string();
+  return problems::write(problems::make(name), directory, {.format = format, .seed = seed, .method = {}, .clean = clean})
+      .string();
 }
 
 }  // namespace

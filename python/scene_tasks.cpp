@@ -59,9 +59,11 @@ void bind_outcome(py::module_& module) {
           py::arg("progress"));
 }
 
-/// How Python calls a command: the scene's text and file, the threads (0: all cores), what is told of the progress, and its options.
+/// How Python calls a command: the scene's text and file, the threads (0: all cores), what is told of the progress, and its
+/// options.
 template <class Run>
-Outcome run_scene(const std::string& text, const std::string& file, std::size_t threads, const py::object& progress, const Run& run) {
+Outcome run_scene(const std::string& text, const std::string& file, std::size_t threads, const py::object& progress,
+                  const Run& run) {
   return watched(progress, threads,
                  [scene = SceneText{text, file}, run](const ident::Control& control) { return run(scene, control); });
 }
@@ -74,9 +76,9 @@ void bind_plain(py::module_& module, const char* name, Outcome (*run)(const Scen
 
 Outcome run_bound(const std::string& text, const std::string& file, std::size_t threads, const py::object& progress,
                   const std::vector<std::string>& candidates) {
-  return run_scene(text, file, threads, progress, [dofs = parsed(candidates)](const SceneText& scene, const ident::Control& control) {
-    return bound(scene, dofs, control);
-  });
+  return run_scene(
+      text, file, threads, progress,
+      [dofs = parsed(candidates)](const SceneText& scene, const ident::Control& control) { return bound(scene, dofs, control); });
 }
 
 Outcome run_study(const std::string& text, const std::string& file, std::size_t threads, const py::object& progress,

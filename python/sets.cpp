@@ -34,8 +34,8 @@ void bind_numbers(py::module_& module, const char* name, const char* format) {
   py::class_<Numbers<T>>(module, name, py::buffer_protocol()).def_buffer([format](Numbers<T>& numbers) {
     Shape strides(numbers.shape.size(), sizeof(T));
     for (std::size_t axis = strides.size(); axis-- > 1;) strides[axis - 1] = strides[axis] * numbers.shape[axis];
-    return py::buffer_info(numbers.values.data(), sizeof(T), format, static_cast<py::ssize_t>(numbers.shape.size()), numbers.shape,
-                           strides);
+    return py::buffer_info(numbers.values.data(), sizeof(T), format, static_cast<py::ssize_t>(numbers.shape.size()),
+                           numbers.shape, strides);
   });
 }
 
@@ -44,10 +44,19 @@ py::object numbers_of(std::vector<T> values, Shape shape) {
   return py::cast(Numbers<T>{std::move(values), std::move(shape)});
 }
 
+/// Whether the interpreter is no more, or ends.
+bool is_over() {
+#if PY_VERSION_HEX >= 0x030D0000
+  return Py_IsFinalizing() || !Py_IsInitialized();
+#else
+  return _Py_IsFinalizing() || !Py_IsInitialized();
+#endif
+}
+
 py::ssize_t length(std::size_t count) { return static_cast<py::ssize_t>(count); }
 
-/// A view of an object's numbers. It lets go of them with the interpreter's lock, whatever thread it ends on; where the interpreter ends
-/// before it, it keeps them.
+/// A view of an object's numbers. It lets go of them with the interpreter's lock, whatever thread it ends on; where the
+/// interpreter ends before it, it keeps them.
 template <class T>
 class View {
  public:
@@ -62,7 +71,7 @@ class View {
   View& operator=(View&&) = delete;
   ~View() {
     if (!info_) return;
-    if (_Py_IsFinalizing() || !Py_IsInitialized()) {
+    if (is_over()) {
       (void)info_.release();
       return;
     }
@@ -240,7 +249,8 @@ py::dict dict_of(frf::FrfSet set) {
   }
   as_stored(set);
   const frf::FrfHeader& header = set.header;
-  const py::ssize_t lines = length(header.lines()), rows = length(header.response.size()), columns = length(header.reference.size());
+  const py::ssize_t lines = length(header.lines()), rows = length(header.response.size()),
+                    columns = length(header.reference.size());
   const Shape shape = {lines, rows, columns};
   py::dict out;
   out["name"] = header.file;

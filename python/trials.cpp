@@ -76,8 +76,8 @@ Outcome compare_laws(const SceneText& text, const CompareTask& task, const ident
     throw InputError({ErrorKind::usage, text.file.string(), "compare",
                       "the scene is one of friction laws: its ways are the likelihood and two steps", "name no others"});
   }
-  const auto found = std::make_shared<const laws::LawComparison>(
-      laws::compare_law_ways(*scene, law_options(task.trials, task.seed, control)));
+  const auto found =
+      std::make_shared<const laws::LawComparison>(laws::compare_law_ways(*scene, law_options(task.trials, task.seed, control)));
   return {.status = {},
           .message = {},
           .usable = std::ranges::any_of(found->values, [](const auto& value) { return value.ways.front().answers > 0; }),
@@ -124,10 +124,11 @@ Outcome study(const SceneText& text, const StudyTask& task, const ident::Control
           .json = [=] { return report::study_json(*found); },
           .text = [=] { return report::study_text(*found); },
           .csv = [=] { return report::study_csv(*found); },
-          .page = [=](const ident::Control&) {
-            return report::study_page(*found, data->scene,
-                                      tasks::study_histograms(found->file, found->statistics, report::most_unknowns_shown));
-          }};
+          .page =
+              [=](const ident::Control&) {
+                return report::study_page(*found, data->scene,
+                                          tasks::study_histograms(found->file, found->statistics, report::most_unknowns_shown));
+              }};
 }
 
 Outcome compare(const SceneText& text, const CompareTask& task, const ident::Control& control) {
@@ -141,8 +142,7 @@ Outcome compare(const SceneText& text, const CompareTask& task, const ident::Con
   options.threads = control.threads;
   options.progress = of_trials(control);
   options.interrupted = control.interrupted;
-  const auto found =
-      std::make_shared<const tasks::ComparisonResult>(tasks::compare_ways(*scene, alternatives(task), options));
+  const auto found = std::make_shared<const tasks::ComparisonResult>(tasks::compare_ways(*scene, alternatives(task), options));
   return {.status = {},
           .message = {},
           .usable = tasks::some_usable(*found),

@@ -11,10 +11,10 @@
 
 namespace jointid::python {
 
-/// Does `work` on a thread of its own while the calling one, which has the interpreter's lock, lets other Python threads run, looks for
-/// Ctrl-C every 20 ms and calls progress(stage, done, total) unless it is None, at most every 100 ms. What Ctrl-C or `progress` raise
-/// ends the work, through Control::interrupted, and is thrown here, 1.5 s later at most: work that does not end by then goes on by
-/// itself, so that it must own all that it uses. What the work throws is thrown here.
+/// Does `work` on a thread of its own while the calling one, which has the interpreter's lock, lets other Python threads run,
+/// looks for Ctrl-C every 20 ms and calls progress(stage, done, total) unless it is None, at most every 100 ms. What Ctrl-C or
+/// `progress` raise ends the work, through Control::interrupted, and is thrown here, 1.5 s later at most: work that does not end
+/// by then goes on by itself, so that it must own all that it uses. What the work throws is thrown here.
 void run_watched(const pybind11::object& progress, std::function<void(const ident::Control&)> work);
 
 /// The same of work that has a result.

@@ -9,7 +9,8 @@ import sys
 import tempfile
 import warnings
 import weakref
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
@@ -559,7 +560,7 @@ def frf(files: Any, *, progress: Any = None, **options: Any) -> FrfResult:
 
     Parameters
     ----------
-    files : path or paths: .npy, CSV or text, MATLAB, HDF5, UFF 58
+    files : path or paths: .npy, CSV or text, MATLAB, HDF5, UFF 58; or an array [sample, channel], or several (one a hit)
     options : channel (["2=1:+Z N", ...]), time, rate, reference, shaker, block, pretrigger, trigger, second_blow, force_window,
         exponential, overlap, window, remove_mean, reject, keep_faulty, estimator, variances, highest: as those of the command
 
@@ -572,8 +573,24 @@ def frf(files: Any, *, progress: Any = None, **options: Any) -> FrfResult:
         if isinstance(options.get(name), str):
             options[name] = [options[name]]
     task = _with_options(_jointid.FrfTask(), options, "frf")
-    task.files = _paths(files)
-    return _result(_Named(), "frf", progress, lambda watch: _jointid.frf(task, watch), FrfResult)
+    with _record_files(files) as task.files:
+        return _result(_Named(), "frf", progress, lambda watch: _jointid.frf(task, watch), FrfResult)
+
+
+@contextmanager
+def _record_files(records: Any) -> Iterator[list[str]]:
+    """The paths of records; arrays are written to a folder that ends with the block."""
+    arrays = [records] if isinstance(records, np.ndarray) else records
+    if isinstance(arrays, (str, os.PathLike)) or not all(isinstance(each, np.ndarray) for each in arrays):
+        yield _paths(records)
+        return
+    with tempfile.TemporaryDirectory(prefix="jointid-") as folder:
+        paths = [os.path.join(folder, f"record_{k + 1}.npy") for k in np.arange(len(arrays))]
+        for path, array in zip(paths, arrays):
+            if array.ndim != 2:
+                raise InputError(f"its shape is {array.shape}", place="files", remedy="the axes are [sample, channel]", kind="data")
+            np.save(path, np.ascontiguousarray(array, dtype=float))
+        yield paths
 
 
 def pod(record: Any, *, names: Sequence[str] | None = None, units: Sequence[str] | None = None, threads: int = 0,

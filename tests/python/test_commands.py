@@ -1,6 +1,7 @@
 """The other commands, in memory where they can be."""
 
 import os
+import subprocess
 
 import jointid
 import numpy as np
@@ -139,6 +140,40 @@ def test_frfs_of_records(tmp_path):
     frfs = result.frfs()
     assert frfs.quantity == "accelerance" and frfs.responses == ("4:+Z",) and frfs.references == ("1:+Z",)
     assert frfs.frequency[np.nanargmax(np.abs(frfs["4:+Z", "1:+Z"][:200]))] == pytest.approx(50.0, abs=2.0)
+
+
+def test_records_in_memory(tmp_path):
+    rate, count = 1000.0, 1000
+    t = np.arange(count) / rate
+    force = np.exp(-0.5 * ((t - 0.02) / 0.001) ** 2)
+    hits = [np.column_stack([size * force, np.convolve(size * force, np.exp(-30 * t) * np.sin(2 * np.pi * 50 * t))[:count]])
+            for size in (1.0, 1.1)]
+    options = dict(channel=["1=1:+Z N", "2=4:+Z m/s^2"], rate=rate)
+    in_memory = jointid.frf(hits, **options).frfs()
+    for k, hit in enumerate(hits):
+        np.save(tmp_path / f"{k}.npy", hit)
+    assert in_memory == jointid.frf([tmp_path / "0.npy", tmp_path / "1.npy"], **options).frfs()
+    with pytest.raises(jointid.InputError, match="sample, channel"):
+        jointid.frf(hits[0][:, 0], **options)
+
+
+def test_equivalent_in_memory(tmp_path):
+    """A scene whose files are sets gives what it gives of the files."""
+    subprocess.run([os.environ["JOINTID_COMMAND"], "problem", "write", "rig2", tmp_path], check=True, capture_output=True)
+    path = tmp_path / "rig2.toml"
+    scene = jointid._scene.Scene.table_of(path)
+
+    def in_memory(value):
+        if isinstance(value, str) and (tmp_path / value).is_file():
+            return jointid.read(tmp_path / value)
+        if isinstance(value, dict):
+            return {key: in_memory(item) for key, item in value.items()}
+        return [in_memory(item) for item in value] if isinstance(value, list) else value
+
+    of_file, of_sets = jointid.equivalent(path).to_dict(), jointid.equivalent(in_memory(scene)).to_dict()
+    assert str(of_sets["status"]) == of_file["status"]
+    numbers = lambda found: [[value for value in level.values() if isinstance(value, float)] for level in found["levels"]]
+    np.testing.assert_allclose(np.array(numbers(of_sets)), np.array(numbers(of_file)), rtol=1e-9)
 
 
 def test_response_and_oscillate():

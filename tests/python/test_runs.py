@@ -61,7 +61,7 @@ def test_other_threads_run_meanwhile(a1):
     thread = threading.Thread(target=count)
     thread.start()
     start = time.perf_counter()
-    jointid.study(scene=a1, trials=3000, method="one", noise={"model": "gaussian", "level": 0.01})
+    jointid.study(scene=a1, trials=1000, method="one", noise={"model": "gaussian", "level": 0.01})
     seconds = time.perf_counter() - start
     done.set()
     thread.join()
@@ -114,7 +114,7 @@ def test_a_bar(a1, capsys):
     bar.close()
     shown = capsys.readouterr().err
     assert "5 of 10" in shown and shown.count("█") == 12
-    jointid.study(scene=a1, trials=3000, method="one", noise={"model": "gaussian", "level": 0.01}, progress=True)
+    jointid.study(scene=a1, trials=400, method="one", noise={"model": "gaussian", "level": 0.01}, progress=True)
     jointid.identify(a1)  # no terminal: nothing is told
     assert "jointid" not in capsys.readouterr().out
 

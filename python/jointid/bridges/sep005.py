@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import tempfile
 from typing import Any, Iterable, Mapping
 
 import numpy as np
@@ -32,11 +30,8 @@ def frf_of_sep005(channels: Any, dofs: Mapping[str, str], **options: Any) -> Frf
     missing = [name for name in dofs if name not in names]
     if missing:
         raise InputError(f"there is no channel {missing[0]!r}", place="dofs", kind="data", remedy="there are " + ", ".join(names))
-    with tempfile.TemporaryDirectory(prefix="jointid-") as folder:
-        path = os.path.join(folder, "record.npy")
-        np.save(path, data)
-        given = [f"{names.index(name) + 1}={dof} {units[names.index(name)]}" for name, dof in dofs.items()]
-        return frf(path, channel=given, rate=rate, **options)
+    given = [f"{names.index(name) + 1}={dof} {units[names.index(name)]}" for name, dof in dofs.items()]
+    return frf(data, channel=given, rate=rate, **options)
 
 
 def pod_of_sep005(channels: Any, **options: Any) -> Result:
