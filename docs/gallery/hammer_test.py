@@ -18,7 +18,8 @@ def hit(size):
     return np.column_stack([force, motion + 0.01 * random.normal(size=count)])
 
 
-made = jointid.frf([hit(size) for size in (0.8, 1.0, 1.2, 1.1)], channel=["1=1:+Z N", "2=4:+Z m/s^2"], rate=rate)
+made = jointid.frf([hit(size) for size in (0.8, 1.0, 1.2, 1.1)], channel=["1=1:+Z N", "2=4:+Z m/s^2"], rate=rate,
+                   highest=300.0)
 frfs = made.frfs()
 print(frfs)
 peak = frfs.frequency[np.nanargmax(np.abs(frfs["4:+Z", "1:+Z"]))]

@@ -459,16 +459,19 @@ def oscillate(scene: Any, *, threads: int = 0, progress: Any = None) -> Result:
 
 
 class _Named:
-    """Stands for a scene where a command has none."""
+    """Stands for a scene where a command has none; `names` by paths that nobody but this package knows."""
 
-    def __init__(self, scene: Scene | None = None) -> None:
-        self._scene = scene
+    def __init__(self, scene: Scene | None = None, names: Mapping[str, str] | None = None) -> None:
+        self._scene = scene or Scene({})
+        self._names = names or {}
 
     def named(self, text: str) -> str:
-        return text if self._scene is None else self._scene.named(text)
+        for path, name in self._names.items():
+            text = text.replace(path, name)
+        return self._scene.named(text)
 
     def errors(self) -> Any:
-        return (self._scene or Scene({})).errors()
+        return self._scene.errors()
 
 
 def _result(names: _Named, command: str, progress: Any, run: Callable, kind: type[Result] = Result) -> Any:
@@ -573,16 +576,16 @@ def frf(files: Any, *, progress: Any = None, **options: Any) -> FrfResult:
         if isinstance(options.get(name), str):
             options[name] = [options[name]]
     task = _with_options(_jointid.FrfTask(), options, "frf")
-    with _record_files(files) as task.files:
-        return _result(_Named(), "frf", progress, lambda watch: _jointid.frf(task, watch), FrfResult)
+    with _record_files(files) as (task.files, names):
+        return _result(_Named(names=names), "frf", progress, lambda watch: _jointid.frf(task, watch), FrfResult)
 
 
 @contextmanager
-def _record_files(records: Any) -> Iterator[list[str]]:
-    """The paths of records; arrays are written to a folder that ends with the block."""
+def _record_files(records: Any) -> Iterator[tuple[list[str], dict[str, str]]]:
+    """The paths of records, and names of those that are arrays, which are written to a folder that ends with the block."""
     arrays = [records] if isinstance(records, np.ndarray) else records
     if isinstance(arrays, (str, os.PathLike)) or not all(isinstance(each, np.ndarray) for each in arrays):
-        yield _paths(records)
+        yield _paths(records), {}
         return
     with tempfile.TemporaryDirectory(prefix="jointid-") as folder:
         paths = [os.path.join(folder, f"record_{k + 1}.npy") for k in np.arange(len(arrays))]
@@ -590,7 +593,7 @@ def _record_files(records: Any) -> Iterator[list[str]]:
             if array.ndim != 2:
                 raise InputError(f"its shape is {array.shape}", place="files", remedy="the axes are [sample, channel]", kind="data")
             np.save(path, np.ascontiguousarray(array, dtype=float))
-        yield paths
+        yield paths, {path: f"record {k + 1}" for k, path in enumerate(paths)}
 
 
 def pod(record: Any, *, names: Sequence[str] | None = None, units: Sequence[str] | None = None, threads: int = 0,

@@ -154,7 +154,7 @@ class Result:
             parts = self._outcome.frfs(watch)
         if parts is None:
             raise InputError(f"{self._command} makes no FRFs", place="result", remedy="see to_dict()")
-        return FrfSet._of(parts)
+        return FrfSet._of({**parts, "name": self._scene.named(parts["name"])})
 
     def release(self) -> None:
         """Lets go of the FRFs that page and predictions would read again; texts and numbers stay."""
