@@ -104,7 +104,8 @@ def _is_scene(value: Any) -> bool:
 def _scene(substructures: Any, assembly: Any, joint: Any, sections: dict[str, Any]) -> Scene:
     """Of a path or dict (first argument), of that with other data and sections, or of arguments alone."""
     base = sections.pop("scene", None)
-    if base is None and joint is None and _is_scene(substructures):
+    alone = assembly is None and isinstance(substructures, (str, os.PathLike))
+    if base is None and joint is None and (alone or _is_scene(substructures)):
         base, substructures = substructures, None
     made = {key: value for key, value in sections.items() if value is not None}
     if joint is not None:
@@ -183,7 +184,7 @@ def identify(substructures: Any = None, assembly: Any = None, joint: Any = None,
     threads : int
         0: all cores. The results do not depend on it.
     progress : None, bool or function of (stage, done, total)
-        None: a bar where standard error is a terminal.
+        None: a bar on a terminal and in a notebook.
 
     Returns
     -------

@@ -16,33 +16,43 @@ Watch = Callable[[str, int, int], None]
 
 
 class Bar:
-    """A line on standard error: "planning", "assemble ████░░░░ 120 of 300"."""
+    """A line on standard error: "planning", "assemble ████░░░░ 120 of 300"; of terminals and notebooks."""
 
     WIDTH = 24
 
     def __init__(self) -> None:
-        self._shown = False
+        self._length = 0
 
     def __call__(self, stage: str, done: int, total: int) -> None:
         text = stage
         if total > 0:
             full = min(self.WIDTH, self.WIDTH * done // total)
             text += f" {'█' * full}{'░' * (self.WIDTH - full)} {done} of {total}"
-        sys.stderr.write(f"\r\x1b[K{text}")
+        self._show(text)
+        self._length = len(text)
+
+    def _show(self, text: str) -> None:
+        sys.stderr.write("\r" + text.ljust(self._length))
         sys.stderr.flush()
-        self._shown = True
 
     def close(self) -> None:
-        if self._shown:
-            sys.stderr.write("\r\x1b[K")
+        if self._length:
+            self._show("")
+            sys.stderr.write("\r")
             sys.stderr.flush()
+
+
+def _someone_looks() -> bool:
+    """Whether standard error is a terminal, or a notebook's."""
+    shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
+    return type(shell).__name__ == "ZMQInteractiveShell" or (hasattr(sys.stderr, "isatty") and sys.stderr.isatty())
 
 
 @contextmanager
 def watcher(progress: Any) -> Iterator[Watch | None]:
-    """None: a bar on a terminal, else nothing; True: a bar; False: nothing; a function is called with (stage, done, total)."""
+    """None: a bar on a terminal and in a notebook, else nothing; True: a bar; False: nothing; a function is called with (stage, done, total)."""
     if progress is None:
-        progress = hasattr(sys.stderr, "isatty") and sys.stderr.isatty()
+        progress = _someone_looks()
     if progress is False:
         yield None
     elif progress is True:

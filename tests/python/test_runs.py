@@ -143,7 +143,7 @@ def test_a_bar(a1, capsys):
     bar("trial", 5, 10)
     bar.close()
     shown = capsys.readouterr().err
-    assert "5 of 10" in shown and shown.count("█") == 12
+    assert "5 of 10" in shown and shown.count("█") == 12 and shown.endswith(" " * 30 + "\r")
     jointid.study(scene=a1, trials=400, method="one", noise={"model": "gaussian", "level": 0.01}, progress=True)
     jointid.identify(a1)  # no terminal: nothing is told
     assert "jointid" not in capsys.readouterr().out

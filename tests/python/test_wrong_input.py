@@ -165,6 +165,8 @@ def test_errors_of_a_file_name_its_line(tmp_path):
 
 
 def test_missing_and_unknown_arguments(joint):
+    with pytest.raises(jointid.InputError, match="no such"):
+        jointid.identify("none.txt")
     with pytest.raises(jointid.InputError, match="assembly, joint is missing"):
         jointid.identify([made()])
     with pytest.raises(jointid.InputError, match="substructures, assembly is missing"):
