@@ -11,6 +11,7 @@
 #include "ident/scene/scene_sections.hpp"
 #include "laws/scene/read_law_scene.hpp"
 #include "laws/task/direct_identification.hpp"
+#include "python/outputs.hpp"
 #include "report/couple/couple_page.hpp"
 #include "report/couple/couple_text.hpp"
 #include "report/equivalent/equivalent_page.hpp"
@@ -90,6 +91,7 @@ Outcome direct_steps(const SceneText& text) {
 
 Outcome couple(const SceneText& text, const std::filesystem::path& out, bool bounds, const ident::Control& control) {
   const auto scene = std::make_shared<const ident::CoupleScene>(ident::parse_couple_scene(text.text, text.file));
+  refuse_inputs(out, ident::files_of(*scene));
   const auto found = std::make_shared<const tasks::CoupledSets>(coupled(*scene, out, bounds, control));
   const bool ok = found->result.status == ident::Status::ok;
   return {.status = ok ? "ok" : "not_usable",

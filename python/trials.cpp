@@ -10,6 +10,7 @@
 #include "ident/scene/read_scene.hpp"
 #include "laws/scene/read_law_scene.hpp"
 #include "laws/task/law_comparison.hpp"
+#include "python/outputs.hpp"
 #include "report/laws/law_comparison_text.hpp"
 #include "report/laws/law_study_page.hpp"
 #include "report/laws/law_study_text.hpp"
@@ -46,6 +47,7 @@ laws::LawStudyOptions law_options(std::size_t trials, std::uint64_t seed, const 
 
 Outcome study_laws(const SceneText& text, const StudyTask& task, const ident::Control& control) {
   const auto scene = std::make_shared<const laws::LawScene>(laws::parse_law_scene(text.text, text.file));
+  refuse_inputs(task.out, laws::files_of(*scene));
   const auto found = std::make_shared<const laws::LawStudy>(
       tasks::run_law_study(*scene, {task.out, text.text, task.resume}, law_options(task.trials, task.seed, control)));
   return {.status = {},
@@ -111,7 +113,9 @@ void require_delta(double delta) {
 Outcome study(const SceneText& text, const StudyTask& task, const ident::Control& control) {
   require_trials(task.trials);
   if (scene::is_law_scene(text.text, text.file)) return study_laws(text, task, control);
-  const auto data = study::load_trial_data(ident::parse_scene(text.text, text.file));
+  const ident::Scene scene = ident::parse_scene(text.text, text.file);
+  refuse_inputs(task.out, ident::files_of(scene));
+  const auto data = study::load_trial_data(scene);
   study::StudyControl watch;
   watch.progress = of_trials(control);
   watch.interrupted = control.interrupted;

@@ -633,12 +633,14 @@ def pod(record: Any, *, names: Sequence[str] | None = None, units: Sequence[str]
 
 
 def problems() -> dict[str, str]:
-    """Names and descriptions of the built-in problems that identify a joint of FRFs, whose answers are known."""
+    """Names and descriptions of the built-in problems, whose answers are known: ``jointid problem list``."""
     return _jointid.problems()
 
 
 def write_problem(name: str, directory: str | os.PathLike, *, format: str = "h5", seed: int = 1, clean: bool = False) -> str:
-    """Writes the FRF files, the scene and the truth of a built-in problem into a folder; returns the path of the scene.
+    """Writes the files, the scene and the truth of a built-in problem into a folder: ``jointid problem write``.
+
+    Returns the path of the scene (of loading curves and modal sets of the file).
 
     `format`: "h5" or "uff"; `seed`: of the noise; `clean`: no noise.
     """

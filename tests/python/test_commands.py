@@ -1,7 +1,6 @@
 """The other commands, in memory where they can be."""
 
 import os
-import subprocess
 
 import jointid
 import numpy as np
@@ -39,6 +38,16 @@ def test_couple():
 def test_couple_to_a_file(tmp_path):
     result = jointid.couple([A, B], join=[["A/2:+X", "B/2:+X"]], out=tmp_path / "ab.h5")
     assert np.array_equal(jointid.read(tmp_path / "ab.h5").frfs, result.frfs().frfs)
+
+
+def test_no_output_replaces_an_input(tmp_path, a1):
+    for part in (A, B):
+        part.save(tmp_path / f"{part.name}.h5")
+    with pytest.raises(jointid.InputError, match="would replace"):
+        jointid.couple([tmp_path / "A.h5", tmp_path / "B.h5"], join=[["2:+X", "3:+X"]], out=tmp_path / "A.h5")
+    with pytest.raises(jointid.InputError, match="would replace"):
+        jointid.study(a1, trials=3, out=a1)
+    assert jointid.read(tmp_path / "A.h5") == A
 
 
 def test_decouple():
@@ -159,8 +168,7 @@ def test_records_in_memory(tmp_path):
 
 def test_equivalent_in_memory(tmp_path):
     """A scene whose files are sets gives what it gives of the files."""
-    subprocess.run([os.environ["JOINTID_COMMAND"], "problem", "write", "rig2", tmp_path], check=True, capture_output=True)
-    path = tmp_path / "rig2.toml"
+    path = jointid.write_problem("rig2", tmp_path)
     scene = jointid._scene.Scene.table_of(path)
 
     def in_memory(value):
