@@ -42,6 +42,28 @@ def test_files_and_sets_can_stand_side_by_side(a1, sets, joint):
     assert np.array_equal(mixed.values, jointid.identify(parts, assembly, joint).values)
 
 
+def test_virtual_points_apply_to_sets(tmp_path):
+    """A bolted flange: as of its files, though accelerances went through arrays."""
+    scene = jointid.write_problem("flange", tmp_path)
+    table = jointid._scene.Scene.table_of(scene)
+    data = {key: [jointid.read(tmp_path / name) for name in table["data"][key]] for key in ("substructures", "assembly")}
+    assert data["assembly"][0].quantity == "accelerance"
+    table["identify"] = {"method": "one"}
+    in_memory, of_files = jointid.identify({**table, "data": data}), jointid.identify(scene=scene, identify=None, method="one")
+    assert "VP1:+RZ" in in_memory.dofs and in_memory.status == of_files.status
+    np.testing.assert_allclose(in_memory.values, of_files.values, rtol=1e-9, atol=1e-9 * np.abs(of_files.values).max())
+
+
+def test_runs_of_one_test_are_averaged(sets, joint):
+    parts, assembly = sets
+    random = np.random.default_rng(1)
+    runs = [assembly._like(frfs=assembly.frfs * (1 + 1e-3 * random.normal(size=assembly.shape)), name=f"run {k}") for k in range(4)]
+    scene = {"data": {"substructures": parts, "assembly": [runs]}, "joint": jointid._commands._joint_table(joint)["joint"]}
+    solution = jointid.identify(scene, method="likelihood")
+    assert any("repeat" in each["origin"] or "scatter" in each["origin"] for each in solution["variances"])
+    assert solution.unknowns["K(1,1)"].value == pytest.approx(662400, rel=0.02)
+
+
 def test_corrections_apply_to_sets(sets, joint):
     """A sensor that pointed the other way is flipped by [data.files], under the set's name."""
     parts, assembly = sets
