@@ -17,7 +17,7 @@ import numpy as np
 
 from . import _jointid
 from ._progress import watcher
-from ._scene import Scene, as_list
+from ._scene import Scene, as_list, pair_of, paths_of
 from .dof import Dof
 from .errors import DoubtfulWarning, InputError, UnusableWarning
 from .frf_set import FrfSet
@@ -94,7 +94,7 @@ def _joint_table(joint: Any) -> dict[str, Any]:
 
 
 def _frequency_table(frequency: Any) -> dict[str, Any]:
-    return dict(frequency) if isinstance(frequency, Mapping) else {"range": list(frequency)}
+    return dict(frequency) if isinstance(frequency, Mapping) else {"range": list(pair_of(frequency, "frequency"))}
 
 
 def _is_scene(value: Any) -> bool:
@@ -290,8 +290,8 @@ def _whole(value: Any, place: str) -> int:
         number = value.__index__()
     except AttributeError:
         raise InputError(f"{value!r} is no whole number", place=place, remedy="give e.g. 1000") from None
-    if number < 0 or isinstance(value, bool):
-        raise InputError(f"{value!r} is no number of 0 or more", place=place, remedy="give e.g. 1000")
+    if not 0 <= number < 2**64 or isinstance(value, bool):
+        raise InputError(f"{value!r} is no number from 0 to 2^64", place=place, remedy="give e.g. 1000")
     return number
 
 
@@ -483,11 +483,6 @@ def _result(names: _Named, command: str, progress: Any, run: Callable, kind: typ
     return result
 
 
-def _paths(files: Any) -> list[str]:
-    files = [files] if isinstance(files, (str, os.PathLike)) else list(files)
-    return [os.fspath(each) for each in files]
-
-
 def modalfit(frfs: Any, *, range: tuple[float, float] | None = None, modes: int | None = None,
              poles: Sequence[tuple[float, float]] | None = None, real: bool = False, damping: str = "viscous",
              quantity: str | None = None, unit: str | None = None, progress: Any = None) -> FrfResult:
@@ -541,7 +536,7 @@ def loading_curve(curves: Any, *, progress: Any = None, **options: Any) -> Resul
     arrays = _curves(curves)
     if arrays is not None:
         return _result(_Named(), "loading_curve", progress, lambda watch: _jointid.loading_curve_arrays(arrays or [], task, watch))
-    task.files = _paths(curves)
+    task.files = paths_of(curves, "curves")
     return _result(_Named(), "loading_curve", progress, lambda watch: _jointid.loading_curve(task, watch))
 
 
@@ -549,7 +544,7 @@ def _curves(curves: Any) -> list[tuple[str, np.ndarray, np.ndarray]] | None:
     """Name, displacement, force of curves in memory; None of files."""
     if isinstance(curves, Mapping):
         named = list(curves.items())
-    elif isinstance(curves, (str, os.PathLike)) or all(isinstance(each, (str, os.PathLike)) for each in curves):
+    elif not isinstance(curves, (list, tuple, np.ndarray)) or all(isinstance(each, (str, os.PathLike)) for each in curves):
         return None
     elif len(curves) == 2 and np.ndim(curves[0]) == 1 and np.ndim(curves[1]) == 1:
         named = [("curve", curves)]
@@ -585,8 +580,8 @@ def frf(files: Any, *, progress: Any = None, **options: Any) -> FrfResult:
 def _record_files(records: Any) -> Iterator[tuple[list[str], dict[str, str]]]:
     """The paths of records, and names of those that are arrays, which are written to a folder that ends with the block."""
     arrays = [records] if isinstance(records, np.ndarray) else records
-    if isinstance(arrays, (str, os.PathLike)) or not all(isinstance(each, np.ndarray) for each in arrays):
-        yield _paths(records), {}
+    if not isinstance(arrays, (list, tuple)) or not all(isinstance(each, np.ndarray) for each in arrays):
+        yield paths_of(records, "files"), {}
         return
     with tempfile.TemporaryDirectory(prefix="jointid-") as folder:
         paths = [os.path.join(folder, f"record_{k + 1}.npy") for k in np.arange(len(arrays))]
@@ -625,7 +620,7 @@ def pod(record: Any, *, names: Sequence[str] | None = None, units: Sequence[str]
             raise InputError(f"{len(channels)} names and {len(of_channels)} units for {array.shape[1]} channels", place="names",
                              remedy="give one for each channel", kind="data")
         return _result(_Named(), "pod", progress, lambda watch: _jointid.pod_array(array, channels, of_channels, task, watch))
-    task.files = _paths(record)
+    task.files = paths_of(record, "record")
     return _result(_Named(), "pod", progress, lambda watch: _jointid.pod(task, threads, watch))
 
 

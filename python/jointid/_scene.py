@@ -198,6 +198,23 @@ class Scene:
                           remedy=readable(error.remedy), kind=error.kind, what=readable(error.what))
 
 
+def pair_of(value: Any, place: str) -> tuple[float, float]:
+    """Two numbers, the lower one first."""
+    try:
+        low, high = (float(number) for number in value)
+    except (TypeError, ValueError):
+        raise InputError(f"{value!r} is no pair of numbers", place=place, remedy="give (low, high) in Hz") from None
+    return low, high
+
+
+def paths_of(value: Any, place: str) -> list[str]:
+    """One path or several as text."""
+    try:
+        return [os.fspath(each) for each in ([value] if isinstance(value, (str, os.PathLike)) else value)]
+    except TypeError:
+        raise InputError(f"{value!r} is no path", place=place, remedy="give the path of a file, or a list of them") from None
+
+
 def as_list(value: Any) -> list:
     """One set or path as a list of one."""
     if isinstance(value, (str, os.PathLike, _frf_set())):

@@ -11,6 +11,7 @@ import numpy as np
 
 from . import _jointid
 from ._progress import watcher
+from ._scene import pair_of, paths_of
 from .dof import Dof
 from .errors import DataWarning, InputError
 
@@ -304,7 +305,7 @@ class FrfSet:
         return new
 
     def _of_band(self, band: tuple[float, float]) -> "FrfSet":
-        low, high = (float(end) for end in band)
+        low, high = pair_of(band, "band")
         first, last = int(np.searchsorted(self.frequency, low, "left")), int(np.searchsorted(self.frequency, high, "right"))
         if first >= last:
             raise InputError(f"there is no line from {low:g} to {high:g} Hz", place="band", kind="data",
@@ -410,7 +411,7 @@ def read(path: str | os.PathLike | Sequence[str | os.PathLike], *, quantity: str
     >>> read(file).frfs.ravel()
     array([2.e-06+0.j, 2.e-06+0.j, 2.e-06+0.j])
     """
-    paths = [os.fspath(each) for each in ([path] if isinstance(path, (str, os.PathLike)) else path)]
+    paths = paths_of(path, "path")
     if not paths:
         raise InputError("there is no file", place="path", remedy="name at least one")
     options = _open_options(quantity, unit, responses, references, variable, frequency_variable)

@@ -88,6 +88,19 @@ def test_pyfbs_tables_of_pandas():
     assert back.shape == made.shape and back.quantity == "accelerance"
 
 
+def test_pyfbs_positions_of_a_spreadsheet(tmp_path):
+    pandas = needs("pandas")
+    needs("openpyxl")
+    frequency, frfs, channels, impacts = pyfbs.to_pyfbs(sample())
+    with pandas.ExcelWriter(tmp_path / "positions.xlsx") as book:
+        pandas.DataFrame(channels).to_excel(book, sheet_name="Channels_A")
+        pandas.DataFrame(impacts).to_excel(book, sheet_name="Impacts_A")
+    tables = [pyfbs.read_positions(tmp_path / "positions.xlsx", sheet) for sheet in ("Channels_A", "Impacts_A")]
+    assert pyfbs.from_pyfbs(frequency, frfs, *tables) == pyfbs.from_pyfbs(frequency, frfs, channels, impacts)
+    with pytest.raises(jointid.InputError, match="Channels_A, Impacts_A"):
+        pyfbs.read_positions(tmp_path / "positions.xlsx", "Channels_B")
+
+
 def test_pyema_and_pyfrf():
     made = sample(columns=("9:+Z",))
     frequency, frf = pyema.to_pyema(made)

@@ -22,3 +22,16 @@ def test_page(page, tmp_path):
 
 def test_there_are_pages():
     assert len(GALLERY) >= 12
+
+
+def test_notebooks(tmp_path):
+    """Each a question and a program that Python takes."""
+    import json
+
+    subprocess.run([sys.executable, GALLERY[0].parents[2] / "scripts/notebooks", tmp_path], check=True)
+    books = sorted(tmp_path.glob("*.ipynb"))
+    assert [book.stem for book in books] == [page.stem for page in GALLERY]
+    for book in books:
+        question, program = json.loads(book.read_text(encoding="utf-8"))["cells"]
+        assert question["cell_type"] == "markdown" and program["cell_type"] == "code"
+        ast.parse("".join(program["source"]))

@@ -136,6 +136,23 @@ def test_what_progress_raises_comes_back(a1):
     assert time.perf_counter() - start < 3.0
 
 
+def test_an_interrupted_study_goes_on(a1, tmp_path):
+    class Enough(Exception):
+        pass
+
+    def stop(stage, done, total):
+        raise Enough
+
+    options = dict(trials=1500, method="one", noise={"model": "gaussian", "level": 0.01})
+    with pytest.raises(Enough):
+        jointid.study(scene=a1, out=tmp_path / "one.h5", progress=stop, **options)
+    assert not (tmp_path / "one.h5").exists() and (tmp_path / "one.h5.partial").exists()
+    one = jointid.study(scene=a1, out=tmp_path / "one.h5", resume=True, **options)
+    two = jointid.study(scene=a1, out=tmp_path / "two.h5", **options)
+    assert one["unknowns"] == two["unknowns"]
+    assert (tmp_path / "one.h5").read_bytes() == (tmp_path / "two.h5").read_bytes()
+
+
 def test_a_bar(a1, capsys):
     from jointid._progress import Bar
 

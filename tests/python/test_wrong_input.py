@@ -183,6 +183,29 @@ def test_missing_and_unknown_arguments(joint):
         jointid.identify([made()], made(), "4:+Y")
 
 
+@pytest.mark.parametrize("call, place", [
+    (lambda: jointid.read(3), "path"),
+    (lambda: made().sel(band=3), "band"),
+    (lambda: made().sel(band=("a", 3)), "band"),
+    (lambda: jointid.identify(scene=scene(), frequency=400), "frequency"),
+    (lambda: jointid.study(scene(), trials=-1), "trials"),
+    (lambda: jointid.study(scene(), trials=2.5), "trials"),
+    (lambda: jointid.study(scene(), seed=2**64), "seed"),
+    (lambda: jointid.modalfit(made(), range=(1, 2, 3)), "range"),
+    (lambda: jointid.modalfit(3), "data"),
+    (lambda: jointid.loading_curve(3), "curves"),
+    (lambda: jointid.frf(3), "files"),
+    (lambda: jointid.pod(3), "record"),
+    (lambda: jointid.couple(3), "data"),
+    (lambda: jointid.check(3), "identify"),
+    (lambda: jointid.decouple(made(), made(), ["7:+X"]), "interface"),
+], ids=lambda value: value if isinstance(value, str) else "")
+def test_arguments_of_another_kind(call, place):
+    with pytest.raises(jointid.InputError) as caught:
+        call()
+    assert caught.value.place == place and caught.value.remedy
+
+
 def test_errors_pickle_and_are_value_errors():
     import pickle
 

@@ -63,7 +63,11 @@ def read_positions(path: str | os.PathLike, sheet: str) -> Any:
     """A sheet of pyFBS's table of positions (.xlsx): ``"Channels_A"`` and so on, as a DataFrame. Needs pandas and openpyxl."""
     import pandas
 
-    return pandas.read_excel(path, sheet_name=sheet)
+    with pandas.ExcelFile(path) as book:
+        if sheet not in book.sheet_names:
+            raise InputError(f"there is no sheet {sheet!r}", file=os.fspath(path), place="sheet", kind="data",
+                             remedy="there are " + ", ".join(map(str, book.sheet_names)))
+        return book.parse(sheet)
 
 
 def to_pyfbs(frfs: FrfSet) -> tuple[np.ndarray, np.ndarray, dict[str, list], dict[str, list]]:
