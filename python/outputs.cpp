@@ -10,7 +10,8 @@ void refuse_inputs(const std::filesystem::path& target, const std::vector<ident:
   for (const ident::NamedFile& input : inputs) {
     std::error_code not_there;
     if (target.empty() || !std::filesystem::equivalent(target, input.path, not_there)) continue;
-    throw InputError({ErrorKind::usage, target.string(), "out", "it would replace what is read (" + input.place + ")", "name another file"});
+    throw InputError(
+        {ErrorKind::usage, target.string(), "out", "it would replace what is read (" + input.place + ")", "name another file"});
   }
 }
 

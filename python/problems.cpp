@@ -20,7 +20,8 @@ py::dict names_and_descriptions() {
   return out;
 }
 
-std::string write(const std::string& name, const std::string& directory, const std::string& format, std::uint64_t seed, bool clean) {
+std::string write(const std::string& name, const std::string& directory, const std::string& format, std::uint64_t seed,
+                  bool clean) {
   const py::gil_scoped_release release;
   const auto kinds = problems::all_kinds();
   const problems::ProblemKind* kind = problems::kind_of(kinds, name);

@@ -47,8 +47,7 @@ WrittenProblem write_coupling_problem(const std::string& name, const std::filesy
   return {scene, "couple " + scene.string()};
 }
 
-WrittenProblem write_modal_set(const std::string& name, const std::filesystem::path& directory,
-                               const WriteOptions& options) {
+WrittenProblem write_modal_set(const std::string& name, const std::filesystem::path& directory, const WriteOptions& options) {
   const auto file = write(make_modal_set(name), directory, options);
   return {file, "modalfit " + file.string() + " --real --damping hysteretic"};
 }

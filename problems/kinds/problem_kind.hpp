@@ -36,8 +36,10 @@ const ProblemKind* kind_of(std::span<const ProblemKind> kinds, const std::string
 std::vector<std::string> names_of(std::span<const ProblemKind> kinds);
 
 /// How those of linear_kinds() are written.
-WrittenProblem write_identification_problem(const std::string& name, const std::filesystem::path& directory, const WriteOptions& options);
-WrittenProblem write_coupling_problem(const std::string& name, const std::filesystem::path& directory, const WriteOptions& options);
+WrittenProblem write_identification_problem(const std::string& name, const std::filesystem::path& directory,
+                                            const WriteOptions& options);
+WrittenProblem write_coupling_problem(const std::string& name, const std::filesystem::path& directory,
+                                      const WriteOptions& options);
 WrittenProblem write_modal_set(const std::string& name, const std::filesystem::path& directory, const WriteOptions& options);
 
 }  // namespace jointid::problems
