@@ -1,6 +1,7 @@
 #include "base/module.hpp"
 
 #include <dlfcn.h>
+#include <link.h>
 
 #include <filesystem>
 #include <functional>
@@ -16,9 +17,18 @@ namespace {
 
 std::string file_of(const Module& module) { return "jointid_" + std::string(module.name) + ".so"; }
 
-/// Folders in which dlopen() looks for what this program names, in their order.
+/// What this code is part of, a program or a library, as dlopen() knows it.
+void* own_object() {
+  Dl_info symbol;
+  link_map* object = nullptr;
+  if (dladdr1(reinterpret_cast<void*>(&file_of), &symbol, reinterpret_cast<void**>(&object), RTLD_DL_LINKMAP) == 0) return nullptr;
+  const bool is_program = object == nullptr || *object->l_name == '\0';
+  return dlopen(is_program ? nullptr : object->l_name, RTLD_LAZY | RTLD_NOLOAD);
+}
+
+/// Folders in which dlopen() looks for what this code names, in their order.
 std::vector<std::filesystem::path> search_path() {
-  void* const program = dlopen(nullptr, RTLD_LAZY);
+  void* const program = own_object();
   Dl_serinfo size;
   if (program == nullptr || dlinfo(program, RTLD_DI_SERINFOSIZE, &size) != 0) return {};
   std::vector<std::max_align_t> memory(size.dls_size / sizeof(std::max_align_t) + 1);

@@ -5,8 +5,8 @@
 namespace jointid {
 
 /// A part of jointid that calls a library which most runs do not need: a shared library jointid_NAME.so of its own, loaded when
-/// it is first used and kept until the end. It is looked for where the program's own libraries are (RUNPATH, then LD_LIBRARY_PATH
-/// and the system).
+/// it is first used and kept until the end. It is looked for where those of its caller are, of a program or a Python module
+/// (RUNPATH, then LD_LIBRARY_PATH and the system).
 struct Module {
   std::string_view name;     ///< e.g. "ceres"
   std::string_view purpose;  ///< what needs it, for messages: "solver ceres"

@@ -41,3 +41,16 @@ if(JOINTID_BUILD_GUI)
     message(STATUS "No desktop workbench: install qt6-base-dev, qt6-svg-dev and libqcustomplot-dev (scripts/install-packages desktop)")
   endif()
 endif()
+set(JOINTID_WITH_PYTHON OFF)
+if(JOINTID_PYTHON AND NOT CMAKE_BUILD_TYPE STREQUAL "Asan") # a sanitized module needs a sanitized interpreter
+  if(NOT DEFINED Python_EXECUTABLE AND EXISTS /usr/bin/python3)
+    set(Python_EXECUTABLE /usr/bin/python3) # Debian's, for which its packages are, whatever else stands first in PATH
+  endif()
+  find_package(Python 3.11 QUIET COMPONENTS Interpreter Development.Module) # before pybind11, which goes by it
+  find_package(pybind11 2.10 CONFIG QUIET)
+  if(Python_FOUND AND pybind11_FOUND)
+    set(JOINTID_WITH_PYTHON ON)
+  else()
+    message(STATUS "No Python package: install python3-dev, pybind11-dev and python3-numpy (scripts/install-packages python)")
+  endif()
+endif()

@@ -47,7 +47,7 @@ bool is_elsewhere(const ProblemWriteArguments& arguments) {
 
 ExitCode execute(const ProblemListArguments& arguments, std::ostream& out) {
   report::Table table({{"name", report::Align::left}, {"what", report::Align::left}});
-  for (const ProblemKind& kind : arguments.kinds.kinds) {
+  for (const problems::ProblemKind& kind : arguments.kinds.kinds) {
     for (const problems::ProblemInfo& problem : kind.list()) table.add({problem.name, problem.description});
   }
   out << table.text(0);
@@ -78,7 +78,7 @@ void check_folder(const ProblemWriteArguments& arguments) {
 
 ExitCode execute(const ProblemWriteArguments& arguments, std::ostream& out) {
   check_folder(arguments);
-  const WrittenProblem written = arguments.kinds.write(arguments.name, arguments.directory, arguments.options);
+  const problems::WrittenProblem written = arguments.kinds.write(arguments.name, arguments.directory, arguments.options);
   out << "wrote " << written.file.string() << "\nnext: jointid " << written.next << '\n';
   return ExitCode::done;
 }

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "frf/file/file_format.hpp"
+#include "frf/file/memory_file.hpp"
 #include "frf/set/corrections.hpp"
 #include "frf/set/unit_label.hpp"
 
@@ -60,9 +61,18 @@ void require_given_dofs(const FrfHeader& header, const std::filesystem::path& pa
   require(options.reference, header.reference, "references", "--reference, in a scene reference_dofs");
 }
 
+/// Arrays say themselves what a file may leave open; only another quantity can be given.
+std::unique_ptr<FrfSource> as_given(std::unique_ptr<FrfSource> arrays, const std::filesystem::path& path, const OpenOptions& options) {
+  require_given_dofs(arrays->header(), path, options);
+  const bool other = !options.unit.empty() || !options.variable.empty() || !options.frequency_variable.empty();
+  if (other) refuse(path, "a unit or a variable is given for FRFs in memory", "leave it out, and give arrays in SI units");
+  return options.quantity ? reinterpreted(std::move(arrays), *options.quantity) : std::move(arrays);
+}
+
 }  // namespace
 
 std::unique_ptr<FrfSource> open(const std::filesystem::path& path, const OpenOptions& options) {
+  if (auto arrays = open_memory_file(path)) return as_given(std::move(arrays), path, options);
   const Format& format = format_of(path);
   require_variables(format, path, options);
   require_own_unit(format, path, options);

@@ -1,0 +1,67 @@
+"""What Python costs beside the C++ call and the command. PYTHONPATH=build/release/python bench/python.py build/release/cli/jointid
+
+Handing over 226 MB of FRFs; what identify() of A1 does besides the library's work; a study of 1,000 trials beside the command's.
+"""
+
+import os
+import subprocess
+import sys
+import tempfile
+import time
+
+import jointid
+import numpy as np
+from jointid import _jointid
+from jointid._commands import _joint_scene
+
+JOINT = {"dofs": ["4:+Y", "4:+RZ", "5:+Y", "5:+RZ"], "stiffness": "symmetric", "hysteretic_damping": "symmetric"}
+
+
+def best(work, rounds):
+    """Seconds, the least of so many rounds."""
+    times = []
+    for _ in range(rounds):
+        start = time.perf_counter()
+        work()
+        times.append(time.perf_counter() - start)
+    return min(times)
+
+
+def handing_over():
+    frfs = np.zeros((2400, 77, 77), complex)
+    made = jointid.FrfSet(frfs, np.arange(1.0, 2401.0), [f"{k}:+X" for k in range(1, 78)])
+    print(f"{frfs.nbytes / 1e6:.0f} MB handed over: {1e3 * best(lambda: _jointid.MemoryFile(made._parts()), 30):.3f} ms")
+
+
+def around_identify(folder):
+    parts = [jointid.read(f"{folder}/A1_substructure_{k}.h5") for k in (1, 2)]
+    assembly = jointid.read(f"{folder}/A1_assembly.h5")
+
+    def make_scene():
+        return _joint_scene(parts, assembly, JOINT, "one", ["nn", "nj"], "WA", None, None, {"frequency": (400, 1000)})
+
+    line = jointid.FrfSet(np.ones((1, 1, 1)), [1.0], ["1:+X"])
+    coupled = jointid.couple([line, line._like(name="other", responses=(jointid.Dof("2:+X"),), references=(jointid.Dof("2:+X"),))],
+                             join=[["1:+X", "2:+X"]])
+    scene, thread = best(make_scene, 200), best(lambda: coupled._outcome.frfs(None), 200)
+    print(f"around identify(A1): scene and arrays {1e3 * scene:.3f} ms, watched thread {1e3 * thread:.3f} ms")
+
+
+def study_beside_command(scene, command):
+    out = os.path.join(os.path.dirname(scene), "study.h5")
+
+    def of_command():
+        if os.path.exists(out):
+            os.remove(out)
+        subprocess.run([command, "study", scene, "--trials", "1000", "--out", out, "--json", "-"], check=True, capture_output=True)
+
+    ours, theirs = best(lambda: jointid.study(scene, trials=1000).to_json(), 9), best(of_command, 9)
+    print(f"study of 1,000 trials: Python {ours:.3f} s, command {theirs:.3f} s")
+
+
+if __name__ == "__main__":
+    handing_over()
+    with tempfile.TemporaryDirectory() as folder:
+        a1 = jointid.write_problem("A1", folder, clean=True)
+        around_identify(folder)
+        study_beside_command(a1, sys.argv[1])

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace jointid::python {
+
+/// Commands without a scene, of files or of arrays: modalfit, frf, loading-curve, pod; each with a class of its options.
+void bind_file_tasks(pybind11::module_& module);
+
+}  // namespace jointid::python

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "frf/set/dof.hpp"
+#include "python/outcome.hpp"
+#include "python/scene_text.hpp"
+
+namespace jointid::python {
+
+/// `jointid solve`, of scenes of friction laws too. Throws InputError and Interrupted, as all of these do.
+Outcome solve(const SceneText& scene, const ident::Control& control);
+
+/// `jointid check`
+Outcome check(const SceneText& scene, const ident::Control& control);
+
+/// `jointid plan`
+Outcome plan(const SceneText& scene, const ident::Control& control);
+
+/// `jointid plan --bound`, of scenes of friction laws too; `candidates`: coordinates that are not measured yet.
+Outcome bound(const SceneText& scene, const std::vector<frf::Dof>& candidates, const ident::Control& control);
+
+}  // namespace jointid::python

@@ -1,0 +1,149 @@
+"""The extension module: buffers in and out, and the texts of results."""
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+__version__: str
+
+_Progress = Callable[[str, int, int], None] | None
+
+class ComplexNumbers:
+    """Numbers that a memoryview reads, of the format Zd."""
+
+class RealNumbers:
+    """Numbers that a memoryview reads, of the format d."""
+
+class MemoryFile:
+    def __init__(self, arg0: dict[str, Any]) -> None: ...
+    @property
+    def path(self) -> str: ...
+
+class OpenOptions:
+    quantity: str | None
+    unit: str
+    responses: list[str]
+    references: list[str]
+    variable: str
+    frequency_variable: str
+    def __init__(self) -> None: ...
+
+class CompareTask:
+    trials: int
+    seed: int
+    methods: list[str]
+    equations: list[list[str]]
+    weightings: list[str]
+    deltas: list[float]
+    solvers: list[str]
+    regenerate: list[str]
+    def __init__(self) -> None: ...
+
+class ModalTask:
+    range: Any
+    modes: int | None
+    poles: Any
+    real: bool
+    damping: str
+    def __init__(self) -> None: ...
+
+class LoadingCurveTask:
+    files: list[str]
+    displacement: str
+    force: str
+    time: str
+    energy: str
+    stiffness: str
+    damping: str
+    unit: str
+    force_unit: str
+    time_unit: str
+    sign: str
+    velocity: bool
+    kind: str
+    law: list[str]
+    ring: list[float]
+    normal_load: list[float]
+    limit: float | None
+    friction_coefficient: bool
+    shared: list[str]
+    specimen_stiffness: float | None
+    specimen: str
+    weighting: str
+    minimiser: str
+    global_search: bool
+    def __init__(self) -> None: ...
+
+class FrfTask:
+    files: list[str]
+    channel: Any
+    reference: list[str]
+    window: Any
+    estimator: str
+    variances: str
+    shaker: bool
+    block: float | None
+    time: str
+    rate: float | None
+    pretrigger: float
+    trigger: float
+    second_blow: float
+    force_window: float | None
+    exponential: float | None
+    overlap: float
+    remove_mean: bool
+    reject: list[int]
+    keep_faulty: bool
+    highest: float
+    def __init__(self) -> None: ...
+
+class PodTask:
+    files: list[str]
+    channels: list[str]
+    mass: str
+    stiffness: str
+    compare: str
+    keep_mean: bool
+    def __init__(self) -> None: ...
+
+class Outcome:
+    @property
+    def status(self) -> str: ...
+    @property
+    def message(self) -> str: ...
+    @property
+    def usable(self) -> bool: ...
+    def json(self) -> str | None: ...
+    def text(self) -> str | None: ...
+    def csv(self) -> str | None: ...
+    def page(self, progress: _Progress) -> str | None: ...
+    def frfs(self, progress: _Progress) -> dict[str, Any] | None: ...
+
+def runs_left() -> int: ...
+def read(arg0: Sequence[str], arg1: OpenOptions, arg2: _Progress) -> dict[str, Any]: ...
+def write(arg0: dict[str, Any], arg1: str, arg2: str) -> None: ...
+def read_text(arg0: str) -> bytes: ...
+def dof_parts(arg0: str) -> tuple[str, int, str, int]: ...
+def unit_factor(arg0: str, arg1: str) -> float: ...
+def quantity_of_unit(arg0: str) -> str: ...
+def quantity_word(arg0: str) -> str: ...
+def quantity_unit(arg0: str) -> str: ...
+def solve(arg0: str | bytes, arg1: str, arg2: int, arg3: _Progress) -> Outcome: ...
+def check(arg0: str | bytes, arg1: str, arg2: int, arg3: _Progress) -> Outcome: ...
+def plan(arg0: str | bytes, arg1: str, arg2: int, arg3: _Progress) -> Outcome: ...
+def equivalent(arg0: str | bytes, arg1: str, arg2: int, arg3: _Progress) -> Outcome: ...
+def response(arg0: str | bytes, arg1: str, arg2: int, arg3: _Progress) -> Outcome: ...
+def response_ways(arg0: str | bytes, arg1: str, arg2: int, arg3: _Progress) -> Outcome: ...
+def oscillate(arg0: str | bytes, arg1: str, arg2: int, arg3: _Progress) -> Outcome: ...
+def bound(arg0: str | bytes, arg1: str, arg2: int, arg3: _Progress, arg4: Sequence[str]) -> Outcome: ...
+def study(arg0: str | bytes, arg1: str, arg2: int, arg3: _Progress, arg4: int, arg5: int, arg6: str, arg7: bool) -> Outcome: ...
+def compare(arg0: str | bytes, arg1: str, arg2: int, arg3: _Progress, arg4: CompareTask) -> Outcome: ...
+def couple(arg0: str | bytes, arg1: str, arg2: int, arg3: _Progress, arg4: str, arg5: bool) -> Outcome: ...
+def virtual_points(arg0: str | bytes, arg1: str, arg2: str) -> dict[str, Any]: ...
+def modalfit(arg0: Sequence[str], arg1: OpenOptions, arg2: ModalTask, arg3: _Progress) -> Outcome: ...
+def loading_curve(arg0: LoadingCurveTask, arg1: _Progress) -> Outcome: ...
+def loading_curve_arrays(arg0: Sequence[tuple[str, Any, Any]], arg1: LoadingCurveTask, arg2: _Progress) -> Outcome: ...
+def frf(arg0: FrfTask, arg1: _Progress) -> Outcome: ...
+def pod(arg0: PodTask, arg1: int, arg2: _Progress) -> Outcome: ...
+def pod_array(arg0: Any, arg1: Sequence[str], arg2: Sequence[str], arg3: PodTask, arg4: _Progress) -> Outcome: ...
+def problems() -> dict[str, str]: ...
+def write_problem(arg0: str, arg1: str, arg2: str, arg3: int, arg4: bool) -> str: ...

@@ -1,0 +1,84 @@
+"""Pictures by matplotlib, which is imported when one is asked for."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from .errors import InputError
+
+_MOST = 16  # curves in one picture
+
+
+def _pyplot() -> Any:
+    try:
+        import matplotlib.pyplot as pyplot
+    except ImportError:
+        raise InputError("matplotlib is missing", place="plot", remedy="install it (Debian: python3-matplotlib)") from None
+    return pyplot
+
+
+def _two_axes(axes: Any) -> Any:
+    if axes is not None:
+        return axes
+    _, axes = _pyplot().subplots(2, 1, sharex=True, gridspec_kw={"height_ratios": [2, 1]}, layout="constrained")
+    return axes
+
+
+def _pairs(frfs: Any, response: str | None, reference: str | None) -> list[tuple[str, str]]:
+    responses = frfs.responses if response is None else [response]
+    references = frfs.references if reference is None else [reference]
+    return [(str(r), str(c)) for r in responses for c in references][:_MOST]
+
+
+def _curve(axes: Any, frequency: np.ndarray, frf: np.ndarray, label: str, style: dict) -> None:
+    axes[0].semilogy(frequency, np.abs(frf), label=label, **style)
+    axes[1].plot(frequency, np.degrees(np.angle(frf)), **style)
+
+
+def _labels(axes: Any, unit: str) -> None:
+    axes[0].set_ylabel(f"magnitude, {unit}")
+    axes[1].set_ylabel("phase, °")
+    axes[1].set_xlabel("frequency, Hz")
+    axes[1].set_yticks([-180, -90, 0, 90, 180])
+    for each in axes:
+        each.grid(alpha=0.3)
+    axes[0].legend(fontsize="small")
+
+
+def plot_frfs(frfs: Any, response: str | None, reference: str | None, axes: Any, style: dict) -> Any:
+    axes = _two_axes(axes)
+    for pair in _pairs(frfs, response, reference):
+        _curve(axes, frfs.frequency, frfs[pair], f"{pair[0]} / {pair[1]}", style)
+    _labels(axes, frfs.unit)
+    axes[0].set_title(frfs.name)
+    return axes
+
+
+def plot_predicted(solution: Any, response: str, reference: str, measured: Any, axes: Any) -> Any:
+    axes = _two_axes(axes)
+    predicted = solution.predicted()
+    if measured is not None:
+        predicted = predicted.to(measured.quantity)
+        _curve(axes, measured.frequency, measured[response, reference], "measured", {"color": "0.5", "linewidth": 1})
+    _curve(axes, predicted.frequency, predicted[response, reference], "synthesised", {"linewidth": 1})
+    _labels(axes, predicted.unit)
+    axes[0].set_title(f"{response} / {reference}")
+    return axes
+
+
+def plot_matrix(solution: Any, kind: str, axes: Any) -> Any:
+    matrices = solution.matrices
+    if kind not in matrices:
+        raise InputError(f"the joint has no {kind!r}", place="plot_matrix", remedy="it has " + ", ".join(matrices))
+    if axes is None:
+        _, axes = _pyplot().subplots(layout="constrained")
+    matrix, names = matrices[kind], [str(dof) for dof in solution.dofs]
+    largest = float(np.nanmax(np.abs(matrix))) or 1.0
+    image = axes.imshow(matrix, cmap="RdBu_r", vmin=-largest, vmax=largest)
+    axes.set_xticks(range(len(names)), names, rotation=90)
+    axes.set_yticks(range(len(names)), names)
+    axes.set_title(kind.replace("_", " "))
+    axes.figure.colorbar(image, ax=axes, shrink=0.8)
+    return axes

@@ -1,0 +1,224 @@
+"""Scenes as paths, dicts or text, with FRFs in memory in place of files."""
+
+from __future__ import annotations
+
+import datetime
+import functools
+import math
+import os
+import re
+import tomllib
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from json.encoder import encode_basestring  # type: ignore[attr-defined]
+from typing import Any
+
+from . import _jointid
+from .errors import InputError
+
+_IN_MEMORY = "scene"  # what messages call a scene that is no file
+_LINE = re.compile(r"^((?:scene|\S*\.toml): )?line \d+(?:, column \d+)?(?:, |: |$)")  # of a text that nobody wrote
+_NAMES_FILES = {"remove", "files", "file"}  # keys whose text names a file of [data]
+
+
+def _quoted(text: str, place: str) -> str:
+    if not text.isascii():
+        try:
+            text.encode("utf-8")
+        except UnicodeEncodeError:
+            raise InputError(f"{text!r} is no text of Unicode", place=place, remedy="use other letters") from None
+    return encode_basestring(text).replace("\x7f", "\\u007f")
+
+
+def _number(value: float) -> str:
+    if math.isfinite(value):
+        return repr(float(value))
+    return "nan" if math.isnan(value) else "inf" if value > 0 else "-inf"
+
+
+def _plain(value: Any) -> Any:
+    """Arrays and numbers of NumPy as lists and numbers of Python; paths as text."""
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    return value.tolist() if hasattr(value, "tolist") else value
+
+
+def toml_value(value: Any, place: str) -> str:
+    """A value of a dict as TOML, on one line."""
+    kind = type(value)
+    if kind is str:
+        return _quoted(value, place)
+    if kind is float:
+        return _number(value)
+    if kind is bool:
+        return "true" if value else "false"
+    if kind is int:
+        return str(value)
+    if kind is list or kind is tuple:
+        return "[" + ", ".join([toml_value(item, f"{place}[{i + 1}]") for i, item in enumerate(value)]) + "]"
+    if isinstance(value, Mapping):
+        return "{ " + ", ".join([f"{_quoted(_key(key, place), place)} = {toml_value(item, _below(place, key))}"
+                                 for key, item in value.items() if item is not None]) + " }"
+    return _other_value(value, place)
+
+
+def _other_value(value: Any, place: str) -> str:
+    """Of what is not a plain value of Python, by what it is like."""
+    plain = _plain(value)
+    if plain is not value:
+        return toml_value(plain, place)
+    if isinstance(value, (datetime.date, datetime.time)):
+        return value.isoformat()
+    for kind in (str, int, float):
+        if isinstance(value, kind):
+            return toml_value(kind(value), place)
+    if isinstance(value, (list, tuple, set, frozenset, range)):
+        return toml_value(list(value), place)
+    raise InputError(f"{value!r} is a {type(value).__name__}, which no scene can have", place=place,
+                     remedy="give a number, text, bool, list, dict, array, path or FrfSet")
+
+
+def _below(place: str, key: str) -> str:
+    return f"[{key}]" if not place else f"{place} {key}"
+
+
+def _key(key: Any, place: str) -> str:
+    if isinstance(key, str):
+        return key
+    raise InputError(f"the key {key!r} is a {type(key).__name__}", place=place, remedy="keys are text")
+
+
+def toml_text(scene: Mapping) -> str:
+    """A dict as TOML: a line for every table.
+
+    >>> print(toml_text({"joint": {"dofs": ["4:+Y"]}, "title": "rig"}), end="")
+    "title" = "rig"
+    "joint" = { "dofs" = ["4:+Y"] }
+    """
+    lines = [(isinstance(value, Mapping), f"{_quoted(_key(key, ''), '')} = {toml_value(value, f'[{key}]')}\n")
+             for key, value in scene.items() if value is not None]
+    return "".join(line for _, line in sorted(lines, key=lambda each: each[0]))
+
+
+@functools.cache
+def _frf_set() -> type:
+    from .frf_set import FrfSet
+
+    return FrfSet
+
+
+class Scene:
+    """The text of a scene, and the FRFs in memory that it names.
+
+    While one is alive, so are the files in memory that stand for its sets.
+    """
+
+    def __init__(self, scene: Any, file: str | None = None) -> None:
+        """`file`: by whose folder paths are found, and which messages name."""
+        self._names: dict[str, str] = {}  # path of a file in memory → name of its set
+        self._sets: dict[int, tuple[Any, str]] = {}  # id of a set → the set, which stays alive, and its path
+        self._files: list[Any] = []
+        self.is_file = isinstance(scene, (str, os.PathLike))
+        self.file = os.fspath(scene) if self.is_file else file or _IN_MEMORY
+        if not self.is_file and not isinstance(scene, Mapping):
+            raise InputError(f"{type(scene).__name__} is no scene", place="scene",
+                             remedy="give the path of a scene file, or a dict with the same keys")
+        self.text: str | bytes = _jointid.read_text(self.file) if self.is_file else toml_text(self._with_paths(scene))
+
+    @staticmethod
+    def table_of(file: str | os.PathLike) -> dict[str, Any]:
+        """A scene file as a dict."""
+        try:
+            return tomllib.loads(_jointid.read_text(os.fspath(file)).decode("utf-8-sig"))
+        except ValueError as error:
+            raise InputError(str(error), file=os.fspath(file), remedy="see https://toml.io") from None
+
+    def _with_paths(self, value: Any, key: str = "") -> Any:
+        """The same with the paths of files in memory in place of sets, and of the names of these."""
+        kind = type(value)
+        if kind is str:
+            return self._with_path(value, key) if self._names else value
+        if kind is float or kind is int:
+            return value
+        if isinstance(value, _frf_set()):
+            return self._path_of(value)
+        if isinstance(value, Mapping):
+            first = sorted(value.items(), key=lambda item: item[0] not in ("data", "parts", "substructures", "assembly"))
+            made = {each: self._with_paths(item, each) for each, item in first}
+            return {self._path_named(each) or each: item for each, item in made.items()} if key == "files" else made
+        if isinstance(value, (list, tuple)):
+            return [self._with_paths(item, key) for item in value]
+        return self._with_path(value, key) if isinstance(value, str) else value
+
+    def _path_named(self, name: str) -> str | None:
+        return next((path for path, known in self._names.items() if known == name), None)
+
+    def _with_path(self, text: str, key: str) -> str:
+        """Of the name of a set, or of a DOF of one, as in "engine/4:+Y"."""
+        if key in _NAMES_FILES:
+            return self._path_named(text) or text
+        if "/" not in text:
+            return text
+        name, slash, dof = text.rpartition("/")
+        path = self._path_named(name) if slash and ":" in dof else None
+        return f"{path}/{dof}" if path else text
+
+    def _path_of(self, frfs: Any) -> str:
+        if id(frfs) not in self._sets:
+            file = _jointid.MemoryFile(frfs._parts())
+            self._files.append(file)
+            self._sets[id(frfs)] = (frfs, file.path)
+            self._names[file.path] = frfs.name
+        return self._sets[id(frfs)][1]
+
+    def add(self, frfs: Any) -> str:
+        """The path that stands for a set outside of the scene's text."""
+        return self._path_of(frfs)
+
+    def named(self, text: str) -> str:
+        """The text with the names of sets in place of their paths."""
+        for path, name in self._names.items():
+            text = text.replace(path, name)
+        return text
+
+    @contextmanager
+    def errors(self) -> Iterator[None]:
+        """Errors name sets by their names; lines of a text that nobody wrote are left out."""
+        try:
+            yield
+        except InputError as error:
+            raise self._readable(error) from None
+
+    def _readable(self, error: InputError) -> InputError:
+        def readable(text: str) -> str:
+            text = self.named(text)
+            return text if self.is_file else _LINE.sub(r"\1", text)
+
+        return InputError(readable(error.problem), file=self.named(error.file), place=readable(error.place),
+                          remedy=readable(error.remedy), kind=error.kind, what=readable(error.what))
+
+
+def pair_of(value: Any, place: str) -> tuple[float, float]:
+    """Two numbers, the lower one first."""
+    try:
+        low, high = (float(number) for number in value)
+    except (TypeError, ValueError):
+        raise InputError(f"{value!r} is no pair of numbers", place=place, remedy="give (low, high) in Hz") from None
+    return low, high
+
+
+def paths_of(value: Any, place: str) -> list[str]:
+    """One path or several as text."""
+    try:
+        return [os.fspath(each) for each in ([value] if isinstance(value, (str, os.PathLike)) else value)]
+    except TypeError:
+        raise InputError(f"{value!r} is no path", place=place, remedy="give the path of a file, or a list of them") from None
+
+
+def as_list(value: Any) -> list:
+    """One set or path as a list of one."""
+    if isinstance(value, (str, os.PathLike, _frf_set())):
+        return [value]
+    if isinstance(value, Iterable) and not isinstance(value, dict):
+        return list(value)
+    raise InputError(f"{value!r} is neither a path nor a set of FRFs", place="data", remedy="give paths and FrfSets, or a list of them")

@@ -1,0 +1,34 @@
+"""pandas: a DataFrame, a row a line, a column (response, reference)."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ..errors import InputError
+from ..frf_set import FrfSet
+
+
+def to_pandas(frfs: FrfSet) -> Any:
+    """``attrs`` have quantity and units."""
+    import pandas
+
+    columns = pandas.MultiIndex.from_product([[str(dof) for dof in frfs.responses], [str(dof) for dof in frfs.references]],
+                                             names=["response", "reference"])
+    table = pandas.DataFrame(frfs.frfs.reshape(len(frfs), -1), index=pandas.Index(frfs.frequency, name="frequency"), columns=columns)
+    table.attrs.update(quantity=frfs.quantity, units=frfs.unit)
+    return table
+
+
+def from_pandas(table: Any, *, quantity: str | None = None, name: str = "pandas") -> FrfSet:
+    """The reverse; columns in any order, pairs that are not there are NaN."""
+    if getattr(table.columns, "nlevels", 1) != 2:
+        raise InputError("the columns are no pairs (response, reference)", place="table", remedy="give a MultiIndex of two levels")
+    responses = list(dict.fromkeys(table.columns.get_level_values(0)))
+    references = list(dict.fromkeys(table.columns.get_level_values(1)))
+    frfs = np.full((len(table), len(responses), len(references)), np.nan + 1j * np.nan)
+    for k, (response, reference) in enumerate(table.columns):
+        frfs[:, responses.index(response), references.index(reference)] = table.iloc[:, k]
+    return FrfSet(frfs, np.asarray(table.index, dtype=float), responses, references,
+                  quantity=quantity or table.attrs.get("quantity", "receptance"), name=name)

@@ -1,0 +1,73 @@
+"""SDynPy: TransferFunctionArray (NDDataArray) and its .npz files."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+import numpy as np
+
+from ..errors import InputError
+from ..frf_set import FrfSet
+from ._pairs import dof_of, numbers_of, set_of_pairs
+
+_FRF = 4  # FunctionTypes.FREQUENCY_RESPONSE_FUNCTION
+
+
+def from_sdynpy(data: Any, *, quantity: str, unit: str | None = None, name: str = "sdynpy") -> FrfSet:
+    """A TransferFunctionArray, or the path of one that was saved as .npz.
+
+    The array has no quantity: `quantity` (or `unit`) says it. Fields abscissa [line], ordinate [line] and coordinate
+    [(response, reference)], each of a node and a direction ±1 to ±6.
+    """
+    if isinstance(data, (str, os.PathLike)):
+        with np.load(os.fspath(data), allow_pickle=False) as archive:
+            if "data" not in archive:
+                raise InputError("there is no array 'data'", file=os.fspath(data), kind="data", remedy="save it by NDDataArray.save()")
+            if int(np.asarray(archive.get("function_type", _FRF))) != _FRF:
+                raise InputError("the functions are no FRFs", file=os.fspath(data), kind="data", remedy="save a TransferFunctionArray")
+            data = archive["data"]
+    fields = {key: np.asarray(_field(data, key)) for key in ("abscissa", "ordinate", "coordinate")}
+    lines = fields["abscissa"].shape[-1]
+    abscissa, ordinate = (fields[key].reshape(-1, lines) for key in ("abscissa", "ordinate"))
+    coordinates = fields["coordinate"].reshape(len(abscissa), -1)
+    if coordinates.shape[1] != 2:
+        raise InputError(f"each function has {coordinates.shape[1]} coordinates", place="coordinate", kind="data",
+                         remedy="FRFs have two: response and reference")
+    pairs = [(_dof(pair[0]), _dof(pair[1]), x, y) for pair, x, y in zip(coordinates, abscissa, ordinate)]
+    return set_of_pairs(pairs, quantity=quantity, unit=unit, name=name)
+
+
+def _field(data: Any, key: str) -> Any:
+    return data[key] if getattr(getattr(data, "dtype", None), "names", None) else getattr(data, key)
+
+
+def _dof(coordinate: Any) -> Any:
+    return dof_of(coordinate["node"], coordinate["direction"], "coordinate")
+
+
+def to_sdynpy(frfs: FrfSet) -> Any:
+    """``sdynpy.data_array(FunctionTypes.FREQUENCY_RESPONSE_FUNCTION, …)``. Needs sdynpy."""
+    import sdynpy
+
+    array = structured(frfs)
+    coordinates = sdynpy.coordinate_array(node=array["coordinate"]["node"], direction=array["coordinate"]["direction"])
+    return sdynpy.data_array(sdynpy.data.FunctionTypes.FREQUENCY_RESPONSE_FUNCTION, array["abscissa"], array["ordinate"], coordinates)
+
+
+def structured(frfs: FrfSet) -> np.ndarray:
+    """The structured array [response, reference] that SDynPy's is, without SDynPy."""
+    coordinate = np.dtype([("node", "<u8"), ("direction", "i1")])
+    array = np.zeros(frfs.shape[1:], dtype=[("abscissa", "<f8", (len(frfs),)), ("ordinate", "<c16", (len(frfs),)), ("comment1", "<U80"),
+                                            ("coordinate", coordinate, (2,))])
+    array["abscissa"] = frfs.frequency
+    array["ordinate"] = np.moveaxis(frfs.frfs, 0, -1)
+    for row, response in enumerate(frfs.responses):
+        for column, reference in enumerate(frfs.references):
+            array["coordinate"][row, column] = [numbers_of(response), numbers_of(reference)]
+    return array
+
+
+def save_sdynpy(path: str | os.PathLike, frfs: FrfSet) -> None:
+    """The .npz that ``sdynpy.data.NDDataArray.load()`` reads; SDynPy is not needed."""
+    np.savez(os.fspath(path), data=structured(frfs), function_type=_FRF)

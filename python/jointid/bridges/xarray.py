@@ -1,0 +1,27 @@
+"""xarray: a DataArray with the dimensions frequency, output, input."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..frf_set import FrfSet
+
+
+def to_xarray(frfs: FrfSet) -> Any:
+    """The numbers of the DataArray are those of the set, no copy; ``attrs`` have quantity and units, coordinates the DOFs."""
+    import xarray
+
+    array = xarray.DataArray(frfs.frfs, dims=("frequency", "output", "input"), name=frfs.name,
+                             coords={"frequency": frfs.frequency, "output": [str(dof) for dof in frfs.responses],
+                                     "input": [str(dof) for dof in frfs.references]},
+                             attrs={"quantity": frfs.quantity, "units": frfs.unit})
+    array["frequency"].attrs["units"] = "Hz"
+    return array
+
+
+def from_xarray(array: Any) -> FrfSet:
+    """The reverse. The dimensions may stand in any order; quantity: ``attrs["quantity"]``, else receptance."""
+    array = array.transpose("frequency", "output", "input")
+    return FrfSet(array.values, array["frequency"].values, [str(dof) for dof in array["output"].values],
+                  [str(dof) for dof in array["input"].values], quantity=array.attrs.get("quantity", "receptance"),
+                  name=str(array.name or "xarray"))

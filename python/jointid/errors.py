@@ -1,0 +1,68 @@
+"""What is raised and warned of."""
+
+from __future__ import annotations
+
+__all__ = ["InputError", "JointidWarning", "DoubtfulWarning", "UnusableWarning", "DataWarning"]
+
+
+class InputError(ValueError):
+    """Wrong input: what is wrong, where, with which value, and what to do about it.
+
+    Attributes
+    ----------
+    what : str
+        All of it in one line.
+    file : str
+        The file or the set of FRFs, or "".
+    place : str
+        Where in it: ``"[joint] dofs"``, ``"line 12"``, the name of an argument; or "".
+    problem, value : str
+        What is wrong, with the value that is.
+    remedy : str
+        What you can do, or "".
+    kind : str
+        ``"usage"``: wrong use or a wrong scene. ``"data"``: unreadable or inconsistent data.
+
+    >>> import jointid
+    >>> try:
+    ...     jointid.Dof("4:+Q")
+    ... except jointid.InputError as error:
+    ...     print(error.kind, error.remedy != "")
+    usage True
+    """
+
+    def __init__(self, problem: str, *, file: str = "", place: str = "", remedy: str = "", kind: str = "usage",
+                 what: str | None = None) -> None:
+        if what is None:
+            what = ": ".join(part for part in (file, place, problem) if part) + (f" ({remedy})" if remedy else "")
+        super().__init__(what)
+        self.what = what
+        self.file = file
+        self.place = place
+        self.problem = problem
+        self.value = problem
+        self.remedy = remedy
+        self.kind = kind
+
+    def __reduce__(self):
+        return _made_again, (self.problem, self.file, self.place, self.remedy, self.kind, self.what)
+
+
+def _made_again(problem, file, place, remedy, kind, what) -> InputError:
+    return InputError(problem, file=file, place=place, remedy=remedy, kind=kind, what=what)
+
+
+class JointidWarning(UserWarning):
+    """Of all warnings of jointid."""
+
+
+class DoubtfulWarning(JointidWarning):
+    """The numbers may be used, but the data say something against them (status ``doubtful``)."""
+
+
+class UnusableWarning(JointidWarning):
+    """The numbers may not be used (status ``poor_fit``, ``rank_deficient``, ``not_converged``, …)."""
+
+
+class DataWarning(JointidWarning):
+    """Something looks wrong in a file."""

@@ -1,0 +1,439 @@
+"""Frequency response functions as arrays, and their files."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from . import _jointid
+from ._progress import watcher
+from ._scene import pair_of, paths_of
+from .dof import Dof
+from .errors import DataWarning, InputError
+
+__all__ = ["FrfSet", "read", "write"]
+
+_DOUBLE = 2.0**-53  # the largest relative rounding error of float64
+_SINGLE = 2.0**-24
+
+
+def _refuse(place: str, problem: str, remedy: str) -> InputError:
+    return InputError(problem, place=place, remedy=remedy, kind="data")
+
+
+def _numbers(value: Any, dtype: type, place: str) -> np.ndarray:
+    """As a contiguous array of float64 or complex128: the array itself where it is one."""
+    array = np.asarray(value)
+    valid = "biufc" if dtype is complex else "biuf"
+    if array.dtype.kind not in valid:
+        raise _refuse(place, f"an array of {array.dtype} holds no {'complex' if dtype is complex else 'real'} numbers",
+                      f"give {place}.astype({dtype.__name__})")
+    return np.ascontiguousarray(array, dtype=dtype)
+
+
+def _shaped(value: Any, dtype: type, shape: tuple, place: str) -> np.ndarray | None:
+    if value is None:
+        return None
+    array = _numbers(value, dtype, place)
+    if array.shape != shape:
+        raise _refuse(place, f"its shape is {array.shape}, not {shape}", "the axes are [line, response, reference]")
+    return array
+
+
+def _dofs(names: Iterable[str] | str, place: str) -> tuple[Dof, ...]:
+    if isinstance(names, str):
+        names = [names]
+    try:
+        dofs = tuple(Dof(name) for name in names)
+    except InputError as error:
+        raise InputError(error.problem, place=place, remedy=error.remedy, kind="data") from None
+    except TypeError:
+        raise _refuse(place, f"{names!r} is no list of DOFs", 'give e.g. ["4:+Y", "4:+RZ"]') from None
+    return dofs
+
+
+def _precision(array: Any) -> float:
+    kind = getattr(array, "dtype", None)
+    return _SINGLE if kind is not None and kind in (np.dtype(np.complex64), np.dtype(np.float32)) else _DOUBLE
+
+
+class FrfSet:
+    """FRFs of one structure: responses × references × lines, with what is known of their errors.
+
+    Parameters
+    ----------
+    frfs : array, complex, [line, response, reference]
+        In SI units of `quantity` (rotations in rad, moments in N·m) or in `unit`; NaN where not measured. A contiguous array of
+        complex128 is not copied, a read-only one neither; any other is, once.
+    frequency : array, Hz, [line]
+        Strictly increasing.
+    responses, references : sequence of DOFs, e.g. ``["4:+Y", "4:+RZ"]``
+        Order of the axes; no coordinate twice. Default of the references: the responses.
+    quantity : "receptance", "mobility" or "accelerance"
+    unit : str, optional
+        Of the numbers, such as ``"g/N"`` or ``"mm/N"``; names the quantity too. The numbers are then converted (and copied).
+    variance : array, complex, [line, response, reference], optional
+        Variance of the real part + i · variance of the imaginary part; a real array is the variance of each.
+    coherence : array, [line, response, reference], optional, with `averages`, the number of averages.
+    covariance : array, complex, [line, pair, reference], optional
+        E[e_r e_s*] of the errors of one line and reference for s ≤ r, pairs row by row of the lower triangle.
+    nodes : {node: (x, y, z)}, optional
+        Positions in m.
+    name : str
+        What messages and reports call the set.
+
+    Raises
+    ------
+    InputError
+        For shapes that do not agree, numbers of another kind, DOFs that are none or stand twice, lines that do not increase.
+
+    >>> import numpy as np
+    >>> f = np.linspace(10.0, 100.0, 4)
+    >>> frfs = FrfSet(1.0 / (1e5 - (2 * np.pi * f) ** 2).reshape(-1, 1, 1) + 0j, f, ["1:+Z"], name="mass on a spring")
+    >>> frfs
+    mass on a spring: receptance (m/N), 4 lines from 10 to 100 Hz, 1 response × 1 reference
+    >>> frfs["1:+Z", "1:+Z"].shape, frfs.to("accelerance").unit
+    ((4,), 'm/(s^2*N)')
+    """
+
+    def __init__(self, frfs: Any, frequency: Any, responses: Iterable[str], references: Iterable[str] | None = None, *,
+                 quantity: str = "receptance", unit: str | None = None, variance: Any = None, coherence: Any = None,
+                 averages: float = 0.0, covariance: Any = None, nodes: Mapping[int, Sequence[float]] | None = None,
+                 name: str = "arrays") -> None:
+        self.name = str(name)
+        self.responses = _dofs(responses, "responses")
+        self.references = self.responses if references is None else _dofs(references, "references")
+        self.quantity = _jointid.quantity_of_unit(unit) if unit is not None else _jointid.quantity_word(quantity)
+        self.frequency = _numbers(frequency, float, "frequency").reshape(-1)
+        self.averages = float(averages)
+        self.nodes = {int(node): tuple(float(x) for x in place) for node, place in (nodes or {}).items()}
+        self._axes: dict = {}
+        self._repeats = 0
+        self._precision = _precision(frfs)
+        self.frfs: np.ndarray = self._checked(frfs)
+        factor = self._factor(unit)
+        if factor != 1.0:
+            self.frfs = self.frfs * factor
+        self._set_errors(variance, coherence, covariance, factor)
+        self.reference_correlation: np.ndarray | None = None
+        self._validate()
+
+    def _checked(self, frfs: Any) -> np.ndarray:
+        array = _numbers(frfs, complex, "frfs")
+        shape = (len(self.frequency), len(self.responses), len(self.references))
+        if array.ndim != 3:
+            raise _refuse("frfs", f"it has {array.ndim} axes, not 3", "the axes are [line, response, reference]; "
+                          "numpy.reshape or numpy.newaxis adds one")
+        if array.shape != shape:
+            hint = "; numpy.moveaxis(frfs, -1, 0) puts the lines first" if array.shape[-1] == shape[0] != array.shape[0] else ""
+            raise _refuse("frfs", f"its shape is {array.shape}, and {shape[0]} lines, {shape[1]} responses and "
+                          f"{shape[2]} references make {shape}", "the axes are [line, response, reference]" + hint)
+        return array
+
+    def _factor(self, unit: str | None) -> float:
+        if unit is None:
+            return 1.0
+        factor = _jointid.unit_factor(unit, self.quantity)
+        rotation = next((dof for dof in (*self.responses, *self.references) if dof.is_rotation), None)
+        if rotation and factor != 1.0:
+            raise _refuse("unit", f"{unit!r} cannot scale {rotation} and translations alike", "give the numbers in SI units")
+        return factor
+
+    def _set_errors(self, variance: Any, coherence: Any, covariance: Any, factor: float) -> None:
+        shape = self.frfs.shape
+        if variance is not None and np.asarray(variance).dtype.kind in "biuf":
+            variance = np.asarray(variance) * (1 + 1j)
+        self.variance = _shaped(variance, complex, shape, "variance")
+        self.coherence = _shaped(coherence, float, shape, "coherence")
+        pairs = len(self.responses) * (len(self.responses) + 1) // 2
+        self.covariance = _shaped(covariance, complex, (shape[0], pairs, shape[2]), "covariance")
+        if factor != 1.0:
+            self.variance = None if self.variance is None else self.variance * factor**2
+            self.covariance = None if self.covariance is None else self.covariance * factor**2
+
+    def _validate(self) -> None:
+        _jointid.MemoryFile(self._parts())
+
+    @classmethod
+    def _of(cls, parts: Mapping[str, Any]) -> "FrfSet":
+        """What C++ hands over, without a copy."""
+        self = cls.__new__(cls)
+        array = lambda key: np.asarray(parts[key]) if parts[key] is not None else None  # noqa: E731
+        self.name = parts["name"]
+        self.responses = tuple(Dof(name) for name in parts["responses"])
+        self.references = tuple(Dof(name) for name in parts["references"])
+        self.quantity, self.averages = parts["quantity"], parts["averages"]
+        self.nodes = {node: tuple(place) for node, place in parts["nodes"].items()}
+        self._axes, self._repeats, self._precision = parts["axes"], parts["repeats"], parts["precision"]
+        self.frequency, self.frfs = np.asarray(parts["frequency"]), np.asarray(parts["frfs"])
+        self.variance, self.coherence = array("variance"), array("coherence")
+        self.covariance, self.reference_correlation = array("covariance"), array("reference_correlation")
+        return self
+
+    def _parts(self) -> dict[str, Any]:
+        """For C++: the arrays themselves where they are contiguous."""
+        array = lambda value, dtype: None if value is None else np.ascontiguousarray(value, dtype=dtype)  # noqa: E731
+        return {"name": self.name, "frequency": array(self.frequency, float), "responses": list(self.responses),
+                "references": list(self.references), "quantity": self.quantity, "averages": self.averages,
+                "precision": self._precision, "repeats": self._repeats, "nodes": self.nodes, "axes": self._axes,
+                "frfs": array(self.frfs, complex), "variance": array(self.variance, complex),
+                "coherence": array(self.coherence, float), "covariance": array(self.covariance, complex),
+                "reference_correlation": array(self.reference_correlation, complex)}
+
+    def _like(self, **changes: Any) -> "FrfSet":
+        new = type(self).__new__(type(self))
+        new.__dict__.update(self.__dict__)
+        new.__dict__.update(changes)
+        return new
+
+    # What it is.
+
+    @property
+    def unit(self) -> str:
+        """Unit of translational FRFs."""
+        return _jointid.quantity_unit(self.quantity)
+
+    @property
+    def dofs(self) -> tuple[Dof, ...]:
+        """Responses, then references that are no responses."""
+        return tuple(dict.fromkeys((*self.responses, *self.references)))
+
+    @property
+    def shape(self) -> tuple[int, int, int]:
+        """(lines, responses, references)"""
+        lines, rows, columns = self.frfs.shape
+        return lines, rows, columns
+
+    def __len__(self) -> int:
+        return len(self.frequency)
+
+    def __repr__(self) -> str:
+        def count(number: int, word: str) -> str:
+            return f"{number} {word}{'' if number == 1 else 's'}"
+
+        lines, rows, columns = self.shape
+        text = (f"{self.name}: {self.quantity} ({self.unit}), {count(lines, 'line')} from {self.frequency[0]:g} to "
+                f"{self.frequency[-1]:g} Hz, {count(rows, 'response')} × {count(columns, 'reference')}")
+        extras = [word for word in ("variance", "coherence", "covariance") if getattr(self, word) is not None]
+        return text + (", with " + " and ".join(extras) if extras else "")
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, FrfSet):
+            return NotImplemented
+        same = lambda a, b: (a is None and b is None) or (a is not None and b is not None and  # noqa: E731
+                                                          np.array_equal(a, b, equal_nan=True))
+        return (self.responses == other.responses and self.references == other.references and self.quantity == other.quantity
+                and same(self.frequency, other.frequency) and same(self.frfs, other.frfs) and same(self.variance, other.variance)
+                and same(self.coherence, other.coherence) and same(self.covariance, other.covariance))
+
+    __hash__ = None  # type: ignore[assignment]
+
+    # Parts of it.
+
+    def _place(self, dofs: tuple[Dof, ...], text: str, which: str) -> tuple[int, int]:
+        dof = Dof(text)
+        for index, own in enumerate(dofs):
+            if own.coordinate == dof.coordinate:
+                return index, own.sign * dof.sign
+        raise InputError(f"{self.name} has no {which} {dof}", place=which, kind="data", remedy="it has " + ", ".join(dofs[:12])
+                         + (" …" if len(dofs) > 12 else ""))
+
+    def __getitem__(self, key: tuple[str, str]) -> np.ndarray:
+        """One FRF over the lines, of (response, reference), with the signs of the DOFs asked for."""
+        if not (isinstance(key, tuple) and len(key) == 2):
+            raise InputError(f"{key!r} is no pair of DOFs", place="frfs[...]", remedy='write frfs["4:+Y", "1:+Y"], or frfs.sel(...)')
+        row, sign = self._place(self.responses, key[0], "response")
+        column, other = self._place(self.references, key[1], "reference")
+        frf = self.frfs[:, row, column]
+        return frf if sign * other == 1 else -frf
+
+    def sel(self, responses: Iterable[str] | None = None, references: Iterable[str] | None = None, *,
+            band: tuple[float, float] | None = None, node: int | Iterable[int] | None = None) -> "FrfSet":
+        """A part of the set: some DOFs in the order asked for and with their signs, the lines of a band, or the DOFs of nodes.
+
+        Arrays of a band alone are views, no copies.
+
+        Parameters
+        ----------
+        responses, references : sequence of DOFs
+        band : (low, high), Hz, both included
+        node : one or several node numbers
+
+        >>> import numpy as np
+        >>> frfs = FrfSet(np.ones((5, 2, 2)), np.arange(1.0, 6.0), ["1:+X", "2:+X"])
+        >>> frfs.sel(["2:-X"], band=(2, 3)).frfs[:, 0, 0].real.tolist()
+        [-1.0, -1.0]
+        """
+        out = self
+        if node is not None:
+            nodes = {node} if isinstance(node, int) else set(node)
+            responses = [dof for dof in out.responses if dof.node in nodes] if responses is None else responses
+            references = [dof for dof in out.references if dof.node in nodes] if references is None else references
+        if responses is not None or references is not None:
+            out = out._of_dofs(responses, references)
+        return out if band is None else out._of_band(band)
+
+    def _of_dofs(self, responses: Iterable[str] | None, references: Iterable[str] | None) -> "FrfSet":
+        rows_of = _dofs(responses, "responses") if responses is not None else self.responses
+        columns_of = _dofs(references, "references") if references is not None else self.references
+        if not rows_of or not columns_of:
+            raise InputError("nothing is left", place="sel", remedy="name responses and references that are there", kind="data")
+        rows, row_signs = zip(*(self._place(self.responses, dof, "response") for dof in rows_of))
+        columns, column_signs = zip(*(self._place(self.references, dof, "reference") for dof in columns_of))
+        signs = np.multiply.outer(row_signs, column_signs).astype(float)
+        at = np.ix_(range(len(self)), rows, columns)
+        part = lambda array: None if array is None else np.ascontiguousarray(array[at])  # noqa: E731
+        pair = lambda r, s: max(r, s) * (max(r, s) + 1) // 2 + min(r, s)  # noqa: E731
+        covariance = None
+        if self.covariance is not None:
+            covariance = np.empty((len(self), len(rows) * (len(rows) + 1) // 2, len(columns)), complex)
+            for i, r in enumerate(rows):
+                for k, s in enumerate(rows[: i + 1]):
+                    value = self.covariance[:, pair(r, s), :][:, list(columns)]
+                    covariance[:, pair(i, k), :] = (value if r >= s else value.conj()) * row_signs[i] * row_signs[k]
+        correlation = None
+        if self.reference_correlation is not None:
+            correlation = np.ascontiguousarray(self.reference_correlation[np.ix_(range(len(self)), columns, columns)]
+                                               * np.multiply.outer(column_signs, column_signs))
+        new = self._like(responses=rows_of, references=columns_of, frfs=part(self.frfs) * signs, variance=part(self.variance),
+                         coherence=part(self.coherence), covariance=covariance, reference_correlation=correlation)
+        new._validate()
+        return new
+
+    def _of_band(self, band: tuple[float, float]) -> "FrfSet":
+        low, high = pair_of(band, "band")
+        first, last = int(np.searchsorted(self.frequency, low, "left")), int(np.searchsorted(self.frequency, high, "right"))
+        if first >= last:
+            raise InputError(f"there is no line from {low:g} to {high:g} Hz", place="band", kind="data",
+                             remedy=f"the lines go from {self.frequency[0]:g} to {self.frequency[-1]:g} Hz")
+        part = lambda array: None if array is None else array[first:last]  # noqa: E731
+        return self._like(**{key: part(getattr(self, key)) for key in
+                             ("frequency", "frfs", "variance", "coherence", "covariance", "reference_correlation")})
+
+    def copy(self) -> "FrfSet":
+        """With arrays of its own."""
+        return self._like(**{key: None if value is None else value.copy() for key, value in self.__dict__.items()
+                             if isinstance(value, np.ndarray)})
+
+    # Quantities and units.
+
+    def to(self, quantity: str) -> "FrfSet":
+        """The same as receptance, mobility or accelerance: times powers of iω. Lines at 0 Hz become NaN where iω divides.
+
+        >>> import numpy as np
+        >>> FrfSet(np.ones((1, 1, 1)), [1 / (2 * np.pi)], ["1:+X"]).to("mobility").frfs[0, 0, 0]
+        1j
+        """
+        quantity = _jointid.quantity_word(quantity)
+        order = {"receptance": 0, "mobility": 1, "accelerance": 2}
+        power = order[quantity] - order[self.quantity]
+        if power == 0:
+            return self
+        omega = 2.0 * np.pi * self.frequency
+        with np.errstate(divide="ignore", invalid="ignore"):
+            size = np.where((omega == 0.0) & (power < 0), np.nan, omega ** float(power)).reshape(-1, 1, 1)
+        turn = [1, 1j, -1, -1j][power % 4]
+        swapped = self.variance is not None and power % 2
+        variance = None if self.variance is None else (self.variance.imag + 1j * self.variance.real if swapped else self.variance)
+        return self._like(quantity=quantity, frfs=self.frfs * (size * turn),
+                          variance=None if variance is None else variance * size**2,
+                          covariance=None if self.covariance is None else self.covariance * size**2)
+
+    def values_in(self, unit: str) -> np.ndarray:
+        """The numbers in another unit, of another quantity too: ``frfs.values_in("g/N")``; a copy. Of translations alone."""
+        quantity = _jointid.quantity_of_unit(unit)
+        return self.to(quantity).frfs / self._like(quantity=quantity)._factor(unit)
+
+    # Elsewhere.
+
+    def save(self, path: str | os.PathLike, format: str = "") -> None:
+        """jointid.write(path, self)"""
+        write(path, self, format)
+
+    def to_xarray(self) -> Any:
+        """A DataArray with the dimensions frequency, output, input; its numbers are these, no copy. Needs xarray."""
+        from .bridges.xarray import to_xarray
+
+        return to_xarray(self)
+
+    def to_pandas(self) -> Any:
+        """A DataFrame: a row a line, a column (response, reference). Needs pandas."""
+        from .bridges.pandas import to_pandas
+
+        return to_pandas(self)
+
+    def plot(self, response: str | None = None, reference: str | None = None, *, axes: Any = None, **style: Any) -> Any:
+        """Magnitude and phase of one FRF, or of all of up to 16, by matplotlib; returns the two axes."""
+        from ._plots import plot_frfs
+
+        return plot_frfs(self, response, reference, axes, style)
+
+
+def _open_options(quantity, unit, responses, references, variable, frequency_variable):
+    options = _jointid.OpenOptions()
+    options.quantity = quantity
+    options.unit = unit or ""
+    options.responses = [str(dof) for dof in _dofs(responses, "responses")] if responses is not None else []
+    options.references = [str(dof) for dof in _dofs(references, "references")] if references is not None else []
+    options.variable = variable or ""
+    options.frequency_variable = frequency_variable or ""
+    return options
+
+
+def read(path: str | os.PathLike | Sequence[str | os.PathLike], *, quantity: str | None = None, unit: str | None = None,
+         responses: Iterable[str] | None = None, references: Iterable[str] | None = None, variable: str | None = None,
+         frequency_variable: str | None = None, progress: Any = None) -> FrfSet:
+    """FRFs of a file, or of several files of one structure: UFF 55/58/58b, HDF5, MATLAB, CSV, npy, npz, text of analysers.
+
+    Parameters
+    ----------
+    path : path, or several
+    quantity, unit, responses, references, variable, frequency_variable
+        What a file does not say itself; each is an error where it contradicts the file.
+
+    Returns
+    -------
+    FrfSet
+        In the quantity of the file, SI units, NaN where not measured.
+
+    Raises
+    ------
+    InputError
+        With file, place, value and remedy.
+
+    >>> import numpy as np, tempfile, os
+    >>> file = os.path.join(tempfile.mkdtemp(), "beam.uff")
+    >>> write(file, FrfSet(np.full((3, 1, 1), 2e-6 + 0j), [10.0, 11.0, 12.0], ["1:+Z"], quantity="mobility"))
+    >>> read(file).frfs.ravel()
+    array([2.e-06+0.j, 2.e-06+0.j, 2.e-06+0.j])
+    """
+    paths = paths_of(path, "path")
+    if not paths:
+        raise InputError("there is no file", place="path", remedy="name at least one")
+    options = _open_options(quantity, unit, responses, references, variable, frequency_variable)
+    with watcher(progress) as watch:
+        parts = _jointid.read(paths, options, watch)
+    for doubt in parts["doubts"]:
+        warnings.warn(f"{parts['name']}: {doubt}", DataWarning, stacklevel=2)
+    return FrfSet._of(parts)
+
+
+def write(path: str | os.PathLike, frfs: FrfSet, format: str = "") -> None:
+    """Writes FRFs in the format of the name's ending, or of `format`: h5 (with errors), uff, mat, csv, npz.
+
+    The file is written under another name first, so that it is whole or not there.
+
+    Raises
+    ------
+    InputError
+        For an ending that says nothing, a set that is none, and a folder that is not there.
+    """
+    if not isinstance(frfs, FrfSet):
+        hint = " (the path comes first)" if isinstance(path, FrfSet) else ""
+        raise InputError(f"{type(frfs).__name__} is no FrfSet{hint}", place="frfs",
+                         remedy="jointid.FrfSet(array, frequency, dofs) makes one")
+    _jointid.write(frfs._parts(), os.fspath(path), format)

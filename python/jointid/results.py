@@ -1,0 +1,302 @@
+"""What commands find."""
+
+from __future__ import annotations
+
+import html
+import json
+import os
+from dataclasses import dataclass, field
+from typing import Any, Iterator
+
+import numpy as np
+
+from ._progress import watcher
+from .dof import Dof
+from .errors import InputError
+
+__all__ = ["Finding", "Result", "Solution", "Unknown"]
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Something that the data say against an answer, or against themselves."""
+
+    kind: str  #: "sign", "label", "gain", "warning", …
+    text: str  #: what was seen, with its numbers
+    remedy: str = ""  #: lines of a scene that put it right, or what to do
+    file: str = ""  #: the file or set it is in
+    dofs: tuple[Dof, ...] = ()
+    confidence: float | None = None  #: 0 to 1, of suspects
+
+    def __str__(self) -> str:
+        where = ", ".join(part for part in (self.file, ", ".join(self.dofs)) if part)
+        return f"{self.kind}{f' ({where})' if where else ''}: {self.text}" + (f"\n  remedy: {self.remedy}" if self.remedy else "")
+
+
+@dataclass(frozen=True)
+class Unknown:
+    """An unknown of the joint, SI units."""
+
+    name: str
+    value: float  #: NaN where it is not finite
+    unit: str
+    std_error: float | None  #: None where the method has no honest one
+    ci95: tuple[float, float] | None  #: 95 % interval
+    determined: bool  #: False: the data do not fix it
+    details: dict[str, Any] = field(default_factory=dict, repr=False, compare=False)  #: all that the JSON says of it
+
+    def __float__(self) -> float:
+        return self.value
+
+
+def _pair(numbers: Any) -> tuple[float, float] | None:
+    """Two numbers of JSON, NaN where they are null; None for null."""
+    if numbers is None:
+        return None
+    low, high = (float("nan") if number is None else number for number in numbers)
+    return low, high
+
+
+def _suspects(check: dict[str, Any] | None) -> Iterator[Finding]:
+    for each in (check or {}).get("suspects", []):
+        yield Finding(each["kind"], each["evidence"], each["remedy"] or "", each["file"], tuple(Dof(dof) for dof in each["dofs"]),
+                      each["confidence"])
+
+
+class Result:
+    """What a command found: the JSON of the command as a dict, its text, its tables and its page.
+
+    ``print(result)`` is one screen; a notebook shows the report page. ``result["key"]`` is an entry of ``result.to_dict()``.
+    Results can be pickled: texts and numbers go with them, FRFs that a page would have to read again do not, unless it was made before.
+    """
+
+    def __init__(self, outcome: Any, scene: Any, command: str) -> None:
+        self._outcome = outcome
+        self._scene = scene  # keeps the FRFs in memory that the outcome may read again
+        self._command = command
+        self._made: dict[str, Any] = {}
+
+    def _once(self, what: str, make: Any) -> Any:
+        if what not in self._made:
+            self._made[what] = make()
+        return self._made[what]
+
+    def _text(self, what: str) -> str | None:
+        def make() -> str | None:
+            text = getattr(self._outcome, what)() if self._outcome is not None else None
+            return None if text is None else self._scene.named(text)
+
+        return self._once(what, make)
+
+    @property
+    def status(self) -> str:
+        """The word of the JSON: "ok", "doubtful", "poor_fit" …; "" where the command has none."""
+        return self._once("status", lambda: self._outcome.status)
+
+    @property
+    def message(self) -> str:
+        """Why, and what helps; empty when all is well."""
+        return self._once("message", lambda: self._scene.named(self._outcome.message))
+
+    @property
+    def usable(self) -> bool:
+        """Whether the numbers may be used."""
+        return self._once("usable", lambda: self._outcome.usable)
+
+    def to_json(self) -> str:
+        """The command's ``--json``."""
+        return self._text("json") or "null"
+
+    def to_dict(self) -> dict[str, Any]:
+        """The command's JSON as Python has it: lists, numbers, None where something was not computed or is not finite."""
+        return self._once("dict", lambda: json.loads(self.to_json()))
+
+    def __getitem__(self, key: str) -> Any:
+        found = self.to_dict()
+        if key not in found:
+            raise KeyError(f"{key!r}; there are {', '.join(found)}")
+        return found[key]
+
+    def text(self) -> str:
+        """What the command prints."""
+        return self._text("text") or ""
+
+    def csv(self) -> str | None:
+        """The command's ``--csv``, or None where it has none."""
+        return self._text("csv")
+
+    def page(self, progress: Any = False) -> str | None:
+        """The command's ``--report``: one page of HTML that loads nothing, or None where it has none, or is gone (pickled)."""
+        if "page" not in self._made and self._outcome is not None:
+            with watcher(progress) as watch, self._scene.errors():
+                page = self._outcome.page(watch)
+            self._made["page"] = None if page is None else self._scene.named(page)
+        return self._made.get("page")
+
+    @property
+    def findings(self) -> list[Finding]:
+        """What the data say against the answer."""
+        found = self.to_dict()
+        if not isinstance(found, dict):
+            return []
+        findings = list(_suspects(found if "suspects" in found else found.get("check")))
+        for each in (found.get("identifiability") or {}).get("findings", []):
+            findings.append(Finding(each["kind"], each["text"]))
+        return findings + [Finding("warning", each) for each in found.get("warnings", [])]
+
+    def _frfs(self, progress: Any) -> Any:
+        from .frf_set import FrfSet
+
+        if self._outcome is None:
+            raise InputError("the FRFs are gone: the result was pickled, or released", place="result",
+                             remedy="ask for them where the result was made")
+        with watcher(progress) as watch, self._scene.errors():
+            parts = self._outcome.frfs(watch)
+        if parts is None:
+            raise InputError(f"{self._command} makes no FRFs", place="result", remedy="see to_dict()")
+        return FrfSet._of({**parts, "name": self._scene.named(parts["name"])})
+
+    def release(self) -> None:
+        """Lets go of the FRFs that page and predictions would read again; texts and numbers stay."""
+        for what in ("json", "text", "csv"):
+            self._text(what)
+        self.status, self.message, self.usable  # noqa: B018
+        self._outcome = None
+
+    def save(self, path: str | os.PathLike) -> None:
+        """Writes .json, .csv, .txt, or the page as .html, by the ending of the name."""
+        ending = os.path.splitext(os.fspath(path))[1].lower()
+        makers = {".json": self.to_json, ".csv": self.csv, ".html": self.page, ".txt": self.text}
+        if ending not in makers:
+            raise InputError(f"{ending!r} is the ending of no result", file=os.fspath(path), remedy="write .json, .csv, .txt or .html")
+        text = makers[ending]()  # type: ignore[operator]
+        if text is None:
+            raise InputError(f"{self._command} has no {ending}", file=os.fspath(path), remedy="write .json or .txt")
+        temporary = f"{os.fspath(path)}.{os.getpid()}.part"
+        try:
+            with open(temporary, "w", encoding="utf-8") as stream:
+                stream.write(text)
+            os.replace(temporary, path)
+        finally:
+            if os.path.exists(temporary):
+                os.remove(temporary)
+
+    def __repr__(self) -> str:
+        return self.text().rstrip("\n")
+
+    __str__ = __repr__
+
+    def _repr_html_(self) -> str:
+        page = self.page()
+        if page is None:
+            return f"<pre>{html.escape(self.text())}</pre>"
+        return (f'<iframe srcdoc="{html.escape(page)}" sandbox="allow-scripts allow-downloads" title="{html.escape(self._command)}" '
+                'style="width: 100%; height: 40em; border: 1px solid #ccc"></iframe>')
+
+    def __getstate__(self) -> dict[str, Any]:
+        kept = dict(self._made)
+        for what in ("json", "text", "csv"):
+            kept[what] = self._text(what)
+        kept.update(status=self.status, message=self.message, usable=self.usable)
+        kept.pop("dict", None)
+        return {"_made": kept, "_command": self._command}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state, _outcome=None, _scene=None)
+
+
+class Solution(Result):
+    """An identified joint.
+
+    >>> import jointid, tempfile
+    >>> solution = jointid.identify(jointid.write_problem("A1", tempfile.mkdtemp(), clean=True))
+    >>> solution.unknowns["K(1,1)"].unit, solution.matrices["stiffness"].shape, solution.dofs[0]
+    ('N/m', (4, 4), '4:+Y')
+    """
+
+    @property
+    def unknowns(self) -> dict[str, Unknown]:
+        """By name, SI units, with standard errors and 95 % intervals where the method has honest ones."""
+        return self._once("unknowns", self._unknowns)
+
+    def _unknowns(self) -> dict[str, Unknown]:
+        out = {}
+        for each in self["unknowns"]:
+            value = float("nan") if each["value"] is None else each["value"]
+            out[each["name"]] = Unknown(each["name"], value, each["unit"], each["std_error"], _pair(each["ci95"]), each["determined"],
+                                        each)
+        return out
+
+    @property
+    def values(self) -> np.ndarray:
+        """Of the unknowns, SI, in their order."""
+        return np.array([each.value for each in self.unknowns.values()])
+
+    @property
+    def intervals(self) -> np.ndarray:
+        """[unknown, 2]: 95 % intervals, NaN where there is none."""
+        return np.array([each.ci95 or (np.nan, np.nan) for each in self.unknowns.values()]).reshape(-1, 2)
+
+    @property
+    def dofs(self) -> tuple[Dof, ...]:
+        """Rows and columns of the matrices."""
+        return tuple(Dof(name) for name in self["dofs"])
+
+    @property
+    def matrices(self) -> dict[str, np.ndarray]:
+        """"stiffness" (N/m), "mass" (kg), "viscous_damping" (N·s/m), "hysteretic_damping" (N/m), those that the joint has.
+
+        Of scenes with several bands: InputError, see `bands`.
+        """
+        if self["matrices"] is None:
+            raise InputError("the joint has several frequency bands", place="matrices", remedy="see solution.bands")
+        return {kind: np.array(rows, dtype=float) for kind, rows in self["matrices"].items()}
+
+    @property
+    def bands(self) -> list[tuple[tuple[float, float] | None, dict[str, np.ndarray]]]:
+        """(band in Hz or None, matrices) of each band of the scene."""
+        bands = self.to_dict().get("bands") or [{"band_hz": None, "matrices": self["matrices"]}]
+        return [(_pair(band["band_hz"]), {kind: np.array(rows, dtype=float) for kind, rows in band["matrices"].items()}) for band in bands]
+
+    def dynamic_stiffness(self, frequency: Any) -> np.ndarray:
+        """Z_J(ω) = K − ω²M + i(ωC + D) of the joint, [line, DOF, DOF], N/m, at frequencies in Hz.
+
+        >>> import jointid, tempfile
+        >>> solution = jointid.identify(jointid.write_problem("A1", tempfile.mkdtemp(), clean=True))
+        >>> solution.dynamic_stiffness([100.0, 200.0]).shape
+        (2, 4, 4)
+        """
+        frequency = np.atleast_1d(np.asarray(frequency, dtype=float))
+        out = np.full((len(frequency), len(self.dofs), len(self.dofs)), np.nan, dtype=complex)
+        for band, matrices in self.bands:
+            inside = np.ones(len(frequency), bool) if band is None else (frequency >= band[0]) & (frequency <= band[1])
+            omega = 2.0 * np.pi * frequency[inside].reshape(-1, 1, 1)
+            zero = np.zeros((len(self.dofs), len(self.dofs)))
+            of = lambda kind: matrices.get(kind, zero)  # noqa: E731, B023
+            out[inside] = (of("stiffness") - omega**2 * of("mass")
+                           + 1j * (omega * of("viscous_damping") + of("hysteretic_damping")))
+        return out
+
+    def predicted(self, progress: Any = False) -> Any:
+        """FrfSet of the assembly as the substructures and the identified joint give it, at all lines that both have."""
+        return self._frfs(progress)
+
+    def plot_matrix(self, kind: str = "stiffness", axes: Any = None) -> Any:
+        """A joint matrix as a picture, by matplotlib; returns the axes."""
+        from ._plots import plot_matrix
+
+        return plot_matrix(self, kind, axes)
+
+    def plot_frf(self, response: str, reference: str, measured: Any = None, axes: Any = None) -> Any:
+        """An assembly FRF as predicted, over that of the FrfSet `measured` where that is given, by matplotlib."""
+        from ._plots import plot_predicted
+
+        return plot_predicted(self, response, reference, measured, axes)
+
+
+class FrfResult(Result):
+    """A result with FRFs: of couple, modalfit and frf."""
+
+    def frfs(self, progress: Any = False) -> Any:
+        """FrfSet of those that were predicted (couple), regenerated (modalfit) or made (frf)."""
+        return self._frfs(progress)

@@ -1,0 +1,20 @@
+#include <pybind11/pybind11.h>
+
+#include "python/errors.hpp"
+#include "python/file_tasks.hpp"
+#include "python/problems.hpp"
+#include "python/scene_tasks.hpp"
+#include "python/sets.hpp"
+#include "python/watch.hpp"
+
+/// What the Python package `jointid` calls. NumPy is of the package alone: buffers are all that comes here.
+PYBIND11_MODULE(_jointid, module) {
+  namespace python = jointid::python;
+  module.attr("__version__") = JOINTID_VERSION;
+  module.def("runs_left", python::runs_left);
+  python::bind_errors(module);
+  python::bind_sets(module);
+  python::bind_scene_tasks(module);
+  python::bind_file_tasks(module);
+  python::bind_problems(module);
+}

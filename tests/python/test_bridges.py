@@ -1,0 +1,163 @@
+"""To other packages and back, against small imitations of their conventions."""
+
+import types
+
+import jointid
+import numpy as np
+import pytest
+from conftest import needs
+from jointid.bridges import pyema, pyfbs, pyuff, sdynpy, sep005
+
+
+def sample(quantity="accelerance", rows=("1:+X", "2:-Y", "3:+Z"), columns=("1:+X", "9:-Z")):
+    random = np.random.default_rng(1)
+    frfs = random.normal(size=(5, len(rows), len(columns))) + 1j * random.normal(size=(5, len(rows), len(columns)))
+    return jointid.FrfSet(frfs, np.arange(10.0, 15.0), rows, columns, quantity=quantity, name="beam",
+                          nodes={1: (0, 0, 0), 2: (0.5, 0, 0), 3: (1, 0, 0), 9: (0.2, 0.1, 0)})
+
+
+@pytest.mark.parametrize("quantity", ["receptance", "mobility", "accelerance"])
+def test_pyuff(quantity):
+    made = sample(quantity)
+    datasets = pyuff.to_pyuff(made)
+    first = datasets[2]  # 2:-Y / 1:+X
+    assert (first["type"], first["func_type"]) == (58, 4)
+    assert (first["rsp_node"], first["rsp_dir"], first["ref_node"], first["ref_dir"]) == (2, -2, 1, 1)
+    assert first["ordinate_spec_data_type"] == {"receptance": 8, "mobility": 11, "accelerance": 12}[quantity]
+    assert pyuff.from_pyuff([{"type": 15, "node_nums": [1], "x": [0.5], "y": [0], "z": [0]}, *datasets]) == made
+    assert pyuff.from_pyuff([{"type": 15, "node_nums": [1], "x": [0.5], "y": [0], "z": [0]}, *datasets]).nodes == {1: (0.5, 0.0, 0.0)}
+
+
+def test_pyuff_leaves_gaps():
+    made = sample()
+    made.frfs[:, 1, 1] = np.nan
+    datasets = pyuff.to_pyuff(made)
+    assert len(datasets) == 5 and pyuff.from_pyuff(datasets) == made
+
+
+def test_pyuff_errors():
+    datasets = pyuff.to_pyuff(sample())
+    datasets[0]["ordinate_spec_data_type"] = 0
+    with pytest.raises(jointid.InputError, match="quantity"):
+        pyuff.from_pyuff(datasets)
+    assert pyuff.from_pyuff(datasets, quantity="accelerance") == sample()
+    with pytest.raises(jointid.InputError, match="twice"):
+        pyuff.from_pyuff([datasets[1], datasets[1]])
+    with pytest.raises(jointid.InputError, match="other lines"):
+        pyuff.from_pyuff([datasets[1], {**datasets[2], "x": datasets[2]["x"] + 1}])
+    with pytest.raises(jointid.InputError, match="direction 7"):
+        pyuff.from_pyuff([{**datasets[1], "rsp_dir": 7}])
+    with pytest.raises(jointid.InputError, match="no FRFs"):
+        pyuff.from_pyuff([{"type": 151}])
+
+
+def test_sdynpy_array_and_npz(tmp_path):
+    made = sample()
+    array = sdynpy.structured(made)
+    assert array.shape == (3, 2) and array["coordinate"][1, 0]["direction"].tolist() == [-2, 1]
+    as_object = types.SimpleNamespace(**{key: array[key] for key in ("abscissa", "ordinate", "coordinate")})
+    assert sdynpy.from_sdynpy(as_object, quantity="accelerance") == made
+    sdynpy.save_sdynpy(tmp_path / "a.npz", made)
+    assert sdynpy.from_sdynpy(tmp_path / "a.npz", quantity="accelerance") == made
+    np.savez(tmp_path / "time.npz", data=array, function_type=1)
+    with pytest.raises(jointid.InputError, match="no FRFs"):
+        sdynpy.from_sdynpy(tmp_path / "time.npz", quantity="accelerance")
+
+
+def test_pyfbs():
+    made = sample()
+    frequency, frfs, channels, impacts = pyfbs.to_pyfbs(made)
+    assert frfs is made.frfs and channels["Direction_2"] == [0.0, -1.0, 0.0] and impacts["Position_1"] == [0.0, 0.2]
+    back = pyfbs.from_pyfbs(frequency, frfs, channels, impacts)
+    assert [dof.split(":")[1] for dof in back.responses] == ["+X", "-Y", "+Z"] and back.frfs is made.frfs
+    assert back.responses[0].node == back.references[0].node  # one place, one node
+    assert set(back.nodes.values()) == {(0, 0, 0), (0.5, 0, 0), (1, 0, 0), (0.2, 0.1, 0)}
+    channels["Direction_1"][1], channels["Direction_2"][1] = 0.6, 0.8
+    with pytest.raises(jointid.InputError, match="along no axis") as caught:
+        pyfbs.from_pyfbs(frequency, frfs, channels, impacts)
+    assert "virtual_points" in caught.value.remedy
+    named = pyfbs.from_pyfbs(frequency, frfs, channels, impacts, responses=made.responses)
+    assert named.responses == made.responses
+
+
+def test_pyfbs_tables_of_pandas():
+    pandas = needs("pandas")
+    made = sample()
+    frequency, frfs, channels, impacts = pyfbs.to_pyfbs(made)
+    back = pyfbs.from_pyfbs(frequency, frfs, pandas.DataFrame(channels), pandas.DataFrame(impacts))
+    assert back.shape == made.shape and back.quantity == "accelerance"
+
+
+def test_pyfbs_positions_of_a_spreadsheet(tmp_path):
+    pandas = needs("pandas")
+    needs("openpyxl")
+    frequency, frfs, channels, impacts = pyfbs.to_pyfbs(sample())
+    with pandas.ExcelWriter(tmp_path / "positions.xlsx") as book:
+        pandas.DataFrame(channels).to_excel(book, sheet_name="Channels_A")
+        pandas.DataFrame(impacts).to_excel(book, sheet_name="Impacts_A")
+    tables = [pyfbs.read_positions(tmp_path / "positions.xlsx", sheet) for sheet in ("Channels_A", "Impacts_A")]
+    assert pyfbs.from_pyfbs(frequency, frfs, *tables) == pyfbs.from_pyfbs(frequency, frfs, channels, impacts)
+    with pytest.raises(jointid.InputError, match="Channels_A, Impacts_A"):
+        pyfbs.read_positions(tmp_path / "positions.xlsx", "Channels_B")
+
+
+def test_pyema_and_pyfrf():
+    made = sample(columns=("9:+Z",))
+    frequency, frf = pyema.to_pyema(made)
+    assert frf.shape == (3, 5)
+    assert pyema.from_pyema(frequency, frf, made.responses, "9:+Z") == made
+    with pytest.raises(jointid.InputError, match="name one"):
+        pyema.to_pyema(sample())
+    imitation = types.SimpleNamespace(get_H1=lambda: frf[0], get_coherence=lambda: np.full(5, 0.9), get_f_axis=lambda: frequency,
+                                      curr_meas=4)
+    one = pyema.from_pyfrf(imitation, "1:+X", "9:+Z")
+    assert np.array_equal(one.frfs[:, 0, 0], frf[0]) and one.averages == 4 and one.coherence[0, 0, 0] == 0.9
+
+
+def test_xarray():
+    xarray = needs("xarray")
+    from jointid.bridges.xarray import from_xarray
+
+    made = sample()
+    array = made.to_xarray()
+    assert isinstance(array, xarray.DataArray) and np.shares_memory(array.values, made.frfs)
+    assert array.attrs == {"quantity": "accelerance", "units": made.unit} and array.dims == ("frequency", "output", "input")
+    assert from_xarray(array.transpose("input", "frequency", "output")) == made
+
+
+def test_pandas():
+    needs("pandas")
+    from jointid.bridges.pandas import from_pandas
+
+    made = sample()
+    table = made.to_pandas()
+    assert table.shape == (5, 6) and np.array_equal(table["2:-Y", "9:-Z"].values, made.frfs[:, 1, 1])
+    assert from_pandas(table) == made
+    gaps = from_pandas(table.drop(columns=[("1:+X", "1:+X")]))
+    assert np.isnan(gaps["1:+X", "1:+X"]).all() and not np.isnan(gaps["1:+X", "9:+Z"]).any()
+
+
+def test_sep005():
+    rate, count = 1000.0, 1000
+    t = np.arange(count) / rate
+    force = np.exp(-0.5 * ((t - 0.02) / 0.001) ** 2)
+    motion = np.convolve(force, np.exp(-30 * t) * np.sin(2 * np.pi * 50 * t))[:count]
+    channels = [{"name": "hammer", "data": force, "fs": rate, "unit_str": "N", "start_timestamp": "2024"},
+                {"name": "acc", "data": motion, "fs": rate, "unit_str": "m/s^2", "start_timestamp": "2024"}]
+    frfs = sep005.frf_of_sep005(channels, {"hammer": "1:+Z", "acc": "4:+Z"}).frfs()
+    assert frfs.frequency[np.nanargmax(np.abs(frfs["4:+Z", "1:+Z"][:200]))] == pytest.approx(50.0, abs=2.0)
+    assert sep005.pod_of_sep005(channels)["samples"] == count
+    with pytest.raises(jointid.InputError, match="no channel 'acx'"):
+        sep005.frf_of_sep005(channels, {"hammer": "1:+Z", "acx": "4:+Z"})
+    with pytest.raises(jointid.InputError, match="sampled together"):
+        sep005.pod_of_sep005([channels[0], {**channels[1], "fs": 500.0}])
+
+
+def test_nothing_of_others_is_imported():
+    import subprocess
+    import sys
+
+    program = ("import sys, jointid, jointid.bridges.pyuff, jointid.bridges.sdynpy, jointid.bridges.pyfbs, jointid.bridges.pyema, "
+               "jointid.bridges.sep005, jointid.bridges.xarray, jointid.bridges.pandas\n"
+               "print([name for name in ('matplotlib', 'pandas', 'xarray', 'scipy', 'sdynpy', 'pyuff') if name in sys.modules])")
+    assert subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout.strip() == "[]"

@@ -1,0 +1,55 @@
+"""The package is typed, and the stubs name what the extension module has."""
+
+import ast
+import os
+import subprocess
+import sys
+
+import jointid
+import pytest
+from jointid import _jointid
+
+HERE = os.path.dirname(__file__)
+
+
+def run(*arguments, folder):
+    environment = {**os.environ, "MYPYPATH": os.path.dirname(os.path.dirname(jointid.__file__))}
+    return subprocess.run([sys.executable, "-m", *arguments], capture_output=True, text=True, env=environment, cwd=folder)
+
+
+def stubs():
+    """Names at the top of _jointid.pyi, of classes with those of their members."""
+    path = os.path.join(os.path.dirname(jointid.__file__), "_jointid.pyi")
+    with open(path, encoding="utf-8") as stream:
+        tree = ast.parse(stream.read())
+    found = {}
+    for node in tree.body:
+        if isinstance(node, ast.ClassDef):
+            found[node.name] = {each.target.id if isinstance(each, ast.AnnAssign) else each.name for each in node.body
+                                if isinstance(each, (ast.AnnAssign, ast.FunctionDef))}
+        elif isinstance(node, ast.FunctionDef):
+            found[node.name] = None
+    return found
+
+
+def test_the_stubs_name_what_is_there():
+    found = stubs()
+    public = {name for name in dir(_jointid) if not name.startswith("_")}
+    assert set(found) == public
+    for name, members in found.items():
+        if members is not None:
+            assert members - {"__init__"} == {each for each in dir(getattr(_jointid, name)) if not each.startswith("_")}, name
+
+
+@pytest.mark.skipif(os.environ.get("JOINTID_REQUIRE_ALL") != "1", reason="half a minute; JOINTID_REQUIRE_ALL=1 asks for it")
+def test_mypy_and_stubtest(tmp_path):
+    checked = run("mypy", "--python-version", "3.11", "--ignore-missing-imports", "--follow-imports", "skip", "--cache-dir",
+                  str(tmp_path / "cache"), os.path.dirname(jointid.__file__), folder=tmp_path)
+    assert checked.returncode == 0, checked.stdout + checked.stderr
+    stubs = run("mypy.stubtest", "jointid._jointid", "--allowlist", os.path.join(HERE, "stubtest_allowlist.txt"),
+                "--ignore-unused-allowlist", folder=tmp_path)
+    assert stubs.returncode == 0, stubs.stdout + stubs.stderr
+
+
+def test_the_package_says_that_it_is_typed():
+    assert os.path.exists(os.path.join(os.path.dirname(jointid.__file__), "py.typed"))

@@ -1,0 +1,222 @@
+"""One clear error for each wrong argument, or its right use."""
+
+import os
+
+import jointid
+import numpy as np
+import pytest
+
+F = np.arange(1.0, 6.0)
+H = np.ones((5, 2, 2), complex) * 1e-6
+DOFS = ["1:+X", "2:+X"]
+
+
+def made(frfs=H, frequency=F, responses=DOFS, references=None, **options):
+    return jointid.FrfSet(frfs, frequency, responses, references, **options)
+
+
+WRONG = {
+    # name: (arguments, place, what the message has)
+    "two axes": (dict(frfs=H[:, :, 0]), "frfs", "2 axes"),
+    "lines last": (dict(frfs=np.moveaxis(np.ones((5, 2, 3)), 0, -1), responses=DOFS, references=["1:+X", "2:+X", "3:+X"]), "frfs",
+                   "moveaxis"),
+    "another shape": (dict(frfs=np.ones((4, 2, 2))), "frfs", "(4, 2, 2)"),
+    "too few DOFs": (dict(responses=["1:+X"], references=DOFS), "frfs", "1 responses"),
+    "text": (dict(frfs=np.full((5, 2, 2), "1")), "frfs", "<U1"),
+    "objects": (dict(frfs=np.full((5, 2, 2), None)), "frfs", "object"),
+    "complex frequency": (dict(frequency=F * 1j), "frequency", "complex128"),
+    "lines that go down": (dict(frequency=F[::-1]), None, ""),
+    "a line twice": (dict(frequency=[1.0, 1.0, 2.0, 3.0, 4.0]), None, ""),
+    "a line that is NaN": (dict(frequency=[1.0, np.nan, 2.0, 3.0, 4.0]), None, ""),
+    "a negative line": (dict(frequency=F - 2.0), None, ""),
+    "no DOF": (dict(responses=["1:+X", "2:+Q"]), "responses", "2:+Q"),
+    "a number for a DOF": (dict(responses=["1:+X", 2]), "responses", "2"),
+    "a DOF twice": (dict(responses=["1:+X", "1:+X"]), None, "1:+X"),
+    "a DOF twice, with signs": (dict(references=["1:+X", "1:-X"]), None, "1:"),
+    "one DOF as text": (dict(responses="1:+X"), "frfs", "1 responses"),
+    "no quantity": (dict(quantity="receptence"), None, "receptance"),
+    "impedance": (dict(quantity="impedance"), None, ""),
+    "no unit": (dict(unit="furlong/N"), None, "furlong"),
+    "unit of rotations": (dict(responses=["1:+X", "1:+RZ"], unit="mm/N"), "unit", "RZ"),
+    "variance of another shape": (dict(variance=np.ones((5, 2))), "variance", "(5, 2)"),
+    "variance of text": (dict(variance=np.full((5, 2, 2), "1")), "variance", "<U1"),
+    "coherence of another shape": (dict(coherence=np.ones((2, 2, 5))), "coherence", "(2, 2, 5)"),
+    "covariance of another shape": (dict(covariance=np.ones((5, 4, 2))), "covariance", "(5, 3, 2)"),
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_wrong_arrays(name):
+    arguments, place, text = WRONG[name]
+    with pytest.raises(jointid.InputError) as caught:
+        made(**arguments)
+    error = caught.value
+    assert text in error.what, error.what
+    assert error.problem and "\n" not in error.what
+    if place is not None:
+        assert error.place == place
+        assert error.remedy
+
+
+RIGHT = {
+    "float64": H.real,
+    "complex64": H.astype(np.complex64),
+    "whole numbers": np.ones((5, 2, 2), int),
+    "Fortran order": np.asfortranarray(H),
+    "every second line": np.repeat(H, 2, axis=0)[::2],
+    "turned round": H[::-1],
+    "lists": H.tolist(),
+    "big-endian": H.astype(">c16"),
+    "a masked axis": np.broadcast_to(H[:, :1, :1], (5, 2, 2)),
+}
+
+
+@pytest.mark.parametrize("name", RIGHT)
+def test_right_arrays(name):
+    frfs = made(RIGHT[name])
+    assert frfs.frfs.dtype == np.complex128 and frfs.frfs.flags.c_contiguous
+    np.testing.assert_allclose(frfs.frfs, np.asarray(RIGHT[name], complex), rtol=1e-15)
+
+
+def test_read_only_arrays_are_used_as_they_are(tmp_path):
+    frfs = H.copy()
+    frfs.setflags(write=False)
+    made(frfs).save(tmp_path / "a.h5")
+    assert made(frfs).frfs is frfs
+    assert np.array_equal(jointid.read(tmp_path / "a.h5").frfs, frfs)
+
+
+def test_arrays_that_became_discontiguous_are_handed_over_right(tmp_path):
+    frfs = made()
+    frfs.frfs = np.asfortranarray(np.arange(20.0).reshape(5, 2, 2) + 1j)
+    frfs.save(tmp_path / "a.h5")
+    assert np.array_equal(jointid.read(tmp_path / "a.h5").frfs, frfs.frfs)
+
+
+def test_arrays_that_became_another_length_are_refused(tmp_path):
+    frfs = made()
+    frfs.frfs = frfs.frfs[:3]
+    with pytest.raises(jointid.InputError, match="12 numbers"):
+        frfs.save(tmp_path / "a.h5")
+
+
+@pytest.mark.parametrize("key", ["1:+X", ("1:+X",), 3, ("1:+X", "7:+X"), ("1:+Q", "1:+X")])
+def test_frfs_that_are_not_there(key):
+    with pytest.raises(jointid.InputError):
+        made()[key]
+
+
+def test_parts_that_are_not_there():
+    with pytest.raises(jointid.InputError, match="no line from 7"):
+        made().sel(band=(7, 9))
+    with pytest.raises(jointid.InputError, match="nothing is left"):
+        made().sel(node=5)
+
+
+def test_files_that_are_not_there(tmp_path):
+    with pytest.raises(jointid.InputError) as caught:
+        jointid.read(tmp_path / "none.uff")
+    assert caught.value.file.endswith("none.uff") and caught.value.kind == "data"
+    with pytest.raises(jointid.InputError, match="there is no file"):
+        jointid.read([])
+    with pytest.raises(jointid.InputError, match="format"):
+        jointid.write(tmp_path / "a.xyz", made())
+    with pytest.raises(jointid.InputError, match="path comes first"):
+        jointid.write(made(), tmp_path / "a.h5")
+
+
+def scene(**changes):
+    return {"data": {"substructures": [made(name="one")], "assembly": [made(name="two")]},
+            "joint": {"dofs": DOFS, "stiffness": {"pattern": "symmetric"}}, **changes}
+
+
+WRONG_SCENES = {
+    "no scene": (3, "identify", "or a scene"),
+    "an unknown table": (scene(identifi={}), "identif", "identify"),
+    "an unknown key": (scene(identify={"methode": "one"}), "[identify]", "method"),
+    "a wrong word": (scene(identify={"method": "tow"}), "[identify] method", "two"),
+    "a wrong type": (scene(frequency={"range": "all"}), "[frequency] range", ""),
+    "an object": (scene(title=object()), "[title]", "number, text"),
+    "bytes": (scene(title=b"x"), "[title]", "number, text"),
+    "a number for a key": (scene(nodes={4: [0, 0, 0]}), "[nodes]", "text"),
+    "half of a letter": (scene(title="\ud800"), "[title]", "letters"),
+    "no joint": ({"data": scene()["data"]}, "", "joint"),
+    "a DOF that no set has": (scene(joint={"dofs": ["1:+X", "9:+Z"], "stiffness": {"pattern": "full"}}), "", "9:+Z"),
+}
+
+
+@pytest.mark.parametrize("name", WRONG_SCENES)
+def test_wrong_scenes(name):
+    given, place, text = WRONG_SCENES[name]
+    with pytest.raises(jointid.InputError) as caught:
+        jointid.identify(given)
+    error = caught.value
+    assert place in error.place, error.place
+    assert text in error.what, error.what
+    assert "line " not in error.place and "memory" not in error.what
+
+
+def test_errors_of_a_file_name_its_line(tmp_path):
+    path = tmp_path / "scene.toml"
+    path.write_text('title = "x"\n[data]\nsubstructures = ["a.h5"]\nassembly = ["b.h5"]\n[joynt]\n')
+    with pytest.raises(jointid.InputError) as caught:
+        jointid.identify(path)
+    assert "line 5" in caught.value.what and "joint" in caught.value.what and caught.value.file == str(path)
+
+
+def test_missing_and_unknown_arguments(joint):
+    with pytest.raises(jointid.InputError, match="no such"):
+        jointid.identify("none.txt")
+    with pytest.raises(jointid.InputError, match="assembly, joint is missing"):
+        jointid.identify([made()])
+    with pytest.raises(jointid.InputError, match="substructures, assembly is missing"):
+        jointid.identify(joint=joint)
+    with pytest.raises(jointid.InputError, match="did you mean 'weighting'"):
+        jointid.identify([made()], made(), joint, wieghting="WB")
+    with pytest.raises(jointid.InputError, match="no number of threads"):
+        jointid.identify(scene(), threads=-1)
+    with pytest.raises(jointid.InputError, match="did you mean 'normal_load'"):
+        jointid.loading_curve((F, F), normal_loads=3.0)
+    with pytest.raises(jointid.InputError, match="no function"):
+        jointid.identify(scene(), progress="yes")
+    with pytest.raises(jointid.InputError, match="no joint"):
+        jointid.identify([made()], made(), "4:+Y")
+
+
+@pytest.mark.parametrize("call, place", [
+    (lambda: jointid.read(3), "path"),
+    (lambda: made().sel(band=3), "band"),
+    (lambda: made().sel(band=("a", 3)), "band"),
+    (lambda: jointid.identify(scene=scene(), frequency=400), "frequency"),
+    (lambda: jointid.study(scene(), trials=-1), "trials"),
+    (lambda: jointid.study(scene(), trials=2.5), "trials"),
+    (lambda: jointid.study(scene(), seed=2**64), "seed"),
+    (lambda: jointid.modalfit(made(), range=(1, 2, 3)), "range"),
+    (lambda: jointid.modalfit(3), "data"),
+    (lambda: jointid.loading_curve(3), "curves"),
+    (lambda: jointid.frf(3), "files"),
+    (lambda: jointid.pod(3), "record"),
+    (lambda: jointid.couple(3), "data"),
+    (lambda: jointid.check(3), "identify"),
+    (lambda: jointid.decouple(made(), made(), ["7:+X"]), "interface"),
+], ids=lambda value: value if isinstance(value, str) else "")
+def test_arguments_of_another_kind(call, place):
+    with pytest.raises(jointid.InputError) as caught:
+        call()
+    assert caught.value.place == place and caught.value.remedy
+
+
+def test_errors_pickle_and_are_value_errors():
+    import pickle
+
+    with pytest.raises(ValueError) as caught:
+        jointid.Dof("x")
+    again = pickle.loads(pickle.dumps(caught.value))
+    assert again.__dict__ == caught.value.__dict__ and str(again) == caught.value.what
+
+
+def test_a_folder_for_a_scene(tmp_path):
+    for path in (tmp_path / "none.toml", tmp_path):
+        with pytest.raises(jointid.InputError) as caught:
+            jointid.check(scene=path)
+        assert caught.value.file == os.fspath(path)
