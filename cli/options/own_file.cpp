@@ -92,7 +92,7 @@ bool is_own_frfs(const std::string& head) {
     while (std::getline(lines, line) && (line.starts_with("# node ") || line.starts_with("# averages = "))) {
     }
     const bool titles = line.starts_with("frequency_hz, ");
-    return titles && std::getline(lines, line) && !has(line, " ");
+    return titles && (!std::getline(lines, line) || !has(line, " "));
   }
   return false;
 }
