@@ -28,7 +28,8 @@ from ._tasks import (
 )
 from .dof import Dof
 from .errors import DataWarning, DoubtfulWarning, InputError, JointidWarning, UnusableWarning
-from .frf_set import FrfSet, read, write
+from .files import read, write
+from .frf_set import FrfSet
 from .results import Finding, Result, Solution, Unknown
 
 __all__ = [

@@ -12,7 +12,8 @@ from ._run import run_scene
 from ._scene import Scene, as_list
 from .dof import Dof
 from .errors import InputError
-from .frf_set import FrfSet, read
+from .files import read
+from .frf_set import FrfSet
 from .results import FrfResult
 
 PathOrSet = Any  # str, os.PathLike or FrfSet

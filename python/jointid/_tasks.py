@@ -14,7 +14,8 @@ from . import _jointid
 from ._run import NoScene, run_scene, run_task, with_options
 from ._scene import Scene, as_list, paths_of
 from .errors import InputError
-from .frf_set import FrfSet, _open_options
+from .files import open_options
+from .frf_set import FrfSet
 from .results import FrfResult, Result
 
 
@@ -65,7 +66,7 @@ def modalfit(frfs: Any, *, range: tuple[float, float] | None = None, modes: int 
     files = [scene.add(each) if isinstance(each, FrfSet) else os.fspath(each) for each in as_list(frfs)]
     task = with_options(_jointid.ModalTask(), {"range": range, "modes": modes, "poles": poles, "real": real, "damping": damping},
                          "modalfit")
-    options = _open_options(quantity, unit, None, None, None, None)
+    options = open_options(quantity, unit, None, None, None, None)
     return run_task(NoScene(scene), "modalfit", progress, lambda watch: _jointid.modalfit(files, options, task, watch), FrfResult)
 
 
