@@ -12,7 +12,7 @@ import time
 import jointid
 import numpy as np
 from jointid import _jointid
-from jointid._commands import _joint_scene
+from jointid._joint import _joint_scene
 
 JOINT = {"dofs": ["4:+Y", "4:+RZ", "5:+Y", "5:+RZ"], "stiffness": "symmetric", "hysteretic_damping": "symmetric"}
 

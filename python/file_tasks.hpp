@@ -4,7 +4,7 @@
 
 namespace jointid::python {
 
-/// Commands without a scene, of files or of arrays: modalfit, frf, loading-curve, pod; each with a class of its options.
+/// Commands of FRFs and curves without a scene, of files or of arrays: modalfit, loading-curve; each with a class of its options.
 void bind_file_tasks(pybind11::module_& module);
 
 }  // namespace jointid::python

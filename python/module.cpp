@@ -3,6 +3,7 @@
 #include "python/errors.hpp"
 #include "python/file_tasks.hpp"
 #include "python/problems.hpp"
+#include "python/record_tasks.hpp"
 #include "python/scene_tasks.hpp"
 #include "python/sets.hpp"
 #include "python/watch.hpp"
@@ -16,5 +17,6 @@ PYBIND11_MODULE(_jointid, module) {
   python::bind_sets(module);
   python::bind_scene_tasks(module);
   python::bind_file_tasks(module);
+  python::bind_record_tasks(module);
   python::bind_problems(module);
 }

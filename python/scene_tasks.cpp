@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "python/arrays.hpp"
 #include "python/identify.hpp"
 #include "python/predict.hpp"
 #include "python/sets.hpp"
@@ -17,12 +18,6 @@ namespace jointid::python {
 namespace {
 
 namespace py = pybind11;
-
-std::vector<frf::Dof> parsed(const std::vector<std::string>& names) {
-  std::vector<frf::Dof> dofs;
-  for (const std::string& name : names) dofs.push_back(frf::Dof::parse(name));
-  return dofs;
-}
 
 /// One of its texts, or None.
 py::object text_of(const std::function<std::string()>& make) {
@@ -75,10 +70,11 @@ void bind_plain(py::module_& module, const char* name, Outcome (*run)(const Scen
 }
 
 Outcome run_bound(const std::string& text, const std::string& file, std::size_t threads, const py::object& progress,
-                  const std::vector<std::string>& candidates) {
-  return run_scene(
-      text, file, threads, progress,
-      [dofs = parsed(candidates)](const SceneText& scene, const ident::Control& control) { return bound(scene, dofs, control); });
+                  const py::object& candidates) {
+  return run_scene(text, file, threads, progress,
+                   [dofs = dofs_of(candidates)](const SceneText& scene, const ident::Control& control) {
+                     return bound(scene, dofs, control);
+                   });
 }
 
 Outcome run_study(const std::string& text, const std::string& file, std::size_t threads, const py::object& progress,

@@ -11,31 +11,25 @@
 
 from __future__ import annotations
 
-from ._commands import (
-    bound,
-    check,
-    compare,
-    couple,
-    decouple,
+from ._coupling import couple, decouple, virtual_points
+from ._joint import bound, check, compare, identify, plan, study
+from ._jointid import __version__
+from ._tasks import (
     equivalent,
     frf,
     friction_laws,
-    identify,
     loading_curve,
     modalfit,
     oscillate,
-    plan,
     pod,
     problems,
     response,
-    study,
-    virtual_points,
     write_problem,
 )
-from ._jointid import __version__
 from .dof import Dof
 from .errors import DataWarning, DoubtfulWarning, InputError, JointidWarning, UnusableWarning
-from .frf_set import FrfSet, read, write
+from .files import read, write
+from .frf_set import FrfSet
 from .results import Finding, Result, Solution, Unknown
 
 __all__ = [

@@ -50,7 +50,7 @@ def _someone_looks() -> bool:
 
 @contextmanager
 def watcher(progress: Any) -> Iterator[Watch | None]:
-    """None: a bar on a terminal and in a notebook, else nothing; True: a bar; False: nothing; a function is called with (stage, done, total)."""
+    """None: a bar on a terminal and in a notebook, else nothing; True: a bar; False: nothing; a function: (stage, done, total)."""
     if progress is None:
         progress = _someone_looks()
     if progress is False:

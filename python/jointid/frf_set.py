@@ -1,21 +1,19 @@
-"""Frequency response functions as arrays, and their files."""
+"""Frequency response functions as arrays."""
 
 from __future__ import annotations
 
 import os
-import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from . import _jointid
-from ._progress import watcher
-from ._scene import pair_of, paths_of
+from ._scene import pair_of
 from .dof import Dof
-from .errors import DataWarning, InputError
+from .errors import InputError
 
-__all__ = ["FrfSet", "read", "write"]
+__all__ = ["FrfSet"]
 
 _DOUBLE = 2.0**-53  # the largest relative rounding error of float64
 _SINGLE = 2.0**-24
@@ -44,7 +42,7 @@ def _shaped(value: Any, dtype: type, shape: tuple, place: str) -> np.ndarray | N
     return array
 
 
-def _dofs(names: Iterable[str] | str, place: str) -> tuple[Dof, ...]:
+def dofs_of(names: Iterable[str] | str, place: str) -> tuple[Dof, ...]:
     if isinstance(names, str):
         names = [names]
     try:
@@ -105,8 +103,8 @@ class FrfSet:
                  averages: float = 0.0, covariance: Any = None, nodes: Mapping[int, Sequence[float]] | None = None,
                  name: str = "arrays") -> None:
         self.name = str(name)
-        self.responses = _dofs(responses, "responses")
-        self.references = self.responses if references is None else _dofs(references, "references")
+        self.responses = dofs_of(responses, "responses")
+        self.references = self.responses if references is None else dofs_of(references, "references")
         self.quantity = _jointid.quantity_of_unit(unit) if unit is not None else _jointid.quantity_word(quantity)
         self.frequency = _numbers(frequency, float, "frequency").reshape(-1)
         self.averages = float(averages)
@@ -278,8 +276,8 @@ class FrfSet:
         return out if band is None else out._of_band(band)
 
     def _of_dofs(self, responses: Iterable[str] | None, references: Iterable[str] | None) -> "FrfSet":
-        rows_of = _dofs(responses, "responses") if responses is not None else self.responses
-        columns_of = _dofs(references, "references") if references is not None else self.references
+        rows_of = dofs_of(responses, "responses") if responses is not None else self.responses
+        columns_of = dofs_of(references, "references") if references is not None else self.references
         if not rows_of or not columns_of:
             raise InputError("nothing is left", place="sel", remedy="name responses and references that are there", kind="data")
         rows, row_signs = zip(*(self._place(self.responses, dof, "response") for dof in rows_of))
@@ -352,6 +350,8 @@ class FrfSet:
 
     def save(self, path: str | os.PathLike, format: str = "") -> None:
         """jointid.write(path, self)"""
+        from .files import write
+
         write(path, self, format)
 
     def to_xarray(self) -> Any:
@@ -371,69 +371,3 @@ class FrfSet:
         from ._plots import plot_frfs
 
         return plot_frfs(self, response, reference, axes, style)
-
-
-def _open_options(quantity, unit, responses, references, variable, frequency_variable):
-    options = _jointid.OpenOptions()
-    options.quantity = quantity
-    options.unit = unit or ""
-    options.responses = [str(dof) for dof in _dofs(responses, "responses")] if responses is not None else []
-    options.references = [str(dof) for dof in _dofs(references, "references")] if references is not None else []
-    options.variable = variable or ""
-    options.frequency_variable = frequency_variable or ""
-    return options
-
-
-def read(path: str | os.PathLike | Sequence[str | os.PathLike], *, quantity: str | None = None, unit: str | None = None,
-         responses: Iterable[str] | None = None, references: Iterable[str] | None = None, variable: str | None = None,
-         frequency_variable: str | None = None, progress: Any = None) -> FrfSet:
-    """FRFs of a file, or of several files of one structure: UFF 55/58/58b, HDF5, MATLAB, CSV, npy, npz, text of analysers.
-
-    Parameters
-    ----------
-    path : path, or several
-    quantity, unit, responses, references, variable, frequency_variable
-        What a file does not say itself; each is an error where it contradicts the file.
-
-    Returns
-    -------
-    FrfSet
-        In the quantity of the file, SI units, NaN where not measured.
-
-    Raises
-    ------
-    InputError
-        With file, place, value and remedy.
-
-    >>> import numpy as np, tempfile, os
-    >>> file = os.path.join(tempfile.mkdtemp(), "beam.uff")
-    >>> write(file, FrfSet(np.full((3, 1, 1), 2e-6 + 0j), [10.0, 11.0, 12.0], ["1:+Z"], quantity="mobility"))
-    >>> read(file).frfs.ravel()
-    array([2.e-06+0.j, 2.e-06+0.j, 2.e-06+0.j])
-    """
-    paths = paths_of(path, "path")
-    if not paths:
-        raise InputError("there is no file", place="path", remedy="name at least one")
-    options = _open_options(quantity, unit, responses, references, variable, frequency_variable)
-    with watcher(progress) as watch:
-        parts = _jointid.read(paths, options, watch)
-    for doubt in parts["doubts"]:
-        warnings.warn(f"{parts['name']}: {doubt}", DataWarning, stacklevel=2)
-    return FrfSet._of(parts)
-
-
-def write(path: str | os.PathLike, frfs: FrfSet, format: str = "") -> None:
-    """Writes FRFs in the format of the name's ending, or of `format`: h5 (with errors), uff, mat, csv, npz.
-
-    The file is written under another name first, so that it is whole or not there.
-
-    Raises
-    ------
-    InputError
-        For an ending that says nothing, a set that is none, and a folder that is not there.
-    """
-    if not isinstance(frfs, FrfSet):
-        hint = " (the path comes first)" if isinstance(path, FrfSet) else ""
-        raise InputError(f"{type(frfs).__name__} is no FrfSet{hint}", place="frfs",
-                         remedy="jointid.FrfSet(array, frequency, dofs) makes one")
-    _jointid.write(frfs._parts(), os.fspath(path), format)

@@ -1,14 +1,9 @@
 """What the tests of the package have in common."""
 
 import os
-import warnings
 
 import jointid
 import pytest
-
-
-def pytest_collection_modifyitems(items):
-    warnings.simplefilter("default")
 
 
 @pytest.fixture(scope="session")

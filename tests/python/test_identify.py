@@ -58,7 +58,7 @@ def test_runs_of_one_test_are_averaged(sets, joint):
     parts, assembly = sets
     random = np.random.default_rng(1)
     runs = [assembly._like(frfs=assembly.frfs * (1 + 1e-3 * random.normal(size=assembly.shape)), name=f"run {k}") for k in range(4)]
-    scene = {"data": {"substructures": parts, "assembly": [runs]}, "joint": jointid._commands._joint_table(joint)["joint"]}
+    scene = {"data": {"substructures": parts, "assembly": [runs]}, "joint": jointid._joint._joint_table(joint)["joint"]}
     solution = jointid.identify(scene, method="likelihood")
     assert any("repeat" in each["origin"] or "scatter" in each["origin"] for each in solution["variances"])
     assert solution.unknowns["K(1,1)"].value == pytest.approx(662400, rel=0.02)

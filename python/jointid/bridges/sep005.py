@@ -6,7 +6,7 @@ from typing import Any, Iterable, Mapping
 
 import numpy as np
 
-from .._commands import frf, pod
+from .._tasks import frf, pod
 from ..errors import InputError
 from ..results import FrfResult, Result
 

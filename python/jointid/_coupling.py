@@ -1,0 +1,123 @@
+"""FRFs of assemblies: couple, decouple, virtual_points."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from . import _jointid
+from ._joint import frequency_table, is_scene
+from ._run import run_scene
+from ._scene import Scene, as_list
+from .dof import Dof
+from .errors import InputError
+from .files import read
+from .frf_set import FrfSet
+from .results import FrfResult
+
+PathOrSet = Any  # str, os.PathLike or FrfSet
+
+
+def couple(parts: Any, *, join: Any = None, ground: Any = None, keep: Any = None, remove: Any = None, joints: Any = None,
+           out: str | os.PathLike | None = None, bounds: bool = False, frequency: Any = None, data: Mapping[str, Any] | None = None,
+           virtual_points: Any = None, threads: int = 0, progress: Any = None, **options: Any) -> FrfResult:
+    """FRFs of an assembly from those of its parts: ``jointid couple`` (LM-FBS and others).
+
+    ``couple(scene)``, a path or dict, or ``couple(parts, join=...)``.
+
+    Parameters
+    ----------
+    parts : a scene, or a list of FrfSets and paths
+    join : list of lists of DOFs that are one; a DOF that two parts have is "NAME/4:+Y"
+    ground, keep : DOFs held in place; DOFs of the result
+    remove : parts (or their names) that are taken out again: decoupling
+    joints : list of dicts as ``[[couple.joint]]``
+    out : path, optional
+        Where the FRFs are written (HDF5); without one they stay in memory.
+    bounds : bool
+        Leave out conditions that the others nearly imply, and predict with them as well.
+    options : method, threshold, epsilon, alpha, uncertainty …: other keys of ``[couple]``
+
+    Returns
+    -------
+    FrfResult
+        ``result.frfs()`` is the assembly.
+
+    >>> import numpy as np, jointid
+    >>> f = np.linspace(10.0, 20.0, 3)
+    >>> mass = lambda m, node: jointid.FrfSet(-1 / (m * (2 * np.pi * f) ** 2).reshape(-1, 1, 1), f, [node], name=node)
+    >>> both = jointid.couple([mass(1.0, "1:+X"), mass(2.0, "2:+X")], join=[["1:+X", "2:+X"]]).frfs()
+    >>> bool(np.allclose(both["1:+X", "1:+X"], -1 / (3.0 * (2 * np.pi * f) ** 2)))
+    True
+    """
+    table = {"join": join, "ground": ground, "keep": keep, "remove": remove, "joint": joints, **options}
+    table = {key: value for key, value in table.items() if value is not None}
+    sections = {"couple": table or None, "frequency": None if frequency is None else frequency_table(frequency),
+                "virtual_points": virtual_points}
+    sections = {key: value for key, value in sections.items() if value is not None}
+    if is_scene(parts):
+        own = dict(parts) if isinstance(parts, Mapping) else Scene.table_of(parts) if sections or data else None
+        if own is None:
+            scene = Scene(parts)
+        else:
+            own["data"] = {**own.get("data", {}), **(data or {})}
+            own.update({**sections, "couple": {**own.get("couple", {}), **table}})
+            scene = Scene(own, file=None if isinstance(parts, Mapping) else os.fspath(parts))
+    else:
+        sections.setdefault("couple", {})
+        scene = Scene({"data": {**(data or {}), "parts": as_list(parts)}, **sections})
+    path = "" if out is None else os.fspath(out)
+    return run_scene(scene, "couple", _jointid.couple, path, bool(bounds), threads=threads, progress=progress, kind=FrfResult)
+
+
+def decouple(assembly: PathOrSet, part: PathOrSet, interface: Sequence[str], **options: Any) -> FrfResult:
+    """FRFs of what is left of an assembly without one of its parts: dual decoupling, ``jointid couple`` with ``remove``.
+
+    Parameters
+    ----------
+    assembly, part : FrfSet or path
+    interface : DOFs that both have
+        Those of the interface. With internal DOFs of the part as well (extended interface) the conditions depend on each other:
+        give ``threshold="fixed"`` or another of couple().
+    options : as of couple()
+
+    Returns
+    -------
+    FrfResult
+        ``result.frfs()``: the DOFs of the assembly.
+    """
+    whole, taken = (each if isinstance(each, FrfSet) else read(each) for each in (assembly, part))
+    if whole.name == taken.name:
+        taken = taken._like(name=f"{taken.name} (part)")
+    own = {dof.coordinate for dof in taken.dofs}
+    coordinates = {dof.coordinate for dof in whole.dofs}
+    shared = [Dof(dof) for dof in ([interface] if isinstance(interface, str) else interface)]
+    for dof in shared:
+        for known, name in ((coordinates, whole.name), (own, taken.name)):
+            if dof.coordinate not in known:
+                raise InputError(f"{name} has no DOF {dof}", place="interface", kind="data",
+                                 remedy="it has " + ", ".join(sorted(known)[:12]))
+    join = [[f"{whole.name}/{dof}", f"{taken.name}/{dof}"] for dof in shared]
+    options.setdefault("keep", [f"{whole.name}/{dof}" if dof.coordinate in own else str(dof) for dof in whole.dofs])
+    return couple([whole, taken], join=join, remove=[taken.name], **options)
+
+
+def virtual_points(frfs: PathOrSet, points: Any, *, nodes: Mapping[Any, Sequence[float]] | None = None) -> FrfSet:
+    """FRFs with virtual points in place of the sensors and impacts round interfaces.
+
+    Parameters
+    ----------
+    frfs : FrfSet or path
+    points : dict, or list of dicts, with the keys of ``[[virtual_points]]``
+        ``{"name": "VP1", "position": [0, 0, 0], "sensors": ["11:+X", ...], "impacts": ["31:+X", ...]}``; lengths in m.
+    nodes : {node: (x, y, z)}, optional
+        Positions, before those of the set.
+    """
+    table: dict[str, Any] = {"virtual_points": [points] if isinstance(points, Mapping) else list(points)}
+    if nodes is not None:
+        table["nodes"] = {str(node): list(place) for node, place in nodes.items()}
+    scene = Scene(table)
+    path = scene.add(frfs) if isinstance(frfs, FrfSet) else os.fspath(frfs)
+    with scene.errors():
+        return FrfSet._of(_jointid.virtual_points(scene.text, scene.file, path))

@@ -1,0 +1,255 @@
+"""The commands of a joint: identify, check, plan, bound, study, compare."""
+
+from __future__ import annotations
+
+import difflib
+import os
+import shutil
+import tempfile
+import weakref
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from . import _jointid
+from ._run import run_scene, with_options
+from ._scene import Scene, as_list, pair_of
+from .dof import Dof
+from .errors import InputError
+from .results import Result, Solution
+
+
+def _joint_table(joint: Any) -> dict[str, Any]:
+    """[joint] or [[joints]]; a word in place of a matrix is its pattern."""
+    def table(each: Any) -> dict[str, Any]:
+        if not isinstance(each, Mapping):
+            raise InputError(f"{each!r} is no joint", place="joint",
+                             remedy='give e.g. {"dofs": ["4:+Y", "5:+Y"], "stiffness": "symmetric"}')
+        matrices = ("stiffness", "mass", "viscous_damping", "hysteretic_damping")
+        return {key: {"pattern": value} if key in matrices and isinstance(value, str) else value for key, value in each.items()}
+
+    if isinstance(joint, (list, tuple)):
+        return {"joints": [table(each) for each in joint]}
+    return {"joint": table(joint)}
+
+
+def frequency_table(frequency: Any) -> dict[str, Any]:
+    return dict(frequency) if isinstance(frequency, Mapping) else {"range": list(pair_of(frequency, "frequency"))}
+
+
+def is_scene(value: Any) -> bool:
+    return isinstance(value, Mapping) or (isinstance(value, (str, os.PathLike)) and os.fspath(value).endswith(".toml"))
+
+
+def _scene(substructures: Any, assembly: Any, joint: Any, sections: dict[str, Any]) -> Scene:
+    """Of a path or dict (first argument), of that with other data and sections, or of arguments alone."""
+    base = sections.pop("scene", None)
+    alone = assembly is None and isinstance(substructures, (str, os.PathLike))
+    if base is None and joint is None and (alone or is_scene(substructures)):
+        base, substructures = substructures, None
+    made = {key: value for key, value in sections.items() if value is not None}
+    if joint is not None:
+        made.update(_joint_table(joint))
+    if "frequency" in made:
+        made["frequency"] = frequency_table(made["frequency"])
+    if base is not None:
+        return _changed(base, substructures, assembly, made)
+    if substructures is None or assembly is None or joint is None:
+        missing = ", ".join(name for name, value in (("substructures", substructures), ("assembly", assembly), ("joint", joint))
+                            if value is None)
+        raise InputError(f"{missing} is missing", place="identify", remedy="give substructures, assembly and joint, or a scene")
+    made["data"] = {**made.get("data", {}), "substructures": as_list(substructures), "assembly": as_list(assembly)}
+    return Scene(made)
+
+
+def _changed(base: Any, substructures: Any, assembly: Any, made: dict[str, Any]) -> Scene:
+    """A scene with other data, or other sections whole."""
+    data = {key: as_list(value) for key, value in (("substructures", substructures), ("assembly", assembly)) if value is not None}
+    if not data and not made:
+        return Scene(base)
+    own = dict(base) if isinstance(base, Mapping) else Scene.table_of(base)
+    for key, value in made.items():
+        same = isinstance(value, Mapping) and isinstance(own.get(key), Mapping) and key in ("data", "frequency", "identify", "noise")
+        own[key] = {**own[key], **value} if same else value
+    own["data"] = {**own.get("data", {}), **data}
+    if "joint" in made:
+        own.pop("joints", None)
+    if "joints" in made:
+        own.pop("joint", None)
+    return Scene(own, file=None if isinstance(base, Mapping) else os.fspath(base))
+
+
+def _identify_table(method: str | None, equations: Any, weighting: str | None, delta: float | None,
+                    identify: Mapping[str, Any] | None) -> dict[str, Any] | None:
+    table = dict(identify or {})
+    for key, value in (("method", method), ("equations", equations), ("weighting", weighting), ("delta", delta)):
+        if value is not None:
+            table[key] = value
+    return table or None
+
+
+def _joint_scene(substructures: Any, assembly: Any, joint: Any, method: str | None, equations: Any, weighting: str | None,
+                 delta: float | None, identify: Mapping[str, Any] | None, sections: dict[str, Any]) -> Scene:
+    valid = ("scene", "frequency", "noise", "truth", "nodes", "title", "data", "virtual_points")
+    for name in sections:
+        if name not in valid:
+            near = difflib.get_close_matches(name, (*valid, "method", "equations", "weighting", "delta", "identify", "joint"), 1)
+            raise InputError(f"there is no option {name!r}", place=name,
+                             remedy=f"did you mean {near[0]!r}?" if near else "it has " + ", ".join(valid))
+    sections["identify"] = _identify_table(method, equations, weighting, delta, identify)
+    return _scene(substructures, assembly, joint, sections)
+
+
+def identify(substructures: Any = None, assembly: Any = None, joint: Any = None, *, method: str | None = None,
+             equations: Sequence[str] | None = None, weighting: str | None = None, delta: float | None = None,
+             identify: Mapping[str, Any] | None = None, threads: int = 0, progress: Any = None, **sections: Any) -> Solution:
+    """The joint between substructures, from their FRFs and those of the assembly: ``jointid solve``.
+
+    ``identify(scene)``, a path or a dict with the keys of a scene file, in whose ``data`` sets may stand in place of files; or
+    ``identify(substructures, assembly, joint)``; or a scene with some of it changed: ``identify(sets, assembly, scene=path)``.
+
+    Parameters
+    ----------
+    substructures, assembly : FrfSet or path, or a list of them
+        Several substructures are uncoupled, several sets of the assembly are parts of one FRF matrix.
+    joint : dict, or a list of dicts with names
+        ``{"dofs": [...], "stiffness": "symmetric", "hysteretic_damping": {"springs": [["4:+Y", "5:+Y"]]}}``: as ``[joint]`` of a scene;
+        a word in place of a matrix is its pattern.
+    method : "auto" (default), "one", "two", "direct", "newton" or "likelihood"
+    equations, weighting, delta
+        As in ``[identify]``; `identify` takes all other keys of that table.
+    frequency : (low, high) in Hz, or a dict with the keys of ``[frequency]``
+    noise, truth, nodes, data, virtual_points, title
+        Those tables of a scene.
+    threads : int
+        0: all cores. The results do not depend on it.
+    progress : None, bool or function of (stage, done, total)
+        None: a bar on a terminal and in a notebook.
+
+    Returns
+    -------
+    Solution
+
+    Raises
+    ------
+    InputError
+        As the command does, with place, value and remedy; for sets the place is their name.
+
+    Warns
+    -----
+    DoubtfulWarning, UnusableWarning
+        Where ``solution.status`` is "doubtful", or says that the numbers are not usable.
+
+    >>> import jointid, tempfile
+    >>> folder = tempfile.mkdtemp()
+    >>> _ = jointid.write_problem("A1", folder, clean=True)
+    >>> parts = [jointid.read(f"{folder}/A1_substructure_{i}.h5") for i in (1, 2)]
+    >>> joint = {"dofs": ["4:+Y", "4:+RZ", "5:+Y", "5:+RZ"], "stiffness": "symmetric", "hysteretic_damping": "symmetric"}
+    >>> solution = jointid.identify(parts, jointid.read(f"{folder}/A1_assembly.h5"), joint, frequency=(400, 1000))
+    >>> solution.status, len(solution.unknowns)
+    ('ok', 20)
+    """
+    scene = _joint_scene(substructures, assembly, joint, method, equations, weighting, delta, identify, sections)
+    return run_scene(scene, "identify", _jointid.solve, threads=threads, progress=progress, kind=Solution)
+
+
+def check(substructures: Any = None, assembly: Any = None, joint: Any = None, *, threads: int = 0, progress: Any = None,
+          identify: Mapping[str, Any] | None = None, **sections: Any) -> Result:
+    """Mistakes in the FRFs: signs, labels, units, axes, loose joints: ``jointid check``. Arguments as of identify().
+
+    ``result.status`` is "clean", "suspicious" or "wrong"; ``result.findings`` are the suspects with their remedies.
+
+    >>> import jointid, tempfile
+    >>> jointid.check(jointid.write_problem("A1", tempfile.mkdtemp(), clean=True)).status
+    'clean'
+    """
+    scene = _joint_scene(substructures, assembly, joint, None, None, None, None, identify, sections)
+    return run_scene(scene, "check", _jointid.check, threads=threads, progress=progress)
+
+
+def plan(substructures: Any = None, assembly: Any = None, joint: Any = None, *, method: str | None = None,
+         equations: Sequence[str] | None = None, weighting: str | None = None, delta: float | None = None,
+         identify: Mapping[str, Any] | None = None, threads: int = 0, progress: Any = None, **sections: Any) -> Result:
+    """What identify() would read, compute and leave out, without doing it: ``jointid plan``. Arguments as of identify()."""
+    scene = _joint_scene(substructures, assembly, joint, method, equations, weighting, delta, identify, sections)
+    return run_scene(scene, "plan", _jointid.plan, threads=threads, progress=progress)
+
+
+def bound(substructures: Any = None, assembly: Any = None, joint: Any = None, *, candidates: Iterable[str] = (),
+          method: str | None = None, equations: Sequence[str] | None = None, weighting: str | None = None,
+          delta: float | None = None, identify: Mapping[str, Any] | None = None, threads: int = 0, progress: Any = None,
+          **sections: Any) -> Result:
+    """Standard errors that a test can have at best, and what other data would change: ``jointid plan --bound``.
+
+    Needs `noise` (or errors in the files) and a joint to assume: `truth`, or ``identify={"start": ...}``.
+
+    Parameters
+    ----------
+    candidates : DOFs of the sets that count as not measured yet: what would each of them bring?
+    """
+    scene = _joint_scene(substructures, assembly, joint, method, equations, weighting, delta, identify, sections)
+    return run_scene(scene, "bound", _jointid.bound, [str(Dof(dof)) for dof in candidates], threads=threads, progress=progress)
+
+
+def _kept(result: Result, folder: str | None) -> Result:
+    """The result, with whose end a folder of its own ends."""
+    if folder is not None:
+        weakref.finalize(result, shutil.rmtree, folder, ignore_errors=True)
+    return result
+
+
+def study(substructures: Any = None, assembly: Any = None, joint: Any = None, *, trials: int = 1000, seed: int = 1,
+          out: str | os.PathLike | None = None, resume: bool = False, method: str | None = None,
+          equations: Sequence[str] | None = None, weighting: str | None = None, delta: float | None = None,
+          identify: Mapping[str, Any] | None = None, threads: int = 0, progress: Any = None, **sections: Any) -> Result:
+    """Identifies over and over with simulated noise: how well does a test see the joint? ``jointid study``. Arguments as of identify().
+
+    Parameters
+    ----------
+    trials, seed : whole numbers
+    out : path, optional
+        All trials, HDF5 (CSV of friction laws). Without one they are gone with the result.
+    resume : bool
+        Continue what an interrupted study with the same `out` left.
+    """
+    scene = _joint_scene(substructures, assembly, joint, method, equations, weighting, delta, identify, sections)
+    folder = tempfile.mkdtemp(prefix="jointid-") if out is None else None
+    path = os.fspath(out) if out is not None else os.path.join(folder or "", "study.h5")
+    try:
+        result = run_scene(scene, "study", _jointid.study, whole_number(trials, "trials"), whole_number(seed, "seed"), path, bool(resume),
+                      threads=threads, progress=progress)
+    except BaseException:
+        if folder is not None:
+            shutil.rmtree(folder, ignore_errors=True)
+        raise
+    return _kept(result, folder)
+
+
+def whole_number(value: Any, place: str) -> int:
+    try:
+        number = value.__index__()
+    except AttributeError:
+        raise InputError(f"{value!r} is no whole number", place=place, remedy="give e.g. 1000") from None
+    if not 0 <= number < 2**64 or isinstance(value, bool):
+        raise InputError(f"{value!r} is no number from 0 to 2^64", place=place, remedy="give e.g. 1000")
+    return number
+
+
+def compare(substructures: Any = None, assembly: Any = None, joint: Any = None, *, trials: int = 200, seed: int = 1,
+            methods: Sequence[str] | None = None, equation_sets: Sequence[Sequence[str]] | None = None,
+            weightings: Sequence[str] | None = None, deltas: Sequence[float] | None = None, solvers: Sequence[str] | None = None,
+            regenerate: Sequence[str] | None = None, identify: Mapping[str, Any] | None = None, threads: int = 0,
+            progress: Any = None, **sections: Any) -> Result:
+    """Ways of identifying by error and run time, on the same trials with simulated noise: ``jointid compare``.
+
+    Needs `truth` and `noise` (or a scene with them).
+
+    Parameters
+    ----------
+    methods, equation_sets, weightings, deltas, solvers, regenerate
+        Every combination of these; those of the scene where a list is not given.
+    """
+    scene = _joint_scene(substructures, assembly, joint, None, None, None, None, identify, sections)
+    task = with_options(_jointid.CompareTask(), {
+        "trials": whole_number(trials, "trials"), "seed": whole_number(seed, "seed"), "methods": methods, "equations": equation_sets,
+        "weightings": weightings, "deltas": deltas, "solvers": solvers, "regenerate": regenerate}, "compare")
+    return run_scene(scene, "compare", _jointid.compare, task, threads=threads, progress=progress)

@@ -1,0 +1,89 @@
+"""How commands are run, watched and warned of."""
+
+from __future__ import annotations
+
+import difflib
+import os
+import sys
+import warnings
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from ._progress import watcher
+from ._scene import Scene
+from .errors import DoubtfulWarning, InputError, UnusableWarning
+from .results import Result
+
+
+def warn_of(result: Result, what: str) -> None:
+    """At the caller's line, who is outside of this package."""
+    level = 1
+    while sys._getframe(level).f_globals.get("__name__", "").partition(".")[0] == __name__.partition(".")[0]:
+        level += 1
+    if not result.usable and result.status not in ("suspicious", "wrong"):
+        warnings.warn(f"{what}: {result.status or 'not usable'}: {result.message}", UnusableWarning, stacklevel=level + 1)
+    elif result.status == "doubtful":
+        warnings.warn(f"{what}: doubtful: {result.message}", DoubtfulWarning, stacklevel=level + 1)
+
+
+def run_scene(scene: Scene, command: str, function: Callable, *options: Any, threads: int = 0, progress: Any = None,
+         kind: type[Result] = Result) -> Any:
+    if not isinstance(threads, int) or isinstance(threads, bool) or threads < 0:
+        raise InputError(f"{threads!r} is no number of threads", place="threads", remedy="give 0 for all cores, or how many")
+    with watcher(progress) as watch, scene.errors():
+        outcome = function(scene.text, scene.file, threads, watch, *options)
+    result = kind(outcome, scene, command)
+    warn_of(result, scene.file if scene.is_file else command)
+    return result
+
+
+def with_options(task: Any, options: Mapping[str, Any], what: str) -> Any:
+    """Sets the attributes of a class of C++; None leaves the default."""
+    valid = [name for name in dir(type(task)) if not name.startswith("_")]
+    for name, value in options.items():
+        if name not in valid:
+            near = difflib.get_close_matches(name, valid, 1)
+            raise InputError(f"{what} has no option {name!r}", place=name,
+                             remedy=f"did you mean {near[0]!r}?" if near else "it has " + ", ".join(valid))
+        if value is None:
+            continue
+        try:
+            setattr(task, name, _plain(value))
+        except TypeError:
+            raise InputError(f"{value!r} is a {type(value).__name__}, which {name} does not take", place=name,
+                             remedy=f"see help(jointid.{what})") from None
+    return task
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    if hasattr(value, "tolist") and not isinstance(value, (str, bytes)):
+        return value.tolist()
+    if isinstance(value, (list, tuple)):
+        return [_plain(each) for each in value]
+    return value
+
+
+class NoScene:
+    """Stands for a scene where a command has none; `names` by paths that nobody but this package knows."""
+
+    def __init__(self, scene: Scene | None = None, names: Mapping[str, str] | None = None) -> None:
+        self._scene = scene or Scene({})
+        self._names = names or {}
+
+    def named(self, text: str) -> str:
+        for path, name in self._names.items():
+            text = text.replace(path, name)
+        return self._scene.named(text)
+
+    def errors(self) -> Any:
+        return self._scene.errors()
+
+
+def run_task(names: NoScene, command: str, progress: Any, run: Callable, kind: type[Result] = Result) -> Any:
+    with watcher(progress) as watch, names.errors():
+        outcome = run(watch)
+    result = kind(outcome, names, command)
+    warn_of(result, command)
+    return result

@@ -1,0 +1,197 @@
+"""The other commands: of friction and motion, of files and arrays; built-in problems."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
+
+from . import _jointid
+from ._run import NoScene, run_scene, run_task, with_options
+from ._scene import Scene, as_list, paths_of
+from .errors import InputError
+from .files import open_options
+from .frf_set import FrfSet
+from .results import FrfResult, Result
+
+
+def equivalent(scene: Any, *, threads: int = 0, progress: Any = None) -> Result:
+    """Stiffness and damping of a friction joint against its relative displacement: ``jointid equivalent``; a path or dict."""
+    return run_scene(Scene(scene), "equivalent", _jointid.equivalent, threads=threads, progress=progress)
+
+
+def friction_laws(scene: Any, *, threads: int = 0, progress: Any = None) -> Result:
+    """Friction laws of joints from vibration at several force levels: ``jointid solve`` of scenes with ``[[joint.friction]]``."""
+    return run_scene(Scene(scene), "friction_laws", _jointid.solve, threads=threads, progress=progress)
+
+
+def response(scene: Any, *, compare: bool = False, threads: int = 0, progress: Any = None) -> Result:
+    """Periodic response of structures with friction joints: ``jointid response``; a path or dict.
+
+    `compare`: error against run time of all ways to it instead, ``--compare``.
+    """
+    function = _jointid.response_ways if compare else _jointid.response
+    return run_scene(Scene(scene), "response", function, threads=threads, progress=progress)
+
+
+def oscillate(scene: Any, *, threads: int = 0, progress: Any = None) -> Result:
+    """Exact stick–slip motion, orbits, exponents, reduced models: ``jointid oscillate``; a path or dict."""
+    return run_scene(Scene(scene), "oscillate", _jointid.oscillate, threads=threads, progress=progress)
+
+
+def modalfit(frfs: Any, *, range: tuple[float, float] | None = None, modes: int | None = None,
+             poles: Sequence[tuple[float, float]] | None = None, real: bool = False, damping: str = "viscous",
+             quantity: str | None = None, unit: str | None = None, progress: Any = None) -> FrfResult:
+    """Modes behind FRFs of one structure, and the FRFs regenerated from them: ``jointid modalfit``.
+
+    Parameters
+    ----------
+    frfs : FrfSet, path, or several paths
+    range : (low, high), Hz
+    modes : keep the most significant so many
+    poles : (Hz, damping ratio) of modes to refine, instead of seeking
+    real : real modes
+    damping : "viscous" (ratios) or "hysteretic" (loss factors)
+
+    Returns
+    -------
+    FrfResult
+        ``result["modes"]`` and the rest of the command's JSON; ``result.frfs()`` are the regenerated FRFs.
+    """
+    scene = Scene({})
+    files = [scene.add(each) if isinstance(each, FrfSet) else os.fspath(each) for each in as_list(frfs)]
+    task = with_options(_jointid.ModalTask(), {"range": range, "modes": modes, "poles": poles, "real": real, "damping": damping},
+                         "modalfit")
+    options = open_options(quantity, unit, None, None, None, None)
+    return run_task(NoScene(scene), "modalfit", progress, lambda watch: _jointid.modalfit(files, options, task, watch), FrfResult)
+
+
+def loading_curve(curves: Any, *, progress: Any = None, **options: Any) -> Result:
+    """Friction laws fitted to loading curves (hysteresis backbones) or loops: ``jointid loading-curve``.
+
+    Parameters
+    ----------
+    curves : path or paths; or (displacement, force), or a list of these or {name: (displacement, force)}
+        Arrays in m and N, loaded once from rest.
+    options : law, ring, limit, normal_load, friction_coefficient, shared, weighting, minimiser, global_search; of files also
+        displacement, force, time, energy, stiffness, damping, unit, force_unit, time_unit, sign, velocity, kind,
+        specimen_stiffness, specimen: as those of the command
+
+    >>> import numpy as np, jointid
+    >>> u = np.linspace(1e-6, 60e-6, 60)
+    >>> jointid.loading_curve((u, np.minimum(1e7 * u, 200.0)), law=["bilinear"])["best_law"]
+    'bilinear'
+    """
+    if isinstance(options.get("law"), str):
+        options["law"] = [options["law"]]
+    if isinstance(options.get("normal_load"), (int, float)):
+        options["normal_load"] = [float(options["normal_load"])]
+    task = with_options(_jointid.LoadingCurveTask(), options, "loading_curve")
+    arrays = _curves(curves)
+    if arrays is not None:
+        return run_task(NoScene(), "loading_curve", progress, lambda watch: _jointid.loading_curve_arrays(arrays or [], task, watch))
+    task.files = paths_of(curves, "curves")
+    return run_task(NoScene(), "loading_curve", progress, lambda watch: _jointid.loading_curve(task, watch))
+
+
+def _curves(curves: Any) -> list[tuple[str, np.ndarray, np.ndarray]] | None:
+    """Name, displacement, force of curves in memory; None of files."""
+    if isinstance(curves, Mapping):
+        named = list(curves.items())
+    elif not isinstance(curves, (list, tuple, np.ndarray)) or all(isinstance(each, (str, os.PathLike)) for each in curves):
+        return None
+    elif len(curves) == 2 and np.ndim(curves[0]) == 1 and np.ndim(curves[1]) == 1:
+        named = [("curve", curves)]
+    else:
+        named = [(f"curve {k + 1}", curve) for k, curve in enumerate(curves)]
+    return [(str(name), np.ascontiguousarray(displacement, dtype=float), np.ascontiguousarray(force, dtype=float))
+            for name, (displacement, force) in named]
+
+
+def frf(files: Any, *, progress: Any = None, **options: Any) -> FrfResult:
+    """FRFs with coherences, variances and covariances of time records: ``jointid frf``.
+
+    Parameters
+    ----------
+    files : path or paths: .npy, CSV or text, MATLAB, HDF5, UFF 58; or an array [sample, channel], or several (one a hit)
+    options : channel (["2=1:+Z N", ...]), time, rate, reference, shaker, block, pretrigger, trigger, second_blow, force_window,
+        exponential, overlap, window, remove_mean, reject, keep_faulty, estimator, variances, highest: as those of the command
+
+    Returns
+    -------
+    FrfResult
+        ``result.frfs()`` are the FRFs.
+    """
+    for name in ("channel", "reference"):
+        if isinstance(options.get(name), str):
+            options[name] = [options[name]]
+    task = with_options(_jointid.FrfTask(), options, "frf")
+    with _record_files(files) as (task.files, names):
+        return run_task(NoScene(names=names), "frf", progress, lambda watch: _jointid.frf(task, watch), FrfResult)
+
+
+@contextmanager
+def _record_files(records: Any) -> Iterator[tuple[list[str], dict[str, str]]]:
+    """The paths of records, and names of those that are arrays, which are written to a folder that ends with the block."""
+    arrays = [records] if isinstance(records, np.ndarray) else records
+    if not isinstance(arrays, (list, tuple)) or not all(isinstance(each, np.ndarray) for each in arrays):
+        yield paths_of(records, "files"), {}
+        return
+    with tempfile.TemporaryDirectory(prefix="jointid-") as folder:
+        paths = [os.path.join(folder, f"record_{k + 1}.npy") for k in np.arange(len(arrays))]
+        for path, array in zip(paths, arrays):
+            if array.ndim != 2:
+                raise InputError(f"its shape is {array.shape}", place="files", remedy="the axes are [sample, channel]", kind="data")
+            np.save(path, np.ascontiguousarray(array, dtype=float))
+        yield paths, {path: f"record {k + 1}" for k, path in enumerate(paths)}
+
+
+def pod(record: Any, *, names: Sequence[str] | None = None, units: Sequence[str] | None = None, threads: int = 0,
+        progress: Any = None, **options: Any) -> Result:
+    """Proper orthogonal modes of time records of many channels: ``jointid pod``.
+
+    Parameters
+    ----------
+    record : path or paths, or an array [sample, channel]
+        Rows with NaN are missing samples.
+    names, units : of the channels of an array
+    options : channels (of files), mass, stiffness, compare (files), keep_mean
+
+    >>> import numpy as np, jointid
+    >>> t = np.arange(500) / 50
+    >>> record = np.column_stack([0.6 * np.cos(2 * np.pi * t), 0.8 * np.cos(2 * np.pi * t)])
+    >>> round(jointid.pod(record)["values"][0], 9)
+    0.5
+    """
+    task = with_options(_jointid.PodTask(), options, "pod")
+    if isinstance(record, np.ndarray):
+        array = np.ascontiguousarray(record, dtype=float)
+        if array.ndim != 2 or array.shape[1] == 0:
+            raise InputError(f"its shape is {array.shape}", place="record", remedy="the axes are [sample, channel]", kind="data")
+        channels = [str(k + 1) for k in np.arange(array.shape[1])] if names is None else list(names)
+        of_channels = [""] * array.shape[1] if units is None else list(units)
+        if not len(channels) == len(of_channels) == array.shape[1]:
+            raise InputError(f"{len(channels)} names and {len(of_channels)} units for {array.shape[1]} channels", place="names",
+                             remedy="give one for each channel", kind="data")
+        return run_task(NoScene(), "pod", progress, lambda watch: _jointid.pod_array(array, channels, of_channels, task, watch))
+    task.files = paths_of(record, "record")
+    return run_task(NoScene(), "pod", progress, lambda watch: _jointid.pod(task, threads, watch))
+
+
+def problems() -> dict[str, str]:
+    """Names and descriptions of the built-in problems, whose answers are known: ``jointid problem list``."""
+    return _jointid.problems()
+
+
+def write_problem(name: str, directory: str | os.PathLike, *, format: str = "h5", seed: int = 1, clean: bool = False) -> str:
+    """Writes the files, the scene and the truth of a built-in problem into a folder: ``jointid problem write``.
+
+    Returns the path of the scene (of loading curves and modal sets of the file).
+
+    `format`: "h5" or "uff"; `seed`: of the noise; `clean`: no noise.
+    """
+    return _jointid.write_problem(name, os.fspath(directory), format, seed, clean)

@@ -1,0 +1,82 @@
+"""FRFs from and to files."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from . import _jointid
+from ._progress import watcher
+from ._scene import paths_of
+from .errors import DataWarning, InputError
+from .frf_set import FrfSet, dofs_of
+
+__all__ = ["read", "write"]
+
+
+def open_options(quantity, unit, responses, references, variable, frequency_variable):
+    options = _jointid.OpenOptions()
+    options.quantity = quantity
+    options.unit = unit or ""
+    options.responses = [str(dof) for dof in dofs_of(responses, "responses")] if responses is not None else []
+    options.references = [str(dof) for dof in dofs_of(references, "references")] if references is not None else []
+    options.variable = variable or ""
+    options.frequency_variable = frequency_variable or ""
+    return options
+
+
+def read(path: str | os.PathLike | Sequence[str | os.PathLike], *, quantity: str | None = None, unit: str | None = None,
+         responses: Iterable[str] | None = None, references: Iterable[str] | None = None, variable: str | None = None,
+         frequency_variable: str | None = None, progress: Any = None) -> FrfSet:
+    """FRFs of a file, or of several files of one structure: UFF 55/58/58b, HDF5, MATLAB, CSV, npy, npz, text of analysers.
+
+    Parameters
+    ----------
+    path : path, or several
+    quantity, unit, responses, references, variable, frequency_variable
+        What a file does not say itself; each is an error where it contradicts the file.
+
+    Returns
+    -------
+    FrfSet
+        In the quantity of the file, SI units, NaN where not measured.
+
+    Raises
+    ------
+    InputError
+        With file, place, value and remedy.
+
+    >>> import numpy as np, tempfile, os
+    >>> file = os.path.join(tempfile.mkdtemp(), "beam.uff")
+    >>> write(file, FrfSet(np.full((3, 1, 1), 2e-6 + 0j), [10.0, 11.0, 12.0], ["1:+Z"], quantity="mobility"))
+    >>> read(file).frfs.ravel()
+    array([2.e-06+0.j, 2.e-06+0.j, 2.e-06+0.j])
+    """
+    paths = paths_of(path, "path")
+    if not paths:
+        raise InputError("there is no file", place="path", remedy="name at least one")
+    options = open_options(quantity, unit, responses, references, variable, frequency_variable)
+    with watcher(progress) as watch:
+        parts = _jointid.read(paths, options, watch)
+    for doubt in parts["doubts"]:
+        warnings.warn(f"{parts['name']}: {doubt}", DataWarning, stacklevel=2)
+    return FrfSet._of(parts)
+
+
+def write(path: str | os.PathLike, frfs: FrfSet, format: str = "") -> None:
+    """Writes FRFs in the format of the name's ending, or of `format`: h5 (with errors), uff, mat, csv, npz.
+
+    The file is written under another name first, so that it is whole or not there.
+
+    Raises
+    ------
+    InputError
+        For an ending that says nothing, a set that is none, and a folder that is not there.
+    """
+    if not isinstance(frfs, FrfSet):
+        hint = " (the path comes first)" if isinstance(path, FrfSet) else ""
+        raise InputError(f"{type(frfs).__name__} is no FrfSet{hint}", place="frfs",
+                         remedy="jointid.FrfSet(array, frequency, dofs) makes one")
+    _jointid.write(frfs._parts(), os.fspath(path), format)
