@@ -140,7 +140,8 @@ Outcome bound(const SceneText& text, const std::vector<frf::Dof>& candidates, co
   if (scene::is_law_scene(text.text, text.file)) return bound_of_laws(text, !candidates.empty());
   const std::shared_ptr<ident::Plan> made = ident::make_plan(ident::parse_scene(text.text, text.file));
   const auto found = std::make_shared<const tasks::BoundReport>(tasks::predict_bound(*made, candidates, control));
-  if (!found->interrupted) tasks::note_suspect(*made, control);
+  const std::string note = found->interrupted ? "" : tasks::suspect_note(*made, control);
+  if (!note.empty()) made->notes.push_back(note);
   return {.status = {},
           .message = {},
           .json = [made, found] { return report::plan_json(*made, *found); },

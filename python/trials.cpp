@@ -99,7 +99,7 @@ study::Alternatives alternatives(const CompareTask& task) {
   for (const std::string& word : task.weightings) out.weightings.push_back(weighting::parse_weighting(word));
   for (const std::string& word : task.regenerate) out.regenerations.push_back(ident::parse_regeneration(word));
   out.deltas = task.deltas;
-  out.solvers = task.solvers;
+  for (const std::string& word : task.solvers) out.solvers.push_back(ident::parse_solver(word));
   return out;
 }
 
