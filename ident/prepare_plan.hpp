@@ -9,7 +9,7 @@ namespace jointid::ident {
 std::unique_ptr<Plan> prepare_plan(const Scene& scene, std::shared_ptr<frf::FrfSystem> substructures,
                                    std::shared_ptr<frf::FrfSystem> assembly);
 
-/// Gives a plan what its method decided; what of its data the scene does not need, and what is to be said of them, once the plan has its method.
+/// Gives a plan what its method decided, and tells what of its data the scene does not need and what is to be said of them.
 void complete_plan(PlannedMethod decided, Plan& plan);
 
 }  // namespace jointid::ident

@@ -160,9 +160,12 @@ void check_targets(const std::vector<ident::NamedFile>& inputs, const std::vecto
     if (*target == "-") continue;
     require_no_input(output, inputs);
     require_folder(*target);
+  }
+  for (const OutputFile& output : outputs) {
+    if (output.target == "-") continue;
     require_ending(output);
     require_own(output, records);
-    if (option == "--report" && is_pdf(*target)) require_browser(output.words());
+    if (output.option == "--report" && is_pdf(output.target)) require_browser(output.words());
   }
 }
 

@@ -2606,6 +2606,10 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>der frei hängenden Struktur, gewogen, in kg</translation>
     </message>
     <message>
+        <source>of its frequencies, where it says none or a wrong one: kHz, rad/s</source>
+        <translation>ihrer Frequenzen, wo sie keine oder eine falsche nennt: kHz, rad/s</translation>
+    </message>
+    <message>
         <source>true frequency over that of the file: 0.5 to 2</source>
         <translation>wahre Frequenz durch die der Datei: 0.5 bis 2</translation>
     </message>
