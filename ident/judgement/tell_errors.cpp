@@ -130,10 +130,14 @@ void tell_useless(const Plan& plan, Solution& out) {
              " unknowns: " + names_above(shares, 1.0, out) + "." + remedy);
     return;
   }
-  const std::vector<WithoutDigit> found = without_digit(plan, out);
-  if (found.empty()) return;
-  tell(out, Status::doubtful, "The " + text(found.front()) + "." + remedy);
-  for (std::size_t i = 1; i < found.size(); ++i) out.warnings.push_back("The " + text(found[i]) + ".");
+  const bool has_stiffness = plan.restriction.has(restrictions::Kind::stiffness);
+  bool told = false;
+  for (const WithoutDigit& each : without_digit(plan, out)) {
+    const bool counts = each.kind == restrictions::Kind::stiffness || !has_stiffness;
+    if (counts && !told) tell(out, Status::doubtful, "The " + text(each) + "." + remedy);
+    told = told || counts;
+    if (!counts) out.warnings.push_back("The " + text(each) + ".");
+  }
 }
 
 }  // namespace

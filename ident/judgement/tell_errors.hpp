@@ -16,10 +16,11 @@ void tell(Solution& out, Status status, const std::string& sentence);
 ///   a diagonal element of K, C or D that is negative beyond its 95 % interval, by the covariance of the scaled unknowns theta,
 ///   or an eigenvalue that active_motions() finds beyond five deviations (two where the assembly is not measured at the joint);
 ///   errors (std_error, else error_estimate) that are larger than the values of more than half of the unknowns; a value counts as
-///   a tenth of the largest of its matrix and unit at least; or an error of a matrix that is as large as the largest value of its
-///   unit: no valid digit, K first; a warning names further ones;
+///   a tenth of the largest of its matrix and unit at least; or an error of K (of a joint without K: of any matrix) that is as
+///   large as the largest value of its unit: no valid digit;
 ///   where the assembly is not measured at the joint, a matrix K (of a joint without K: any) with an eigenvalue below −0.5 of its
 ///   largest, whatever its error: indefinite_matrices().
+/// A warning names other matrices without a valid digit.
 void tell_errors(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& covariance, Solution& out);
 
 }  // namespace jointid::ident

@@ -108,7 +108,7 @@ TEST(Verdict, NamesTheLineAndTheFrfThatDecideAlone) {
   scene.identify.weighting = weighting::Weighting::wb;
   scene.noise = NoiseSection{.model = "circular", .level = 0.01, .frf_model = std::get<frf::NoiseModel>(problem.noise)};
   problems::Measurement data = problems::polluted(problem, 1, 0);
-  EXPECT_THAT(solve(*problems::plan(scene, data), judged()).message, Not(HasSubstr("One line decides")));
+  EXPECT_EQ(solve(*problems::plan(scene, data), judged()).status, Status::ok);
   const std::size_t line = 100, row = frf::find_coordinate(data.assembly.header.response, frf::Dof::parse("3:+Y")),
                     column = frf::find_coordinate(data.assembly.header.reference,
                                                   frf::Dof::parse("5:+Y"));  // at the joint: it weighs a row
@@ -225,22 +225,20 @@ TEST(TellErrors, ErrorsLargerThanMostValuesAreDoubtful) {
   EXPECT_THAT(of.found.message, HasSubstr("larger than values in"));
 }
 
-TEST(TellErrors, AMatrixWithoutAValidDigitIsDoubtful) {
+TEST(TellErrors, NoValidDigitOfKIsDoubtfulAndOfDAWarning) {
   ToldErrors of;
   double largest = 0.0;
   const auto is_damping = [](const Estimate& unknown) { return unknown.name.starts_with("D") && unknown.unit == "N/m"; };
   for (Estimate& unknown : of.found.unknowns) largest = std::max(largest, is_damping(unknown) ? std::abs(unknown.value) : 0.0);
   std::ranges::find_if(of.found.unknowns, is_damping)->error_estimate = 1.1 * largest;
   of.tell();
-  EXPECT_EQ(of.found.status, Status::doubtful);
-  EXPECT_THAT(of.found.message, HasSubstr("hysteretic damping D has no valid digit in N/m"));
-  EXPECT_THAT(of.found.warnings, IsEmpty());
-  of.found.unknowns.front().error_estimate = 2.0 * std::abs(of.found.unknowns.front().value);  // K(1,1), the largest in N/m
-  of.found.message.clear();
-  of.tell();
-  EXPECT_THAT(of.found.message, HasSubstr("stiffness K has no valid digit in N/m"));
-  ASSERT_EQ(of.found.warnings.size(), 1u);  // K first
+  EXPECT_EQ(of.found.status, Status::ok) << of.found.message;
+  ASSERT_EQ(of.found.warnings.size(), 1u);
   EXPECT_THAT(of.found.warnings.front(), HasSubstr("hysteretic damping D has no valid digit in N/m"));
+  of.found.unknowns.front().error_estimate = 2.0 * std::abs(of.found.unknowns.front().value);  // K(1,1), the largest in N/m
+  of.tell();
+  EXPECT_EQ(of.found.status, Status::doubtful);
+  EXPECT_THAT(of.found.message, HasSubstr("stiffness K has no valid digit in N/m"));
 }
 
 }  // namespace
