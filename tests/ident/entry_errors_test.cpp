@@ -85,7 +85,7 @@ TEST(EntryErrors, InUnitsOfNoiseAreOneWhereNoiseIsAll) {
   scene.identify.variance = VarianceChoice::noise;
   const SolvedProblem exact = solved_problem("A1");
   double sum = 0.0, count = 0.0;
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const auto plan = problems::plan(scene, problems::polluted(problem, seed, 0));
     for (const double error : tasks::entry_errors(*plan, exact.solution.bands).rms_noise) {
       if (!std::isfinite(error)) continue;

@@ -113,7 +113,7 @@ TEST(Status, ALikelihoodWithManyGrossLinesIsDoubtfulAndKeepsItsIntervals) {
   NoisyProblem problem("A1", 0.01, Method::likelihood);
   std::get<frf::NoiseModel>(problem.problem.noise).gross = {.share = 0.09, .factor = 10.0};
   std::size_t many = 0;
-  for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
     const Solution found = problem.solve(problem.data(seed));
     const std::vector<double>& ratios = found.fit.chi_square->by_line;
     const auto outlying = static_cast<std::size_t>(std::ranges::count_if(ratios, [](double ratio) { return ratio > 3.2; }));
