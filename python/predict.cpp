@@ -53,28 +53,6 @@ tasks::CoupledSets coupled(const ident::CoupleScene& scene, const std::filesyste
   return sets;
 }
 
-/// Point FRFs first, then the others, as tasks::read_predicted() of files.
-std::vector<tasks::PredictedFrf> drawn(const tasks::CoupledSets& coupled) {
-  const frf::FrfSet& set = coupled.frfs;
-  const frf::FrfHeader& header = set.header;
-  std::vector<tasks::PredictedFrf> out;
-  for (const bool point : {true, false}) {
-    for (std::size_t r = 0; r < header.response.size(); ++r) {
-      for (std::size_t c = 0; c < header.reference.size() && out.size() < report::most_frfs; ++c) {
-        if (header.response[r].same_coordinate(header.reference[c]) != point) continue;
-        tasks::PredictedFrf frf{header.response[r], header.reference[c], {}, {}, {}};
-        for (std::size_t line = 0; line < header.lines(); ++line) {
-          frf.value.push_back(set.values[set.index(line, r, c)]);
-          if (!set.variance.empty()) frf.variance.push_back(set.variance[set.index(line, r, c)]);
-          if (coupled.with_all) frf.with_all.push_back(coupled.with_all->values[set.index(line, r, c)]);
-        }
-        out.push_back(std::move(frf));
-      }
-    }
-  }
-  return out;
-}
-
 Outcome direct_steps(const SceneText& text) {
   const auto scene = std::make_shared<const laws::LawScene>(laws::parse_law_scene(text.text, text.file));
   const auto found = std::make_shared<const laws::DirectIdentification>(laws::identify_directly(*scene));
@@ -100,7 +78,10 @@ Outcome couple(const SceneText& text, const std::filesystem::path& out, bool bou
           .json = [=] { return report::couple_json(*scene, found->result); },
           .text = [=] { return report::couple_text(*scene, found->result); },
           .csv = [=] { return report::couple_csv(found->result); },
-          .page = [=](const ident::Control&) { return report::couple_page(*scene, found->result, drawn(*found)); },
+          .page =
+              [=](const ident::Control&) {
+                return report::couple_page(*scene, found->result, tasks::predicted_of(*found, report::most_frfs));
+              },
           .frfs = [=](const ident::Control&) { return found->frfs; }};
 }
 

@@ -250,7 +250,7 @@ bool shares_errors(const Plan& plan) {
   return !plan.regenerated.empty() || (!plan.scene.couple_first.pairs.empty() && !plan.method->carries_shared_errors());
 }
 
-constexpr double poor_with_misfit = 4.0, hopeless_with_misfit = 16.0;  // χ² over f where errors include the misfit
+constexpr double poor_with_misfit = 4.0, hopeless_with_misfit = 64.0;  // χ² over f where errors include the misfit
 
 bool is_poor(const LikelihoodJudgement& fit, double ratio, bool estimated) {
   return fit.hopeless || ratio > (estimated || fit.includes_misfit ? poor_with_misfit : 2.0);
@@ -259,8 +259,8 @@ bool is_poor(const LikelihoodJudgement& fit, double ratio, bool estimated) {
 /// What errors and intervals are worth.
 std::string worth_of_errors(const LikelihoodJudgement& fit, double ratio, bool poor) {
   if (fit.includes_misfit && ratio <= hopeless_with_misfit) {
-    return " Standard errors and intervals include the model error, as blocks of lines that are left out tell it; an error that is alike "
-           "on all lines, as of a sensor off its place, can move the joint by more.";
+    return " Standard errors and intervals include the model error, as blocks of lines and the residuals of each sensor tell it; an error that "
+           "looks like another joint, as of a sensor at the joint off its place, can move the joint by more.";
   }
   return poor ? " No standard errors or intervals are given, they would not hold."
               : " Standard errors and intervals are too small.";

@@ -433,7 +433,7 @@ double ratio_without(const Plan& plan, const Fitted& all, const FileGain* stretc
 /// Where there is misfit, what a stretch does not explain of it is looked for at one standard deviation, not at five.
 constexpr double still_there = 0.2;
 
-Widened widened(const Plan& plan, const Fitted& all, const Eigen::MatrixXd& information, Solution& out) {
+Widened widened(const Plan& plan, const Fitted& all, const Eigen::MatrixXd& information, const Control& control, Solution& out) {
   const ChiSquare& chi_square = all.chi_square;
   const std::size_t joint = plan.columns->size();
   Widened to{Intervals(covariance_under_ties(plan, joint_information(information, joint)))};
@@ -452,8 +452,11 @@ Widened widened(const Plan& plan, const Fitted& all, const Eigen::MatrixXd& info
   const auto jackknife = tried.jackknife(all.fit.theta.size(), stretch);
   const bool scatters = jackknife && jackknife->tells_more() && !tried.shared.are_seen();
   if (jackknife && (exceeds || scatters)) to.intervals.include_misfit(*jackknife, exceeds ? std::sqrt(std::max(1.0, left)) : 1.0);
+  const auto sensors = exceeds ? sensor_scatter(plan, all.estimator, all.fit, all.fit.information, control)
+                               : std::nullopt;
+  if (sensors) to.intervals.include_sensors(*sensors);
   if (scatters && !to.includes_misfit) tell_scatter(*jackknife, out);
-  to.includes_misfit = to.includes_misfit && (jackknife || !exceeds);
+  to.includes_misfit = to.includes_misfit && (jackknife || sensors || !exceeds);
   return to;
 }
 
@@ -481,7 +484,7 @@ void estimate(const Plan& plan, const Control& control, Solution& out) {
   const LikelihoodFit fit = joint_part(all.fit, plan.columns->size());
   interpret(plan, with_rank(plan, fit), out);
   out.systematic = systematic_estimates(plan, all.fit, information);
-  const Widened widest = widened(plan, all, information, out);
+  const Widened widest = widened(plan, all, information, control, out);
   widest.intervals.state(plan, out);
   out.fit.lines = plan.lines.size();
   out.fit.equations_used = equations_used(observations, fit.line_weight);

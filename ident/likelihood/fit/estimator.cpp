@@ -38,9 +38,10 @@ constexpr double least_misfit = 1e-6;
 constexpr double least_ratio = 0.1;  // of one step to the last: where an earlier one told it
 constexpr std::size_t most_iterations = 60;
 
-/// With most lines further than three times their errors off, a joint that does not get 2 % nearer in four steps is not waited for, and
-/// when starts end within a tenth of each other no other is tried: the data are wrong, or the joint's model.
-constexpr double far_misfit = 9.0, mended = 0.02, same_end = 0.1;
+/// With most lines further than three times their errors off, when starts end within a tenth of each other no other is tried: the data
+/// are wrong, or the joint's model. Further than six times, a joint that does not get 2 % nearer in four steps is not waited for.
+constexpr double far_misfit = 9.0, same_end = 0.1;
+constexpr double lost_misfit = 36.0, mended = 0.02;
 constexpr std::size_t patience = 4;
 /// The same where the data contradict every joint.
 constexpr double mended_beyond = 0.3;
@@ -235,9 +236,9 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
     crawling = scale < 0.01 ? crawling + 1 : 0;
     if (crawling == 3) return false;
     losses.push_back(loss);
-    const bool beyond = beyond_any_joint(fit.theta);
+    const bool beyond = lines_.tolerance() > lost_misfit && beyond_any_joint(fit.theta);
     const std::size_t steps = beyond ? patience_beyond : patience;
-    if (far_from_fitting() && losses.size() > steps &&
+    if (lines_.tolerance() > lost_misfit && losses.size() > steps &&
         loss > (1.0 - (beyond ? mended_beyond : mended)) * losses[losses.size() - 1 - steps]) {
       fit.hopeless = true;
       return false;
@@ -299,6 +300,7 @@ LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const Fit
   }
   const bool stay = lines_.layout().is_large();  // lines are optimised and factored once more in the end
   if (fit.converged) fit.converged = project(fit, settled, watch, stay ? From::last_project : From::anywhere, known);
+  if (!fit.converged && far_from_fitting()) fit.hopeless = true;
   finish(fit);
   return fit;
 }
