@@ -562,7 +562,7 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
         <translation>Was die Fügestellen aller Läufe der Sitzung ergeben, übereinander zeichnen</translation>
     </message>
     <message>
-        <source>Error of the regenerated FRF</source>
+        <source>Error of the synthesised FRF</source>
         <translation>Fehler der nachgerechneten FRF</translation>
     </message>
     <message>
@@ -578,7 +578,7 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
         <translation>nicht vergleichbar</translation>
     </message>
     <message numerus="yes">
-        <source>; %n outlying line(s), red below the curves</source>
+        <source>; %n outlier line(s), red below the curves</source>
         <translation>
             <numerusform>; eine ausreißende Linie, rot unter den Kurven</numerusform>
             <numerusform>; %n ausreißende Linien, rot unter den Kurven</numerusform>
@@ -1635,7 +1635,7 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Kandidaten</translation>
     </message>
     <message>
-        <source>Coordinates of the files that count as not measured, until it is told what each would bring</source>
+        <source>Coordinates of the files that count as not measured; the plan predicts what each would add</source>
         <translation>Koordinaten der Dateien, die als nicht gemessen gelten; gesagt wird, was jede brächte</translation>
     </message>
     <message>
@@ -2322,7 +2322,7 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>FRF-Fehler des Zusammenbaus</translation>
     </message>
     <message>
-        <source>outlying lines</source>
+        <source>outlier lines</source>
         <translation>ausreißende Linien</translation>
     </message>
     <message>
@@ -3266,7 +3266,7 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Zwei der Formen sind die einer Kraft und eines Moments am Ende</translation>
     </message>
     <message>
-        <source>Late channels</source>
+        <source>Time delays of channels</source>
         <translation>Verspätete Kanäle</translation>
     </message>
     <message>

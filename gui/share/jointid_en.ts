@@ -21,7 +21,7 @@
 <context>
     <name>FrfTab</name>
     <message numerus="yes">
-        <source>; %n outlying line(s), red below the curves</source>
+        <source>; %n outlier line(s), red below the curves</source>
         <translation>
             <numerusform>; %n outlying line, red below the curves</numerusform>
             <numerusform>; %n outlying lines, red below the curves</numerusform>

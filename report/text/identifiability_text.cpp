@@ -26,7 +26,7 @@ std::string interval_words(ident::IntervalKind kind) {
 }
 
 Table weakest_table(const std::vector<ident::WeakCombination>& weakest) {
-  Table table({{"fixed worst", Align::left}, {"to"}, {"of these fixed best", Align::left}, {"to"}, {"correlation"}});
+  Table table({{"least determined", Align::left}, {"to"}, {"best determined of these", Align::left}, {"to"}, {"correlation"}});
   for (const ident::WeakCombination& weak : weakest) {
     table.add({ident::text(weak.worst), percent(weak.worst.deviation), weak.best ? ident::text(*weak.best) : "",
                weak.best ? percent(weak.best->deviation) : "",
@@ -41,7 +41,7 @@ std::vector<std::pair<std::string, std::string>> visibility_rows(const ident::So
   return {{"standard errors and intervals", interval_words(solution.intervals)},
           {"largest relative standard error", errors ? percent(found.largest_relative_error) : "–"},
           {"median of |H_sub - H_asm| over its error", times(found.joint.effect)},
-          {"work of the combination fixed worst, assembled over free parts", times(found.joint.deformation)}};
+          {"work of the least determined combination, assembled over free parts", times(found.joint.deformation)}};
 }
 
 std::string identifiability_text(const ident::Solution& solution) {
