@@ -33,7 +33,7 @@ void declare_reading(CLI::App& command, FrfArguments& arguments) {
           [&arguments](const std::vector<std::string>& texts) {
             arguments.references = of_option("--reference", [&] { return parse_dofs(texts); });
           },
-          "DOF of the force, or one per file (roving hammer); default: as the channels say")
+          "DOF of the force, or one per file (roving hammer); default: as the channels state")
       ->delimiter(',')
       ->allow_extra_args(false);
 }

@@ -63,7 +63,7 @@ std::string virtual_points_text(const std::vector<virtualpoint::Consistency>& po
                  over_lines(side->overall, point.frequency_hz), over_lines(point.rigidity, point.frequency_hz)});
     }
   }
-  return "\nconsistency of virtual points (1: the interface moves as its coordinates say)\n\n" + table.text();
+  return "\nconsistency of virtual points (1: the virtual point explains the channels fully)\n\n" + table.text();
 }
 
 std::string notes_text(const std::vector<std::string>& notes) {

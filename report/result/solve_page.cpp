@@ -127,7 +127,7 @@ void add_identifiability(const ident::Solution& solution, ReportPage& page) {
   page.section("Identifiability");
   for (const ident::Finding& finding : solution.identifiability->findings) page.add(Text{finding.text});
   page.add(Facts{visibility_rows(solution)});
-  page.add(weakest_table(solution.identifiability->weakest), "Weakest combinations, in parts of the estimates");
+  page.add(weakest_table(solution.identifiability->weakest), "Least determined combinations, relative to the estimates");
 }
 
 void add_systematic(const ident::Solution& solution, ReportPage& page) {
@@ -136,7 +136,7 @@ void add_systematic(const ident::Solution& solution, ReportPage& page) {
   page.add(systematic_table(solution.systematic), "Estimated with the joint");
   if (!solution.identifiability) return;
   page.add(calibration_table(solution.identifiability->calibration),
-           "What of the variance would go if these were known exactly, all of them and one alone");
+           "Share of the variance that exact knowledge of these would remove: of all together, of the most important one");
 }
 
 void add_matrices(const ident::Plan& plan, const ident::Solution& solution, const Display& display, ReportPage& page) {

@@ -50,7 +50,8 @@ std::string identifiability_text(const ident::Solution& solution) {
   for (const auto& [name, value] : visibility_rows(solution)) facts.add({name, value});
   std::string text = "\nidentifiability\n" + facts.text();
   if (!solution.identifiability->weakest.empty()) {
-    text += "\nweakest combinations, in parts of the estimates\n" + weakest_table(solution.identifiability->weakest).text();
+    text +=
+        "\nleast determined combinations, relative to the estimates\n" + weakest_table(solution.identifiability->weakest).text();
   }
   for (const ident::Finding& finding : solution.identifiability->findings) text += "\n" + finding.text + "\n";
   return text;

@@ -171,7 +171,7 @@ TEST_F(FrfCommand, WhatIsWrongIsSaidInOneLine) {
   EXPECT_THAT(run_command(folder_.path(), {"frf", "a.h5"}).err, HasSubstr("a.h5: "));
   EXPECT_THAT(run_command(folder_.path(), {"frf", "absent.npy"}).err, HasSubstr("absent.npy: there is no such file"));
   EXPECT_THAT(run_command(folder_.path(), {"frf", "blows.csv", "--shaker"}).err,
-              HasSubstr("--shaker: says no length of the segments"));
+              HasSubstr("--shaker: states no length of the segments"));
 }
 
 }  // namespace
