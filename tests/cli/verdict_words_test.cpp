@@ -45,7 +45,7 @@ TEST(StudyVerdict, AMatrixThatIsOffByMoreThanItselfIsSaid) {
   EXPECT_EQ(tasks::study_doubt(statistics), "");
   statistics.quality[1].rms_over_trials = 3.0;
   EXPECT_EQ(tasks::study_doubt(statistics),
-            "hysteretic damping is off by 300 % rms over the trials: one solution does not tell it");
+            "hysteretic damping is off by 300 % rms over the trials: one solution does not determine it");
 }
 
 TEST(StudyVerdict, WithoutATruthTheScatterTells) {
