@@ -563,7 +563,7 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
     </message>
     <message>
         <source>Error of the synthesised FRF</source>
-        <translation>Fehler der nachgerechneten FRF</translation>
+        <translation>Fehler der synthetisierten FRF</translation>
     </message>
     <message>
         <source>Solve, and the assembly&apos;s FRFs stand here as measured and as the joint gives them.</source>
@@ -580,8 +580,8 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
     <message numerus="yes">
         <source>; %n outlier line(s), red below the curves</source>
         <translation>
-            <numerusform>; eine ausreißende Linie, rot unter den Kurven</numerusform>
-            <numerusform>; %n ausreißende Linien, rot unter den Kurven</numerusform>
+            <numerusform>; eine Ausreißer-Linie, rot unter den Kurven</numerusform>
+            <numerusform>; %n Ausreißer-Linien, rot unter den Kurven</numerusform>
         </translation>
     </message>
 </context>
@@ -1636,7 +1636,7 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
     </message>
     <message>
         <source>Coordinates of the files that count as not measured; the plan predicts what each would add</source>
-        <translation>Koordinaten der Dateien, die als nicht gemessen gelten; gesagt wird, was jede brächte</translation>
+        <translation>Koordinaten der Dateien, die als nicht gemessen gelten; der Plan sagt voraus, was jede beiträgt</translation>
     </message>
     <message>
         <source>candidates, not measured so far: 3:+Y, 4:+RZ</source>
@@ -2323,7 +2323,7 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
     </message>
     <message>
         <source>outlier lines</source>
-        <translation>ausreißende Linien</translation>
+        <translation>Ausreißer-Linien</translation>
     </message>
     <message>
         <source>misfit</source>
@@ -3267,7 +3267,7 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
     </message>
     <message>
         <source>Time delays of channels</source>
-        <translation>Verspätete Kanäle</translation>
+        <translation>Zeitverzug der Kanäle</translation>
     </message>
     <message>
         <source>The channels of a periodic record stand here, as measured and without their delays.</source>
