@@ -27,8 +27,8 @@ tasks::ModalRun fitted(const ModalfitArguments& arguments) {
 }  // namespace
 
 void add_modalfit(CLI::App& app, Chosen& chosen) {
-  auto [command, arguments] = add_command<ModalfitArguments>(app, chosen, "modalfit",
-                                                             "Find the modes behind measured FRFs and regenerate the FRFs from them");
+  auto [command, arguments] = add_command<ModalfitArguments>(
+      app, chosen, "modalfit", "Identify modes from measured FRFs (modal analysis), and synthesise FRFs");
   declare(*command, *arguments);
 }
 

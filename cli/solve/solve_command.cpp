@@ -131,7 +131,7 @@ SolveArguments& add_linear_solve(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<SolveArguments>(app, chosen, "solve", "Identify the joint of a scene");
   command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
   add_outputs(command, *arguments, "the solution", "the unknowns", "tables and plots");
-  command->add_option("--plot", arguments->plot, "Plot an assembly FRF, measured and regenerated, e.g. 1:+Y/5:+Y");
+  command->add_option("--plot", arguments->plot, "Plot an assembly FRF, measured and synthesised, e.g. 1:+Y/5:+Y");
   command->add_option("--units", arguments->units, "Of text, CSV and page: SI (default) or mm (N/mm); JSON stays SI");
   command->add_option("--quantity", arguments->quantity,
                       "Of plotted FRFs: receptance (default), mobility, accelerance, or measured as the assembly's file");

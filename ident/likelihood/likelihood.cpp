@@ -303,7 +303,7 @@ void bootstrap_errors(const Plan& plan, const LikelihoodEstimator& estimator, co
   const auto usable = static_cast<std::size_t>(std::ranges::count_if(replicates, &Replicate::usable));
   if (10 * usable < 9 * replicates.size()) {
     out.message += "Only " + std::to_string(usable) + " of " + std::to_string(replicates.size()) +
-                   " bootstrap replicates settled: the intervals are those of the Cramér–Rao bound.";
+                   " bootstrap replicates converged: the intervals are those of the Cramér–Rao bound.";
     return;
   }
   out.intervals = IntervalKind::bootstrap;
@@ -501,7 +501,7 @@ void estimate(const Plan& plan, const Control& control, Solution& out) {
   const bool finite = std::ranges::all_of(fit.theta, [](double value) { return std::isfinite(value); });
   if ((!fit.converged && !fit.hopeless) || !finite) {
     out.status = Status::not_converged;
-    out.message = finite ? "The likelihood did not settle."
+    out.message = finite ? "The likelihood did not converge."
                          : "The likelihood broke down: is a line on a resonance without any damping? Leave such lines out.";
   }
   out.used.accumulator_bytes = observations.bytes() + fit.bytes;

@@ -287,7 +287,7 @@ void estimate(const Plan& plan, NewtonPlan& own, const Control& control, Solutio
   if (!found.best().converged) {
     out.status = Status::not_converged;
     out.message = (found.best().diverged ? "The iteration diverged and was stopped: " + largest_unknown(found.best().q, out) + "."
-                                         : "The iteration did not settle.") +
+                                         : "The iteration did not converge.") +
                   " Try other starts (starts = 20 in [identify]) or method \"likelihood\".";
   } else if (out.status == Status::ok && control.detail == Detail::full) {
     scatter = scatter_at(problem, found.best().q);

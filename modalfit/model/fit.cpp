@@ -73,10 +73,10 @@ class Fitter {
     fill_modes(refined, scatter, out);
     if (refined.poles.empty()) {
       out.status = FitStatus::no_modes;
-      out.message = "No mode stands out of the noise: widen the range, or look at the FRFs.";
+      out.message = "No mode exceeds the noise: widen the range, or look at the FRFs.";
     } else if (!refined.converged) {
       out.status = FitStatus::not_converged;
-      out.message = "The refinement of the poles did not settle: narrow the range, or say how many modes there are.";
+      out.message = "The refinement of the poles did not converge: narrow the range, or give the number of modes.";
     } else {
       doubt(out);
       compare_damping(refined, out);

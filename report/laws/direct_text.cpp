@@ -72,7 +72,7 @@ std::string direct_text(const laws::LawScene& scene, const laws::DirectIdentific
   std::string text = (scene.title.empty() ? "" : scene.title + "\n") + states_text(scene, found.data) +
                      consistency_text(found.consistency) + "\n";
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
-    text += fmt::format("{}: stiffness and damping without a law, {} of {} states tell them to 30 %\n",
+    text += fmt::format("{}: stiffness and damping without a law, {} of {} states determine them to 30 %\n",
                         scene.joints[j].beside.name, found.known[j], found.steps.size());
     text += direct_table(found.steps, j).text() + "\n";
   }

@@ -14,7 +14,7 @@ namespace {
 void add_summary(const laws::LawScene& scene, const laws::LawIdentification& found, ReportPage& page) {
   page.section("Summary");
   page.add(Facts{{{"laws", laws::laws_text(found.laws())},
-                  {"not told apart from", found.not_told_apart.empty() ? "–" : comma_list(found.not_told_apart)},
+                  {"not separated from", found.not_told_apart.empty() ? "–" : comma_list(found.not_told_apart)},
                   {"force levels", fmt::format("{}", scene.levels.size())},
                   {"measured states", fmt::format("{}", found.data.states.size())},
                   {"χ² of degrees of freedom", fmt::format("{:.5g} of {}", found.fit().chi_square, found.fit().freedom)}}});

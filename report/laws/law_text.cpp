@@ -34,7 +34,7 @@ std::string harmonics_text(const std::vector<int>& numbers) {
 std::string choice_text(const LawIdentification& found) {
   std::string text = "law: " + laws::laws_text(found.laws());
   if (!found.not_told_apart.empty()) {
-    text += "; the data cannot tell it from " + comma_list(found.not_told_apart);
+    text += "; the data do not separate it from " + comma_list(found.not_told_apart);
   }
   return text + "\n";
 }

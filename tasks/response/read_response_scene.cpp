@@ -26,7 +26,7 @@ response::Excitation read_components(const scene::Item& item) {
   response::Excitation force = {{}, Eigen::MatrixXcd(at(parts.size()), 1)};
   for (const auto& [harmonic, share] : parts) {
     if (!force.harmonics.empty() && force.harmonics.back() == harmonic)
-      item.fail("harmonic " + std::to_string(harmonic) + " stands there twice");
+      item.fail("harmonic " + std::to_string(harmonic) + " occurs twice");
     force.amplitudes(at(force.harmonics.size()), 0) = share;
     force.harmonics.push_back(harmonic);
   }
@@ -131,7 +131,7 @@ ResponseScene parse_response_scene(const std::string& text, const ident::Path& f
     read_frequencies(frequency ? *frequency : table.require("frequency"), scene);
   read_response(table.require("response"), scene);
   if (const auto curves = table.find("curves")) {
-    if (!force) curves->fail("there is no [force]", "say where it acts");
+    if (!force) curves->fail("there is no [force]", "state where it acts");
     for (const scene::Item& curve : curves->list_not_empty()) scene.curves.push_back(read_curve(curve, scene));
   }
   if (const auto equivalent = table.find("equivalent")) scene.equivalent = read_equivalent(*equivalent, scene);

@@ -67,8 +67,7 @@ void require_joint_errors(const Plan& plan) {
   };
   const LikelihoodPlan* const own = likelihood_plan(plan);
   if (!own) {
-    fail("[identify] method",
-         "only method \"likelihood\" tells what the errors of a joint have in common with those of the parts",
+    fail("[identify] method", "only method \"likelihood\" gives the errors that a joint shares with the parts",
          "set method = \"likelihood\"");
   }
   if (plan.admissible) fail("[joint]", "what bounds and ties do to the errors is not carried into a coupling", "leave them out");
