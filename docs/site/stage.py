@@ -124,8 +124,9 @@ def main(out: pathlib.Path) -> None:
     out.mkdir(parents=True)
     for page in [*sorted(DOCS.rglob("*.md")), *(ROOT / name for name in PROJECT)]:
         stage_page(page, out)
-    for picture in sorted(DOCS.glob("*.png")):
-        shutil.copy2(picture, out / picture.name)
+    for file in [*sorted(DOCS.rglob("*.png")), *sorted(DOCS.rglob("*.rst"))]:
+        (to := out / file.relative_to(DOCS)).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy2(file, to)
     shutil.copy2(DOCS / "conf.py", out / "conf.py")
     stage_gallery(out)
 
