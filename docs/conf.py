@@ -49,6 +49,7 @@ sphinx_gallery_conf = {
 
 html_theme = "furo"
 html_title = f"jointid {release}"
+html_search_scorer = str(SOURCE / "docs/site/scorer.js")
 html_copy_source = False
 html_show_sourcelink = False
 html_last_updated_fmt = None

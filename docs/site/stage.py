@@ -91,6 +91,29 @@ def contents_of_reference() -> set[pathlib.Path]:
     return {(page.parent / f"{entry.strip()}.md").resolve() for entries in lists for entry in entries.split(",")}
 
 
+def glossary_entries() -> dict[pathlib.Path, list[str]]:
+    """Words of the field by the page that treats them: rows "| words | ours | sentence ([page](link)). |" of docs/glossary.md."""
+    page = DOCS / "glossary.md"
+    entries: dict[pathlib.Path, list[str]] = {}
+    for row in page.read_text(encoding="utf-8").splitlines() if page.exists() else []:
+        cells = row.strip("| ").split(" | ")
+        link = LINK.search(cells[-1])
+        if row.startswith("|") and link and not link[2].startswith("http"):
+            words = re.sub(r"\([^)]*\)", "", cells[0]).replace("`", "").replace("*", "")
+            target = (page.parent / link[2].partition("#")[0]).resolve()
+            entries.setdefault(target, []).extend(word.strip() for word in words.split(",") if word.strip())
+    return entries
+
+
+def with_entries(text: str, words: list[str]) -> str:
+    """The words as entries of the index below the title, where the search finds them."""
+    if not words:
+        return text
+    entries = "".join(f"   single: {word}\n" for word in dict.fromkeys(words))
+    title, _, rest = text.partition("\n")
+    return f"{title}\n\n```{{eval-rst}}\n.. index::\n{entries}```\n{rest}"
+
+
 def stage_page(page: pathlib.Path, out: pathlib.Path) -> None:
     place = pathlib.Path(PROJECT[page.name]) if page.parent == ROOT else page.relative_to(DOCS)
     elsewhere = {DOCS / "index.md"}
@@ -99,7 +122,7 @@ def stage_page(page: pathlib.Path, out: pathlib.Path) -> None:
     text = with_contents(page, page.read_text(encoding="utf-8"), elsewhere)
     to = out / place
     to.parent.mkdir(parents=True, exist_ok=True)
-    to.write_text(with_links(page, place, text), encoding="utf-8")
+    to.write_text(with_entries(with_links(page, place, text), glossary_entries().get(page, [])), encoding="utf-8")
 
 
 def with_title(program: str) -> str:
