@@ -68,8 +68,6 @@ def with_links(page: pathlib.Path, place: pathlib.Path, text: str) -> str:
             return match[0]
         file = (page.parent / link).resolve()
         found = site_place(file)
-        if found is None and (generated := file.is_relative_to(DOCS) and file.parent.name in ("reference", "gallery", "project")):
-            found = file.relative_to(DOCS)
         if found is None:
             if not file.exists():
                 raise SystemExit(f"{page.relative_to(ROOT)}: the link to {match[2]} leads nowhere")
