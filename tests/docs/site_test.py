@@ -135,6 +135,32 @@ class Pages(unittest.TestCase):
         self.assertIn("](../file-formats.md", readme)
 
 
+class Joining(unittest.TestCase):
+    @staticmethod
+    def first(pattern: str, file: str) -> str:
+        found = re.search(pattern, (ROOT / file).read_text(encoding="utf-8"), re.MULTILINE)
+        return found[1] if found else f"none in {file}"
+
+    def test_one_version(self) -> None:
+        version = self.first(r"project\(jointid VERSION (\S+)", "CMakeLists.txt")
+        self.assertEqual(self.first(r"^version: (\S+)$", "CITATION.cff"), version)
+        self.assertEqual(self.first(r'<release version="([^"]+)"', "gui/share/org.jointid.workbench.metainfo.xml"), version)
+        self.assertIn(f"## {version}\n", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"))
+
+    def test_a_fault_comes_with_version_and_check(self) -> None:
+        template = (ROOT / ".github/ISSUE_TEMPLATE/fault.yml").read_text(encoding="utf-8")
+        for command in ("jointid --version", "jointid check SCENE --json check.json"):
+            self.assertIn(command, template)
+        self.assertIn("run: .ci/run\n", (ROOT / ".github/workflows/ci.yml").read_text(encoding="utf-8"))
+
+    def test_commands_of_contributing_are_there(self) -> None:
+        text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+        scripts = set(re.findall(r"(scripts/[a-z-]+|\.ci/run)", text))
+        self.assertGreaterEqual(len(scripts), 6)
+        for script in scripts:
+            self.assertTrue(os.access(ROOT / script, os.X_OK), script)
+
+
 class Links(unittest.TestCase):
     def found(self, **pages: str) -> tuple[int, str]:
         with tempfile.TemporaryDirectory() as folder:
