@@ -105,13 +105,13 @@ def write_pages(headers: dict[str, str], xml: pathlib.Path, out: pathlib.Path) -
         folders[header.split("/")[0]].append(header)
     out.mkdir(parents=True, exist_ok=True)
     for folder, own in folders.items():
-        lines = [f"C++: {folder}", "=" * (5 + len(folder)), ""]
+        lines = [f"C++: {folder}/", "=" * (6 + len(folder)), ""]
         for header in own:
             what = headers[header].replace("`", "``")
             lines += [header, "-" * len(header), "", what[:1].upper() + what[1:] + "." if what else "", "",
                       *directives(file_of(index, xml, header), of_namespaces[header])]
         (out / f"{folder}.rst").write_text("\n".join(lines), encoding="utf-8")
-    contents = ["# C++", "", "The headers that are kept from version to version ([the library](../library.md)).", "", "```{toctree}",
+    contents = ["# C++ headers", "", "The headers that are kept from version to version ([the library](../library.md)).", "", "```{toctree}",
                 ":maxdepth: 1", "", *(f"cpp/{folder}" for folder in folders), "```", ""]
     (out.parent / "cpp-api.md").write_text("\n".join(contents), encoding="utf-8")
 

@@ -17,6 +17,9 @@ NO_WORD = "this-is-surely-no-word"
 DATE = "1979-05-27"
 MODEL_SCENE = '[data]\nsubstructures = ["m.toml"]\nassembly = ["c.csv"]\n[joint]\ndofs = ["1:+X", "2:+X"]\nstiffness = { pattern = "full" }\n'
 ASSEMBLY = "# quantity = receptance\n# unit = m/N\nfrequency_hz,1:+X/1:+X re,1:+X/1:+X im,2:+X/1:+X re,2:+X/1:+X im\n1,1,0,1,0\n2,1,0,1,0\n3,1,0,1,0\n"
+#: What the reader expects, in the words of the page.
+SINGLE = {"[lo, hi]": "`[lo, hi]`"}
+SEVERAL = {"a string": "strings", "a number": "numbers", "an array": "lists", "a table": "tables", "[lo, hi]": "`[lo, hi]`"}
 
 
 @dataclass
@@ -86,8 +89,8 @@ class Reader:
         expected = re.search(r": expected ([^:]*?), found a date", said(DATE))
         if expected and expected[1] == "an array":
             inner = re.search(r": expected ([^:]*?), found a date", said(f"[{DATE}]"))
-            return "list" + (f" of: {inner[1]}" if inner else "")
-        return f"`{expected[1]}`" if expected and "[" in expected[1] else expected[1] if expected else ""
+            return f"list of {SEVERAL.get(inner[1], inner[1])}" if inner else "list"
+        return SINGLE.get(expected[1], expected[1]) if expected else ""
 
 
 def file_names(words: list[str]) -> bool:
@@ -138,7 +141,8 @@ def page(keys: dict[tuple[str, str], list[Key]], meanings: Meanings) -> str:
                 only = f" (of {', '.join(key.variants)})" if key.variants else ""
                 below = next((each for each in kind.tables if each.path == f"{table.path}.{key.name}".strip(".")), None)
                 meaning = f"the table `{below.header}`" if below else meanings.of(kind, table.path, key.name)
-                lines.append(f"| `{key.name}`{only} | {key.takes} | {meaning} |")
+                takes = key.takes or ("" if not below else "list of tables" if below.several else "a table")
+                lines.append(f"| `{key.name}`{only} | {takes} | {meaning} |")
             lines.append("")
     return "\n".join(lines)
 

@@ -68,7 +68,7 @@ class SceneKeys(unittest.TestCase):
         reader = scene_keys.Reader(COMMAND)
         solve = {table.path: table for table in scene_tables.SOLVE.tables}
         for path, key, takes in (("frequency", "range", "`[lo, hi]`"), ("data", "reciprocity", "true or false"),
-                                 ("identify", "equations", 'list of `"nn"`, `"nj"`, `"jj"`, `"jn"`'), ("joint", "dofs", "list of: a string")):
+                                 ("identify", "equations", 'list of `"nn"`, `"nj"`, `"jj"`, `"jn"`'), ("joint", "dofs", "list of strings")):
             table = solve[path]
             self.assertEqual(reader.takes(scene_tables.SOLVE, table, table.lines, key), takes, key)
 
@@ -111,7 +111,7 @@ class Pages(unittest.TestCase):
             page = left.pop()
             text = (self.site / f"{page}.md").read_text(encoding="utf-8")
             for block in re.findall(r"```\{toctree\}\n(.*?)```", text, re.DOTALL):
-                for line in (line.strip() for line in block.splitlines()):
+                for line in (re.sub(r".*<(.*)>", r"\1", line.strip()) for line in block.splitlines()):
                     name = os.path.normpath(os.path.join(os.path.dirname(page), line)) if line and not line.startswith(":") else ""
                     if name in pages and name not in found:
                         found.add(name)
