@@ -14,6 +14,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "docs/site"))
 
 import command_line
+import json_keys
 import links
 import scene_keys
 import scene_meanings
@@ -90,6 +91,22 @@ class CommandLine(unittest.TestCase):
     def test_what_it_does_not_understand_fails(self) -> None:
         with self.assertRaises(SystemExit):
             command_line.parse([], "Does it\nUsage: jointid\n\nno section\n")
+
+
+class JsonKeys(unittest.TestCase):
+    def test_paths_of_values(self) -> None:
+        found = {}
+        json_keys.collect({"a": [{"b": None, "c": []}, {"b": 1.5}], "dofs": {"1:+Y": 1, "2:+Y": True}, "e": {}}, "", found)
+        self.assertEqual({path: sorted(kinds) for path, (kinds, _) in found.items()},
+                         {"a[].b": ["null", "number"], "a[].c": ["list, empty"], "dofs.*": ["number", "true or false"], "e": ["object"]})
+        self.assertEqual(found["a[].b"][1], 1.5)
+        self.assertEqual(json_keys.shown("x", 687318.7451), "`687300.0`")
+
+    def test_those_of_a_command(self) -> None:
+        check = next(each for each in json_keys.EXAMPLES if each.command == "check")
+        with tempfile.TemporaryDirectory() as folder:
+            page = "\n".join(json_keys.section(COMMAND, folder, check))
+        self.assertIn("| `verdict` | text | `\"clean\"` |", page)
 
 
 class Pages(unittest.TestCase):
