@@ -9,7 +9,10 @@ var Scorer = {
   term: 5,
   partialTerm: 2,
   score: ([docname, , , , score]) => {
-    const folders = [["how-to/", 4], ["tutorials/", 3], ["from-other-tools/", 3], ["gallery/", 1], ["reference/cpp/", -8], ["project/", -4]];
+    const folders = [
+      ["how-to/messages", -6], ["how-to/index", 0], ["how-to/", 4], ["tutorials/", 3], ["from-other-tools/", 3], ["gallery/", 1],
+      ["reference/cpp/", -8], ["project/", -4],
+    ];
     const [, more] = folders.find(([folder]) => docname.startsWith(folder)) || ["", docname === "glossary" ? 2 : 0];
     return score + more;
   },
