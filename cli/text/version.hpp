@@ -4,7 +4,7 @@
 
 namespace jointid::cli {
 
-/// "0.1.0"
+/// "0.2.0"
 std::string version_number();
 
 /// Name, version, and what this build can and cannot do.

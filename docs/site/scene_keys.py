@@ -1,0 +1,162 @@
+"""scene_keys.py JOINTID OUT.md [OUT.json]: the keys of all kinds of scenes as the reader itself names them. It is asked: given a key that is
+none, it names all that are; given a date, which it takes nowhere, it says what it expects. What a key means is from the pages of docs/."""
+
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+from scene_meanings import Meanings
+from scene_tables import KINDS, MODELS, SOLVE, Kind, Lines, SceneTable
+
+NO_WORD = "this-is-surely-no-word"
+DATE = "1979-05-27"
+MODEL_SCENE = '[data]\nsubstructures = ["m.toml"]\nassembly = ["c.csv"]\n[joint]\ndofs = ["1:+X", "2:+X"]\nstiffness = { pattern = "full" }\n'
+ASSEMBLY = "# quantity = receptance\n# unit = m/N\nfrequency_hz,1:+X/1:+X re,1:+X/1:+X im,2:+X/1:+X re,2:+X/1:+X im\n1,1,0,1,0\n2,1,0,1,0\n3,1,0,1,0\n"
+#: What the reader expects, in the words of the page.
+SINGLE = {"[lo, hi]": "`[lo, hi]`"}
+SEVERAL = {"a string": "strings", "a number": "numbers", "an array": "lists", "a table": "tables", "[lo, hi]": "`[lo, hi]`"}
+
+
+@dataclass
+class Key:
+    name: str
+    takes: str
+    variants: list[str]  #: where it is valid only with one of several choices
+
+
+def scene_text(kind: Kind, asked: SceneTable, own: Lines, more: Lines) -> str:
+    """The least scene with `own` lines of the table asked, and `more` in place of those of the same key."""
+    text = ""
+    tables = [table for table in kind.tables if (table.always and table.path not in asked.without) or table is asked]
+    parents = [table for table in kind.tables if table.path and asked.path.startswith(table.path + ".") and table.path not in asked.without]
+    for table in tables + [parent for parent in parents if parent not in tables]:
+        lines = {**own, **more} if table is asked else dict(table.lines)
+        if table is not asked and not table.path:
+            lines.pop(asked.path.split(".")[0], None)
+        if table.path and asked.path.startswith(table.path + "."):
+            lines.pop(asked.path[len(table.path) + 1:].split(".")[0], None)
+            if table.path == "joints":
+                lines |= {"law": '"generalised"'} if asked.path.endswith("parameters") else {"law": '"series"'}
+        body = "".join(f"{key} = {value}\n" for key, value in lines.items())
+        text += f"{table.header}\n{body}" if table.path else body
+    return in_order(text)
+
+
+def in_order(text: str) -> str:
+    """Tables below others after them, as TOML wants."""
+    top, *blocks = re.split(r"^(?=\[)", text, flags=re.MULTILINE)
+    headers = {re.match(r"\[+([^\]]+)", block)[1]: block for block in blocks}
+    places = {path: min(i for i, other in enumerate(headers) if (other + ".").startswith(path + ".")) for path in headers}
+    order = sorted(headers, key=lambda path: (places[path], path.count(".")))
+    return top + "".join(headers[path] for path in order)
+
+
+class Reader:
+    def __init__(self, command: str) -> None:
+        self.command = command
+
+    def answer(self, kind: Kind, text: str) -> str:
+        with tempfile.TemporaryDirectory() as folder:
+            scene = pathlib.Path(folder) / "s.toml"
+            scene.write_text(MODEL_SCENE if kind is MODELS else text, encoding="utf-8")
+            if kind is MODELS:
+                (scene.parent / "m.toml").write_text(text, encoding="utf-8")
+                (scene.parent / "c.csv").write_text(ASSEMBLY, encoding="utf-8")
+            done = subprocess.run([self.command, kind.command[0], "s.toml", *kind.command[1:]], cwd=folder, capture_output=True, text=True,
+                                  check=False)
+            return done.stderr.strip()
+
+    def keys(self, kind: Kind, table: SceneTable, own: Lines) -> list[str]:
+        said = self.answer(kind, scene_text(kind, table, own, {NO_WORD: "1"}))
+        if f"the key '{NO_WORD}' is not known here" not in said:
+            raise SystemExit(f"{kind.word} {table.title}: the reader names no keys: {said}")
+        return listed(said)
+
+    def takes(self, kind: Kind, table: SceneTable, own: Lines, key: str) -> str:
+        def said(value: str) -> str:
+            return self.answer(kind, scene_text(kind, table, own, {key: value}))
+
+        if (kind.word, table.path, key) == ("response", "curves", "along"):
+            return "a string"  # the reader lists the parameters of one joint
+        for value, several in ((f'"{NO_WORD}"', ""), (f'["{NO_WORD}"]', "list of ")):
+            if (found := said(value)) and f"'{NO_WORD}' is not a valid word" in found and not file_names(words := listed(found)):
+                return several + ", ".join(f'`"{word}"`' for word in words)
+        expected = re.search(r": expected ([^:]*?), found a date", said(DATE))
+        if expected and expected[1] == "an array":
+            inner = re.search(r": expected ([^:]*?), found a date", said(f"[{DATE}]"))
+            return f"list of {SEVERAL.get(inner[1], inner[1])}" if inner else "list"
+        return SINGLE.get(expected[1], expected[1]) if expected else ""
+
+
+def file_names(words: list[str]) -> bool:
+    """Whether they are those of the least scene, not words of the reader."""
+    return set(words) <= {"a", "b", "c"}
+
+
+def listed(said: str) -> list[str]:
+    """The words of "…; use a, b or c" or "Valid: a, b or c"."""
+    tail = re.split(r"; use |Valid: ", said)[-1].removesuffix(")")
+    return [word for word in re.split(r", | or ", tail) if word]
+
+
+def table_keys(reader: Reader, kind: Kind, table: SceneTable) -> list[Key]:
+    choices = {"": table.lines, **table.variants}
+    found = {word: reader.keys(kind, table, own) for word, own in choices.items()}
+    names = list(dict.fromkeys(key for keys in found.values() for key in keys))
+    out = []
+    for name in names:
+        of = [word for word, keys in found.items() if name in keys]
+        only = [] if len(of) == len(choices) else [word or first_word(table) for word in of]
+        out.append(Key(name, reader.takes(kind, table, choices[of[0]], name), only))
+    return out
+
+
+def first_word(table: SceneTable) -> str:
+    first = next(iter(table.lines.values()), "")
+    return "matrices" if first.startswith("[[") else "FRFs" if first.startswith("[") else first.strip('"') if first.startswith('"') else ""
+
+
+def all_keys(command: str) -> dict[tuple[str, str], list[Key]]:
+    reader = Reader(command)
+    asked = [(kind, table) for kind in KINDS for table in kind.tables]
+    with ThreadPoolExecutor() as pool:
+        found = pool.map(lambda each: table_keys(reader, *each), asked)
+        return {(kind.word, table.path): keys for (kind, table), keys in zip(asked, found)}
+
+
+def page(keys: dict[tuple[str, str], list[Key]], meanings: Meanings) -> str:
+    lines = ["# Scene keys", "", "All keys of all scenes, as the reader of this version names them. A key that is not here is an error.",
+             "What a key means is from the pages that describe its section.", ""]
+    for kind in KINDS:
+        lines += [f"## {kind.title}", "", "Described in " + ", ".join(f"[{name}](../{name}.md)" for name in kind.pages) + ".", ""]
+        for table in kind.tables:
+            title = table.title if table.title.startswith("`") or not table.path else f"`{table.title}`"
+            lines += [f"### {title[0].upper()}{title[1:]}, {kind.word}", "", "| key | takes | meaning |", "|---|---|---|"]
+            for key in keys[kind.word, table.path]:
+                only = f" (of {', '.join(key.variants)})" if key.variants else ""
+                below = next((each for each in kind.tables if each.path == f"{table.path}.{key.name}".strip(".")), None)
+                meaning = f"the table `{below.header}`" if below else meanings.of(kind, table.path, key.name)
+                takes = key.takes or ("" if not below else "list of tables" if below.several else "a table")
+                lines.append(f"| `{key.name}`{only} | {takes} | {meaning} |")
+            lines.append("")
+    return "\n".join(lines)
+
+
+def main(command: str, out: str, as_json: str | None = None) -> None:
+    keys = all_keys(str(pathlib.Path(command).resolve()))
+    meanings = Meanings(pathlib.Path(__file__).resolve().parents[1])
+    pathlib.Path(out).write_text(page(keys, meanings), encoding="utf-8")
+    if as_json:
+        plain = {f"{kind} [{path}]": {key.name: key.takes for key in found} for (kind, path), found in keys.items()}
+        pathlib.Path(as_json).write_text(json.dumps(plain, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    if meanings.missing:
+        raise SystemExit("no page of docs/ names these keys: " + ", ".join(meanings.missing))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
