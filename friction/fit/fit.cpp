@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/control.hpp"
 #include "base/eigen.hpp"
 #include "base/error.hpp"
 #include "friction/fit/fit_problem.hpp"
@@ -297,6 +298,7 @@ Fit fit(std::span<const Curve> curves, const Family& family, const FitOptions& o
     return out;
   }
   const minimise::Minimum minimum = minimise(problem, options);
+  stop_if(options.interrupted);
   out.minimiser = uses_ceres(options.minimiser) ? "ceres" : "pattern";
   if (options.global) out.minimiser = "nlopt+" + out.minimiser;
   out.iterations = minimum.iterations;

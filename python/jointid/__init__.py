@@ -14,6 +14,7 @@ from __future__ import annotations
 from ._coupling import couple, decouple, virtual_points
 from ._joint import bound, check, compare, identify, plan, study
 from ._jointid import __version__
+from ._phasors import phasors
 from ._tasks import (
     equivalent,
     frf,
@@ -27,7 +28,7 @@ from ._tasks import (
     write_problem,
 )
 from .dof import Dof
-from .errors import DataWarning, DoubtfulWarning, InputError, JointidWarning, UnusableWarning
+from .errors import DataWarning, DoubtfulWarning, InputError, Interrupted, JointidWarning, UnusableWarning
 from .files import read, write
 from .frf_set import FrfSet
 from .results import Finding, Result, Solution, Unknown
@@ -39,6 +40,7 @@ __all__ = [
     "Finding",
     "FrfSet",
     "InputError",
+    "Interrupted",
     "JointidWarning",
     "Result",
     "Solution",
@@ -57,6 +59,7 @@ __all__ = [
     "loading_curve",
     "modalfit",
     "oscillate",
+    "phasors",
     "plan",
     "pod",
     "problems",

@@ -6,12 +6,13 @@ import difflib
 import os
 import sys
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from typing import Any
 
 from ._progress import watcher
 from ._scene import Scene
-from .errors import DoubtfulWarning, InputError, UnusableWarning
+from .errors import DoubtfulWarning, InputError, Interrupted, UnusableWarning
 from .results import Result
 
 
@@ -26,11 +27,23 @@ def warn_of(result: Result, what: str) -> None:
         warnings.warn(f"{what}: doubtful: {result.message}", DoubtfulWarning, stacklevel=level + 1)
 
 
+@contextmanager
+def stopped(names: Any, command: str, kind: type[Result]) -> Iterator[None]:
+    """Ctrl-C hands over what there is so far."""
+    try:
+        yield
+    except KeyboardInterrupt as error:
+        outcome = getattr(error, "partial", None)
+        partial = kind(outcome, names, command) if outcome is not None else None
+        what = "interrupted" if partial is None else "interrupted; what there is so far is the attribute `partial` of this exception"
+        raise Interrupted(what, partial) from None
+
+
 def run_scene(scene: Scene, command: str, function: Callable, *options: Any, threads: int = 0, progress: Any = None,
-         kind: type[Result] = Result) -> Any:
+              kind: type[Result] = Result) -> Any:
     if not isinstance(threads, int) or isinstance(threads, bool) or threads < 0:
         raise InputError(f"{threads!r} is no number of threads", place="threads", remedy="give 0 for all cores, or how many")
-    with watcher(progress) as watch, scene.errors():
+    with stopped(scene, command, kind), watcher(progress) as watch, scene.errors():
         outcome = function(scene.text, scene.file, threads, watch, *options)
     result = kind(outcome, scene, command)
     warn_of(result, scene.file if scene.is_file else command)
@@ -82,7 +95,7 @@ class NoScene:
 
 
 def run_task(names: NoScene, command: str, progress: Any, run: Callable, kind: type[Result] = Result) -> Any:
-    with watcher(progress) as watch, names.errors():
+    with stopped(names, command, kind), watcher(progress) as watch, names.errors():
         outcome = run(watch)
     result = kind(outcome, names, command)
     warn_of(result, command)
