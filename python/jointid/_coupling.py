@@ -9,7 +9,7 @@ from typing import Any
 from . import _jointid
 from ._joint import frequency_table, is_scene
 from ._run import run_scene
-from ._scene import Scene, as_list
+from ._scene import Scene, as_list, paths_of
 from .dof import Dof
 from .errors import InputError
 from .files import read
@@ -139,6 +139,6 @@ def virtual_points(frfs: PathOrSet, points: Any, *, nodes: Mapping[Any, Sequence
     if nodes is not None:
         table["nodes"] = {str(node): list(place) for node, place in nodes.items()}
     scene = Scene(table)
-    path = scene.add(frfs) if isinstance(frfs, FrfSet) else os.fspath(frfs)
+    path = scene.add(frfs) if isinstance(frfs, FrfSet) else paths_of(frfs, "frfs")[0]
     with scene.errors():
         return FrfSet._of(_jointid.virtual_points(scene.text, scene.file, path))

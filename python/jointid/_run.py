@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import os
+import re
 import sys
 import warnings
 from collections.abc import Callable, Iterator, Mapping
@@ -41,10 +42,10 @@ def stopped(names: Any, command: str, kind: type[Result]) -> Iterator[None]:
 
 def run_scene(scene: Scene, command: str, function: Callable, *options: Any, threads: int = 0, progress: Any = None,
               kind: type[Result] = Result) -> Any:
-    if not isinstance(threads, int) or isinstance(threads, bool) or threads < 0:
+    if not hasattr(threads, "__index__") or isinstance(threads, bool) or threads < 0:
         raise InputError(f"{threads!r} is no number of threads", place="threads", remedy="give 0 for all cores, or how many")
     with stopped(scene, command, kind), watcher(progress) as watch, scene.errors():
-        outcome = function(scene.text, scene.file, threads, watch, *options)
+        outcome = function(scene.text, scene.file, int(threads), watch, *options)
     result = kind(outcome, scene, command)
     warn_of(result, scene.file if scene.is_file else command)
     return result
@@ -78,6 +79,9 @@ def _plain(value: Any) -> Any:
     return value
 
 
+_OPTION = re.compile(r"--([a-z][a-z-]*)(?: [A-Z]+\b)?")  # "--rate HZ"
+
+
 class NoScene:
     """Stands for a scene where a command has none; `names` by paths that nobody but this package knows."""
 
@@ -90,8 +94,18 @@ class NoScene:
             text = text.replace(path, name)
         return self._scene.named(text)
 
-    def errors(self) -> Any:
-        return self._scene.errors()
+    @contextmanager
+    def errors(self) -> Iterator[None]:
+        """Errors with names for paths that nobody knows, and arguments for options of the command."""
+        try:
+            with self._scene.errors():
+                yield
+        except InputError as error:
+            made = {part: self._in_words(getattr(error, part)) for part in ("problem", "file", "place", "remedy", "what")}
+            raise InputError(made.pop("problem"), kind=error.kind, **made) from None
+
+    def _in_words(self, text: str) -> str:
+        return _OPTION.sub(lambda option: option[1].replace("-", "_") + "=", self.named(text))
 
 
 def run_task(names: NoScene, command: str, progress: Any, run: Callable, kind: type[Result] = Result) -> Any:

@@ -12,10 +12,10 @@ import numpy as np
 
 from . import _jointid
 from ._run import NoScene, run_scene, run_task, with_options
-from ._scene import Scene, as_list, paths_of
+from ._scene import Scene, as_list, paths_of, whole_number
 from .errors import InputError
 from .files import open_options
-from .frf_set import FrfSet
+from .frf_set import FrfSet, real_numbers
 from .results import FrfResult, Result
 
 
@@ -73,7 +73,7 @@ def oscillate(scene: Any, *, threads: int = 0, progress: Any = None) -> Result:
     """Exact stick–slip motion, orbits, exponents, reduced models: ``jointid oscillate``; a path or dict.
 
     >>> import jointid, tempfile
-    >>> jointid.oscillate(jointid.write_problem("chain-3", tempfile.mkdtemp())).status
+    >>> jointid.oscillate(jointid.write_problem("chain-10-orbit", tempfile.mkdtemp())).status
     'ok'
     """
     return run_scene(Scene(scene), "oscillate", _jointid.oscillate, threads=threads, progress=progress)
@@ -107,7 +107,7 @@ def modalfit(frfs: Any, *, range: tuple[float, float] | None = None, modes: int 
     (40.0, 0.01)
     """
     scene = Scene({})
-    files = [scene.add(each) if isinstance(each, FrfSet) else os.fspath(each) for each in as_list(frfs)]
+    files = [scene.add(each) if isinstance(each, FrfSet) else paths_of(each, "frfs")[0] for each in as_list(frfs)]
     task = with_options(_jointid.ModalTask(), {"range": range, "modes": modes, "poles": poles, "real": real, "damping": damping},
                          "modalfit")
     options = open_options(quantity, unit, None, None, None, None)
@@ -146,14 +146,24 @@ def _curves(curves: Any) -> list[tuple[str, np.ndarray, np.ndarray]] | None:
     """Name, displacement, force of curves in memory; None of files."""
     if isinstance(curves, Mapping):
         named = list(curves.items())
+    elif hasattr(curves, "columns"):
+        raise InputError("a table has no order of displacement and force", place="curves", kind="data",
+                         remedy='give (table["displacement"], table["force"])')
     elif not isinstance(curves, (list, tuple, np.ndarray)) or all(isinstance(each, (str, os.PathLike)) for each in curves):
         return None
     elif len(curves) == 2 and np.ndim(curves[0]) == 1 and np.ndim(curves[1]) == 1:
         named = [("curve", curves)]
     else:
         named = [(f"curve {k + 1}", curve) for k, curve in enumerate(curves)]
-    return [(str(name), np.ascontiguousarray(displacement, dtype=float), np.ascontiguousarray(force, dtype=float))
-            for name, (displacement, force) in named]
+    return [(str(name), *_two_columns(curve, str(name))) for name, curve in named]
+
+
+def _two_columns(curve: Any, name: str) -> tuple[np.ndarray, np.ndarray]:
+    try:
+        displacement, force = curve
+    except (TypeError, ValueError):
+        raise InputError(f"{name} is no pair of arrays", place="curves", remedy="give (displacement, force)", kind="data") from None
+    return real_numbers(displacement, f"displacement of {name}"), real_numbers(force, f"force of {name}")
 
 
 def frf(files: Any, *, progress: Any = None, **options: Any) -> FrfResult:
@@ -199,7 +209,7 @@ def _record_files(records: Any) -> Iterator[tuple[list[str], dict[str, str]]]:
         for path, array in zip(paths, arrays):
             if array.ndim != 2:
                 raise InputError(f"its shape is {array.shape}", place="files", remedy="the axes are [sample, channel]", kind="data")
-            np.save(path, np.ascontiguousarray(array, dtype=float))
+            np.save(path, real_numbers(array, f"record {path[-5]}"))
         yield paths, {path: f"record {k + 1}" for k, path in enumerate(paths)}
 
 
@@ -209,7 +219,7 @@ def pod(record: Any, *, names: Sequence[str] | None = None, units: Sequence[str]
 
     Parameters
     ----------
-    record : path or paths, or an array [sample, channel]
+    record : path or paths, or an array [sample, channel], or a DataFrame of channels
         Rows with NaN are missing samples.
     names, units : of the channels of an array
     options : channels (of files), mass, stiffness, compare (files), keep_mean
@@ -221,8 +231,11 @@ def pod(record: Any, *, names: Sequence[str] | None = None, units: Sequence[str]
     0.5
     """
     task = with_options(_jointid.PodTask(), options, "pod")
+    if hasattr(record, "columns"):
+        names = [str(column) for column in record.columns] if names is None else names
+        record = np.asarray(record)
     if isinstance(record, np.ndarray):
-        array = np.ascontiguousarray(record, dtype=float)
+        array = real_numbers(record, "record")
         if array.ndim != 2 or array.shape[1] == 0:
             raise InputError(f"its shape is {array.shape}", place="record", remedy="the axes are [sample, channel]", kind="data")
         channels = [str(k + 1) for k in np.arange(array.shape[1])] if names is None else list(names)
@@ -255,4 +268,4 @@ def write_problem(name: str, directory: str | os.PathLike, *, format: str = "h5"
     >>> os.path.basename(write_problem("A1", tempfile.mkdtemp(), format="uff"))
     'A1.toml'
     """
-    return _jointid.write_problem(name, os.fspath(directory), format, seed, clean)
+    return _jointid.write_problem(str(name), os.fspath(directory), str(format), whole_number(seed, "seed"), bool(clean))

@@ -70,7 +70,7 @@ def read(path: str | os.PathLike | Sequence[str | os.PathLike], *, quantity: str
 
 
 def write(path: str | os.PathLike, frfs: FrfSet, format: str = "") -> None:
-    """Writes FRFs in the format of the name's ending, or of `format`: h5 (with errors), uff, mat, csv, npz.
+    """Writes FRFs in the format of the name's ending, or of `format`: h5 (with errors), uff, mat, csv.
 
     The file is written under another name first, so that it is whole or not there.
 

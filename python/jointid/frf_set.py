@@ -27,12 +27,19 @@ def _refuse(place: str, problem: str, remedy: str) -> InputError:
 
 def _numbers(value: Any, dtype: type, place: str) -> np.ndarray:
     """As a contiguous array of float64 or complex128: the array itself where it is one."""
+    if isinstance(value, np.ma.MaskedArray):  # what is masked was not measured
+        value = value.astype(dtype).filled(np.nan)
     array = np.asarray(value)
     valid = "biufc" if dtype is complex else "biuf"
     if array.dtype.kind not in valid:
         raise _refuse(place, f"an array of {array.dtype} holds no {'complex' if dtype is complex else 'real'} numbers",
-                      f"give {place}.astype({dtype.__name__})")
+                      f"convert it to numbers of {dtype.__name__}")
     return np.ascontiguousarray(array, dtype=dtype)
+
+
+def real_numbers(value: Any, place: str) -> np.ndarray:
+    """As a contiguous array of float64."""
+    return _numbers(value, float, place)
 
 
 def _shaped(value: Any, dtype: type, shape: tuple, place: str) -> np.ndarray | None:
@@ -59,6 +66,35 @@ def dofs_of(names: Iterable[str] | str, place: str) -> tuple[Dof, ...]:
 def at_zero(name: str, quantity: str, target: str) -> str:
     return (f"{name}: at 0 Hz the {quantity} fixes no {target}: that line counts as not measured (NaN); "
             "leave it out by sel(band=(lowest, highest))")
+
+
+def _positions(nodes: Any) -> dict[int, tuple[float, float, float]]:
+    """Of a mapping, or of a table whose index are the nodes and whose three columns the coordinates."""
+    if nodes is None:
+        return {}
+    if hasattr(nodes, "itertuples"):
+        nodes = {row[0]: row[1:] for row in nodes.itertuples()}
+    try:
+        found = {int(node): tuple(float(x) for x in place) for node, place in nodes.items()}
+    except (AttributeError, TypeError, ValueError):
+        raise _refuse("nodes", "they are no positions of node numbers", "give {4: (0.1, 0.0, 0.25)}, in m") from None
+    wrong = next((node for node, place in found.items() if len(place) != 3), None)
+    if wrong is not None:
+        raise _refuse("nodes", f"node {wrong} has {len(found[wrong])} coordinates", "give x, y and z in m")
+    return found  # type: ignore[return-value]
+
+
+def _number(value: Any, place: str) -> float:
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise _refuse(place, f"{value!r} is no number", "give e.g. 5") from None
+
+
+def _word(value: Any) -> str:
+    if isinstance(value, str):
+        return _jointid.quantity_word(value)
+    raise _refuse("quantity", f"{value!r} is no text", "write receptance, mobility or accelerance")
 
 
 def _precision(array: Any) -> float:
@@ -89,7 +125,7 @@ class FrfSet:
     covariance_factor : array, complex, [line, response, column, reference], optional, in place of `covariance`
         L of the covariances L Lᴴ + diag(d), as a few hits with many sensors give it: a fraction of the memory of the pairs.
         `covariance_diagonal`, [line, response, reference], is d.
-    nodes : {node: (x, y, z)}, optional
+    nodes : {node: (x, y, z)}, or a DataFrame with the nodes as index and three columns, optional
         Positions in m.
     name : str
         What messages and reports call the set.
@@ -115,10 +151,10 @@ class FrfSet:
         self.name = str(name)
         self.responses = dofs_of(responses, "responses")
         self.references = self.responses if references is None else dofs_of(references, "references")
-        self.quantity = _jointid.quantity_of_unit(unit) if unit is not None else _jointid.quantity_word(quantity)
+        self.quantity = _jointid.quantity_of_unit(unit) if unit is not None else _word(quantity)
         self.frequency = _numbers(frequency, float, "frequency").reshape(-1)
-        self.averages = float(averages)
-        self.nodes = {int(node): tuple(float(x) for x in place) for node, place in (nodes or {}).items()}
+        self.averages = _number(averages, "averages")
+        self.nodes = _positions(nodes)
         self._axes: dict = {}
         self._repeats = 0
         self._precision = _precision(frfs)
@@ -368,7 +404,7 @@ class FrfSet:
         """
         out = self
         if node is not None:
-            nodes = {node} if isinstance(node, int) else set(node)
+            nodes = {int(each) for each in np.atleast_1d(node)} if np.asarray(node).dtype.kind in "iu" else set(node)  # type: ignore
             responses = [dof for dof in out.responses if dof.node in nodes] if responses is None else responses
             references = [dof for dof in out.references if dof.node in nodes] if references is None else references
         if responses is not None or references is not None:
@@ -435,7 +471,7 @@ class FrfSet:
         >>> FrfSet(np.ones((1, 1, 1)), [1 / (2 * np.pi)], ["1:+X"]).to("mobility").frfs[0, 0, 0]
         1j
         """
-        quantity = _jointid.quantity_word(quantity)
+        quantity = _word(quantity)
         order = {"receptance": 0, "mobility": 1, "accelerance": 2}
         power = order[quantity] - order[self.quantity]
         if power == 0:
