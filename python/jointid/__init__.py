@@ -28,7 +28,7 @@ from ._tasks import (
     write_problem,
 )
 from .dof import Dof
-from .errors import DataWarning, DoubtfulWarning, InputError, Interrupted, JointidWarning, UnusableWarning
+from .errors import DataWarning, DoubtfulWarning, InputError, JointidWarning, UnusableWarning
 from .files import read, write
 from .frf_set import FrfSet
 from .results import Finding, Result, Solution, Unknown
@@ -40,7 +40,6 @@ __all__ = [
     "Finding",
     "FrfSet",
     "InputError",
-    "Interrupted",
     "JointidWarning",
     "Result",
     "Solution",

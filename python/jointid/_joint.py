@@ -14,7 +14,7 @@ from . import _jointid
 from ._run import run_scene, with_options
 from ._scene import Scene, as_list, pair_of, whole_number
 from .dof import Dof
-from .errors import InputError, Interrupted
+from .errors import InputError
 from .results import Result, Solution
 
 
@@ -134,6 +134,10 @@ def identify(substructures: Any = None, assembly: Any = None, joint: Any = None,
     InputError
         As the command does, with place, value and remedy; for sets the place is their name.
 
+    KeyboardInterrupt
+        By Ctrl-C, within 2 s, or where `progress` raises it. Its attribute `partial` is the best Solution so far (``not_converged``),
+        or None. All commands do so.
+
     Warns
     -----
     DoubtfulWarning, UnusableWarning
@@ -237,8 +241,8 @@ def study(substructures: Any = None, assembly: Any = None, joint: Any = None, *,
     except BaseException as error:
         if folder is not None:
             shutil.rmtree(folder, ignore_errors=True)
-        elif isinstance(error, Interrupted) and os.path.exists(f"{path}.partial"):
-            raise Interrupted(f"interrupted; the same call with resume=True goes on with the trials that {path} keeps") from None
+        elif isinstance(error, KeyboardInterrupt) and os.path.exists(f"{path}.partial"):
+            error.args = (f"interrupted; {path}.partial keeps the trials so far, the same call with resume=True goes on",)
         raise
     return _kept(result, folder)
 

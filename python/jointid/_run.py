@@ -13,7 +13,7 @@ from typing import Any
 
 from ._progress import watcher
 from ._scene import Scene
-from .errors import DoubtfulWarning, InputError, Interrupted, UnusableWarning
+from .errors import DoubtfulWarning, InputError, UnusableWarning
 from .results import Result
 
 
@@ -30,14 +30,16 @@ def warn_of(result: Result, what: str) -> None:
 
 @contextmanager
 def stopped(names: Any, command: str, kind: type[Result]) -> Iterator[None]:
-    """Ctrl-C hands over what there is so far."""
+    """Ctrl-C hands over what there is so far. The exception is a plain KeyboardInterrupt: of one of another class Python would
+    exit with 1, where a shell expects an end by SIGINT."""
     try:
         yield
     except KeyboardInterrupt as error:
         outcome = getattr(error, "partial", None)
         partial = kind(outcome, names, command) if outcome is not None else None
-        what = "interrupted" if partial is None else "interrupted; what there is so far is the attribute `partial` of this exception"
-        raise Interrupted(what, partial) from None
+        error.partial = partial  # type: ignore[attr-defined]
+        error.args = error.args or ("interrupted" if partial is None else "interrupted; `partial` of this exception is what there is",)
+        raise
 
 
 def run_scene(scene: Scene, command: str, function: Callable, *options: Any, threads: int = 0, progress: Any = None,

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-__all__ = ["InputError", "Interrupted", "JointidWarning", "DoubtfulWarning", "UnusableWarning", "DataWarning"]
+__all__ = ["InputError", "JointidWarning", "DoubtfulWarning", "UnusableWarning", "DataWarning"]
 
 
 class InputError(ValueError):
@@ -52,34 +50,6 @@ class InputError(ValueError):
 
 def _made_again(problem, file, place, remedy, kind, what) -> InputError:
     return InputError(problem, file=file, place=place, remedy=remedy, kind=kind, what=what)
-
-
-class Interrupted(KeyboardInterrupt):
-    """Ctrl-C ended a command (or ``progress`` raised KeyboardInterrupt).
-
-    Attributes
-    ----------
-    partial : Result or None
-        What there was by then: the best values so far of identify(), the modes of modalfit(), the ways of compare() that were
-        finished and so on. It says so (``partial.message``), and is not usable as an answer.
-
-    >>> import jointid, numpy as np
-    >>> def stop(stage, done, total):
-    ...     raise KeyboardInterrupt
-    >>> u = np.linspace(1e-6, 60e-6, 5000)
-    >>> try:
-    ...     _ = jointid.loading_curve((u, np.minimum(1e7 * u, 200.0)), progress=stop)
-    ... except jointid.Interrupted as stopped:
-    ...     print(stopped.partial is None or not stopped.partial.usable or stopped.partial.message != "")
-    True
-    """
-
-    def __init__(self, what: str = "interrupted", partial: Any = None) -> None:
-        super().__init__(what)
-        self.partial = partial
-
-    def __reduce__(self):
-        return Interrupted, (str(self), self.partial)
 
 
 class JointidWarning(UserWarning):

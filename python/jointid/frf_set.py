@@ -75,13 +75,13 @@ def _positions(nodes: Any) -> dict[int, tuple[float, float, float]]:
     if hasattr(nodes, "itertuples"):
         nodes = {row[0]: row[1:] for row in nodes.itertuples()}
     try:
-        found = {int(node): tuple(float(x) for x in place) for node, place in nodes.items()}
+        found: dict[int, Any] = {int(node): tuple(float(x) for x in place) for node, place in nodes.items()}
     except (AttributeError, TypeError, ValueError):
         raise _refuse("nodes", "they are no positions of node numbers", "give {4: (0.1, 0.0, 0.25)}, in m") from None
     wrong = next((node for node, place in found.items() if len(place) != 3), None)
     if wrong is not None:
         raise _refuse("nodes", f"node {wrong} has {len(found[wrong])} coordinates", "give x, y and z in m")
-    return found  # type: ignore[return-value]
+    return found
 
 
 def _number(value: Any, place: str) -> float:

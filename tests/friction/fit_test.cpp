@@ -189,6 +189,9 @@ TEST(Fit, EndsWhereItIsInterrupted) {
     EXPECT_THROW(fit(curves, family("ren"), {.minimiser = minimiser, .interrupted = after(5)}), Interrupted);
     EXPECT_GT(all, 10);
   }
+  int asked = 0;
+  const auto soon = [&asked] { return ++asked > 5; };
+  if (minimise::has_nlopt()) EXPECT_THROW(fit(curves, family("ren"), {.global = true, .interrupted = soon}), Interrupted);
 }
 
 TEST(Fit, CurvesWithOneShapeAndOneFrictionCoefficient) {
