@@ -65,6 +65,18 @@ Outcome direct_steps(const SceneText& text) {
           .page = [=](const ident::Control&) { return report::direct_page(*scene, *found); }};
 }
 
+Outcome outcome_of(tasks::OscillateResult motion) {
+  const auto run = std::make_shared<const tasks::OscillateResult>(std::move(motion));
+  const std::string failure = tasks::failure_of(*run);
+  return {.status = failure.empty() ? "ok" : "unusable",
+          .message = failure,
+          .usable = failure.empty(),
+          .json = [=] { return report::oscillate_json(*run); },
+          .text = [=] { return report::oscillate_text(*run); },
+          .csv = [=] { return report::motion_csv(*run); },
+          .page = [=](const ident::Control&) { return report::oscillate_report(*run); }};
+}
+
 }  // namespace
 
 Outcome couple(const SceneText& text, const std::filesystem::path& out, bool bounds, const ident::Control& control) {
@@ -123,17 +135,17 @@ Outcome response_ways(const SceneText& text, const ident::Control& control) {
           .csv = [=] { return report::ways_csv(*runs); }};
 }
 
-Outcome oscillate(const SceneText& text, const ident::Control& control) {
-  const auto run = std::make_shared<const tasks::OscillateResult>(
-      tasks::run_oscillate(tasks::parse_oscillate_scene(text.text, text.file), control));
-  const std::string failure = tasks::failure_of(*run);
-  return {.status = failure.empty() ? "ok" : "unusable",
-          .message = failure,
-          .usable = failure.empty(),
-          .json = [=] { return report::oscillate_json(*run); },
-          .text = [=] { return report::oscillate_text(*run); },
-          .csv = [=] { return report::motion_csv(*run); },
-          .page = [=](const ident::Control&) { return report::oscillate_report(*run); }};
+Outcome oscillate(const SceneText& text, const ident::Control& control, SoFar& so_far) {
+  const auto keep = [&so_far](const tasks::OscillateResult& found) {
+    so_far.put([kept = found]() mutable {
+      kept.interrupted = true;
+      kept.remarks.emplace_back("INTERRUPTED: only what was found so far");
+      Outcome out = outcome_of(kept);
+      out.message = "Interrupted: what was found so far.";
+      return out;
+    });
+  };
+  return outcome_of(tasks::run_oscillate(tasks::parse_oscillate_scene(text.text, text.file), control, keep));
 }
 
 frf::FrfSet at_virtual_points(const SceneText& text, const std::filesystem::path& path) {

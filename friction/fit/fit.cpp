@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/control.hpp"
 #include "base/eigen.hpp"
 #include "base/error.hpp"
 #include "friction/fit/fit_problem.hpp"
@@ -78,14 +79,24 @@ std::vector<std::vector<double>> starts_of(const FitProblem& problem, const FitO
   if (!options.global) return problem.starts();
   if (!minimise::has_nlopt()) refuse("this build lacks NLopt; leave the global start out");
   const std::vector<double>& start = problem.starts().front();
-  return {minimise::nlopt_minimum([&](std::span<const double> q) { return problem.objective(q); }, start,
+  const auto objective = [&](std::span<const double> q) {
+    stop_if(options.interrupted);
+    return problem.objective(q);
+  };
+  return {minimise::nlopt_minimum(objective, start,
                                   {.half_width = global_half_width, .evaluations = global_evaluations * static_cast<int>(start.size())})
               .q};
 }
 
-minimise::Minimum minimise(const FitProblem& problem, const FitOptions& options) {
+/// Minimisers of other libraries make another exception of what stops them.
+minimise::Minimum minimise(const FitProblem& problem, const FitOptions& options) try {
   const auto starts = starts_of(problem, options);
-  return uses_ceres(options.minimiser) ? by_ceres(problem, starts) : by_pattern(problem, starts);
+  const minimise::Minimum found = uses_ceres(options.minimiser) ? by_ceres(problem, starts) : by_pattern(problem, starts);
+  stop_if(options.interrupted);
+  return found;
+} catch (const std::exception&) {
+  stop_if(options.interrupted);
+  throw;
 }
 
 double weighted_squares(const Curve& curve, const std::vector<double>& values, const std::vector<double>& weights) {

@@ -28,6 +28,7 @@ struct FitOptions {
   std::size_t most_refined = 400;
   std::function<void(const char* stage)> progress{};
   std::function<bool()> interrupted{};  ///< asked between steps of the refinement; the fit then stops where it is
+  std::function<bool()> abandoned{};    ///< asked between FRFs: nobody waits for the fit any longer, and Interrupted is thrown
 };
 
 /// A mode and how well it is known.

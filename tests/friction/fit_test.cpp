@@ -7,6 +7,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "base/control.hpp"
 #include "base/error.hpp"
 #include "friction/law/laws.hpp"
 #include "minimise/least_squares.hpp"
@@ -173,6 +174,24 @@ TEST(Fit, LoopsEnergiesAndEquivalentsLeadToTheSameElement) {
       EXPECT_NEAR(found.curves[0].parameters[i].value / ren[i], 1.0, 1e-5) << "kind " << static_cast<int>(curve.kind) << " parameter " << i;
     }
   }
+}
+
+/// In the middle of a minimisation, by every minimiser.
+TEST(Fit, EndsWhereItIsInterrupted) {
+  const std::vector<double> values = {3e-8, 3.1, 1e7};
+  const std::vector<Curve> curves = {loading(*make_element("ren", values), 1e-6, 60, 0.01, 3u)};
+  for (const Minimiser minimiser : {Minimiser::best, Minimiser::pattern}) {
+    int asked = 0;
+    const auto after = [&asked](int most) { return [&asked, most] { return ++asked > most; }; };
+    EXPECT_NO_THROW(fit(curves, family("ren"), {.minimiser = minimiser, .interrupted = after(1'000'000)}));
+    const int all = asked;
+    asked = 0;
+    EXPECT_THROW(fit(curves, family("ren"), {.minimiser = minimiser, .interrupted = after(5)}), Interrupted);
+    EXPECT_GT(all, 10);
+  }
+  int asked = 0;
+  const auto soon = [&asked] { return ++asked > 5; };
+  if (minimise::has_nlopt()) EXPECT_THROW(fit(curves, family("ren"), {.global = true, .interrupted = soon}), Interrupted);
 }
 
 TEST(Fit, CurvesWithOneShapeAndOneFrictionCoefficient) {
