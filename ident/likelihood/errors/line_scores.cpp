@@ -32,7 +32,7 @@ std::shared_ptr<const SystematicTerms> joined(const SystematicTerms* declared, s
 
 class LineScores {
  public:
-  LineScores(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit, const SystematicLines& trials)
+  LineScores(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit, const SystematicLines& trials)
       : plan_(plan), estimator_(estimator), fit_(fit), trials_(trials), unknowns_(trials.plan().unknowns()) {}
 
   template <class Look>
@@ -55,7 +55,7 @@ class LineScores {
 
  private:
   const Plan& plan_;
-  const LikelihoodEstimator& estimator_;
+  const LinearisedLikelihood& estimator_;
   const LikelihoodFit& fit_;
   const SystematicLines& trials_;
   std::vector<SystematicUnknown> unknowns_;
@@ -63,7 +63,7 @@ class LineScores {
 
 }  // namespace
 
-void score_lines(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit, const SystematicLines& trials,
+void score_lines(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit, const SystematicLines& trials,
                  const Control& control, const std::function<void(std::size_t run, const ScoredLine& line)>& look) {
   const Observations& observations = *likelihood_plan(plan)->observations;
   const LineShares::Range lines = observations.shares().own(observations.lines().size());

@@ -25,7 +25,7 @@ struct ScoredLine {
 constexpr std::size_t most_runs = 16;
 
 /// Tells `look` every line of this process that counts, with the number of its run.
-void score_lines(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit, const SystematicLines& trials,
+void score_lines(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit, const SystematicLines& trials,
                  const Control& control, const std::function<void(std::size_t run, const ScoredLine& line)>& look);
 
 /// Information and gradient of unknowns.
