@@ -51,9 +51,9 @@ modalfit::FitOptions options_of(const ModalTask& task) {
 
 Outcome outcome_of(tasks::ModalRun found) {
   const auto run = std::make_shared<const tasks::ModalRun>(std::move(found));
-  return {.status = modalfit::name(run->fit.status),
+  return {.status = name(run->fit.status),
           .message = run->fit.message,
-          .usable = modalfit::is_usable(run->fit.status),
+          .usable = is_usable(run->fit.status),
           .json = [run] { return report::modal_json(*run); },
           .text = [run] { return report::modal_text(*run); },
           .csv = [run] { return report::modes_csv(*run); },

@@ -71,9 +71,9 @@ Outcome solve_laws(const SceneText& text, const ident::Control& control) {
   const auto scene = std::make_shared<const laws::LawScene>(laws::parse_law_scene(text.text, text.file));
   const response::FitWork work = {.threads = threads_or_cores(control.threads), .interrupted = control.interrupted};
   const auto found = std::make_shared<const laws::LawIdentification>(laws::identify_laws(*scene, work));
-  return {.status = std::string(laws::word(found->status)),
+  return {.status = name(found->status),
           .message = found->message,
-          .usable = laws::is_usable(found->status),
+          .usable = is_usable(found->status),
           .json = [=] { return report::law_json(*scene, *found); },
           .text = [=] { return report::law_text(*scene, *found); },
           .csv = [=] { return report::law_csv(*scene, *found); },

@@ -56,9 +56,9 @@ tasks::CoupledSets coupled(const ident::CoupleScene& scene, const std::filesyste
 Outcome direct_steps(const SceneText& text) {
   const auto scene = std::make_shared<const laws::LawScene>(laws::parse_law_scene(text.text, text.file));
   const auto found = std::make_shared<const laws::DirectIdentification>(laws::identify_directly(*scene));
-  return {.status = std::string(laws::word(found->status)),
+  return {.status = name(found->status),
           .message = found->message,
-          .usable = laws::is_usable(found->status),
+          .usable = is_usable(found->status),
           .json = [=] { return report::direct_json(*scene, *found); },
           .text = [=] { return report::direct_text(*scene, *found); },
           .csv = [=] { return report::direct_csv(*scene, *found); },

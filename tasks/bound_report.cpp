@@ -187,13 +187,13 @@ class Predictor {
                                       std::vector<Eigen::MatrixXd>* by_part = nullptr) {
     stop_if(control_.interrupted);
     likelihood_plan(*plan_)->observations->leave_out(coordinates);
-    ident::LikelihoodEstimator estimator = make_estimator(*plan_, control_, next_stage());
-    Eigen::MatrixXd information = estimator.information_at(scaled(*plan_, guess_));
+    const ident::LinearisedLikelihood there = make_estimator(*plan_, control_, next_stage()).at(scaled(*plan_, guess_));
+    Eigen::MatrixXd information = there.fit.information;
     const std::size_t lines = plan_->lines.size(), count = std::min(parts, lines);
     for (std::size_t part = 0; by_part != nullptr && part < count; ++part) {
       by_part->push_back(Eigen::MatrixXd::Zero(information.rows(), information.cols()));
       for (std::size_t i = part * lines / count; i < (part + 1) * lines / count; ++i)
-        by_part->back() += estimator.information_of(i);
+        by_part->back() += there.information_of(i);
     }
     return information;
   }
@@ -278,7 +278,7 @@ class Predictor {
     read_observations(*other, control_);
     likelihood_plan(*other)->observations->leave_out(absent);
     const double share = static_cast<double>(all) / static_cast<double>(other->lines.size());
-    return bound_of(*other, share * make_estimator(*other, control_, next_stage()).information_at(scaled(*other, guess_)));
+    return bound_of(*other, share * make_estimator(*other, control_, next_stage()).at(scaled(*other, guess_)).fit.information);
   }
 
   void add_lines(const Baseline& now, BoundReport& out) {

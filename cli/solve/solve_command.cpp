@@ -12,6 +12,7 @@
 #include "report/text/frf_plot.hpp"
 #include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
+#include "cli/text/tell_status.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "report/page/limits.hpp"
@@ -173,13 +174,7 @@ ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
   const bool has_text = !takes_output({arguments.json, arguments.csv, arguments.report});
   if (has_text && entry && !solution.bands.empty()) plot(*entry, *plan, solution, display, out);
   if (arguments.report) write_report(*arguments.report, *plan, solution, entry, display, out);
-  if (solution.status == ident::Status::ok) return ExitCode::done;
-  if (ident::is_usable(solution.status)) {
-    print_warning(arguments.scene.string() + ": doubtful: " + solution.message);
-    return ExitCode::done;
-  }
-  print_error(arguments.scene.string() + ": " + solution.message);
-  return ExitCode::unusable;
+  return tell_status(arguments.scene.string(), solution.status, solution.message);
 }
 
 }  // namespace jointid::cli

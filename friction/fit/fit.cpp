@@ -259,7 +259,7 @@ std::string correlated_residuals(double rho) {
 
 void judge(bool converged, Fit& fit) {
   if (!converged) {
-    fit.status = FitStatus::not_converged;
+    fit.status = Status::not_converged;
     fit.message = "the fit of " + fit.law + " did not converge";
   }
   for (const CurveFit& curve : fit.curves) {
@@ -289,11 +289,6 @@ void fill(std::span<const Curve> curves, const FitProblem& problem, const FitOpt
 
 }  // namespace
 
-std::string name(FitStatus status) {
-  constexpr std::array names = {"ok", "not_converged", "too_few_points"};
-  return names[static_cast<std::size_t>(status)];
-}
-
 Fit fit(std::span<const Curve> curves, const Family& family, const FitOptions& options) {
   const FitProblem problem(curves, family, options);
   Fit out;
@@ -303,7 +298,7 @@ Fit fit(std::span<const Curve> curves, const Family& family, const FitOptions& o
   out.rows = problem.residuals();
   out.unknowns = problem.unknowns();
   if (out.rows <= out.unknowns) {
-    out.status = FitStatus::too_few_points;
+    out.status = Status::too_few_points;
     out.message = std::to_string(out.rows) + " measured numbers cannot determine " + std::to_string(out.unknowns) + " unknowns";
     return out;
   }
@@ -320,7 +315,7 @@ Fit fit(std::span<const Curve> curves, const Family& family, const FitOptions& o
 std::vector<Fit> compare(std::span<const Curve> curves, std::span<const Family> families, const FitOptions& options) {
   std::vector<Fit> fits;
   for (const Family& family : families) fits.push_back(fit(curves, family, options));
-  const auto key = [](const Fit& each) { return std::pair(each.status != FitStatus::usable, each.aic); };
+  const auto key = [](const Fit& each) { return std::pair(each.status != Status::ok, each.aic); };
   std::ranges::stable_sort(fits, {}, key);
   return fits;
 }

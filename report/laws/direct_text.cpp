@@ -77,11 +77,11 @@ std::string direct_text(const laws::LawScene& scene, const laws::DirectIdentific
     text += direct_table(found.steps, j).text() + "\n";
   }
   for (const std::string& note : found.notes) text += "note: " + note + "\n";
-  return text + "status: " + std::string(word(found.status)) + (found.message.empty() ? "" : ": " + found.message) + "\n";
+  return text + "status: " + name(found.status) + (found.message.empty() ? "" : ": " + found.message) + "\n";
 }
 
 std::string direct_json(const laws::LawScene& scene, const laws::DirectIdentification& found) {
-  Json out = {{"status", word(found.status)},
+  Json out = {{"status", name(found.status)},
               {"message", found.message},
               {"joints", Json::array()},
               {"states", Json::array()},

@@ -59,7 +59,7 @@ Table worth_table(const laws::LawScene& scene, const LawBound& bound) {
       cells.push_back(j < of.joints.size() ? share(of.joints[j].stiffness) : "–");
       cells.push_back(j < of.joints.size() ? share(of.joints[j].limit) : "–");
     }
-    cells.emplace_back(of.status == response::LawFitStatus::converged ? "" : response::word(of.status));
+    cells.emplace_back(of.status == response::LawFitEnd::converged ? "" : response::word(of.status));
     table.add(cells);
   };
   if (bound.measured > 0) add("the measured levels alone", bound.present);

@@ -25,7 +25,7 @@ void add_summary(const laws::LawScene& scene, const laws::LawIdentification& fou
 
 std::string law_page(const laws::LawScene& scene, const laws::LawIdentification& found) {
   ReportPage page(scene.title.empty() ? "Friction laws from vibration" : scene.title, "jointid solve");
-  page.status(status_banner(std::string(word(found.status)), found.message));
+  page.status(status_banner(name(found.status), found.message));
   add_summary(scene, found, page);
   page.section("Joints");
   for (std::size_t j = 0; j < found.fit().joints.size(); ++j)

@@ -121,7 +121,7 @@ std::string law_text(const laws::LawScene& scene, const LawIdentification& found
     text += scene.joints[j].beside.name + ": stiffness and damping without a law\n" + direct_table(found, j).text() + "\n";
   }
   for (const std::string& note : found.notes) text += "note: " + note + "\n";
-  return text + "status: " + std::string(word(found.status)) + (found.message.empty() ? "" : ": " + found.message) + "\n";
+  return text + "status: " + name(found.status) + (found.message.empty() ? "" : ": " + found.message) + "\n";
 }
 
 std::string law_csv(const laws::LawScene& scene, const LawIdentification& found) {

@@ -170,7 +170,7 @@ std::string modal_text(const tasks::ModalRun& run) {
   const auto& axis = run.band.frequency_hz;
   std::string text = fmt::format("{}: {} × {} FRFs, {} lines, {:.6g} to {:.6g} Hz; {}\n\n", run.files, run.band.responses,
                                  run.band.references, axis.size(), axis.front(), axis.back(), model_text(run.fit.kind));
-  if (run.fit.status != modalfit::FitStatus::ok) text += fmt::format("{}: {}\n\n", modalfit::name(run.fit.status), run.fit.message);
+  if (run.fit.status != Status::ok) text += fmt::format("{}: {}\n\n", name(run.fit.status), run.fit.message);
   text += modes_table(run).text() + "\n";
   text += "  fit of each FRF:  " + synthesis_text(run.of_fit) + "\n";
   if (run.symmetric) text += "  symmetric model:  " + synthesis_text(run.of_model) + "\n";

@@ -74,7 +74,7 @@ class Fitting {
  private:
   static void best_first(std::vector<Fit>& fits) {
     std::ranges::stable_sort(fits, {},
-                             [](const Fit& fit) { return std::pair(fit.status != friction::FitStatus::usable, fit.aic); });
+                             [](const Fit& fit) { return std::pair(fit.status != Status::ok, fit.aic); });
   }
 
   void begin(const std::string& stage) const {

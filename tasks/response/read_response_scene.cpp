@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "ident/scene/scene_sections.hpp"
+#include "scene/document.hpp"
 #include "scene/text.hpp"
 #include "tasks/response/response_sections.hpp"
 #include "tasks/response/scene_values.hpp"
@@ -96,18 +97,16 @@ void read_response(const scene::Item& item, ResponseScene& scene) {
 }  // namespace
 
 ResponseScene parse_response_scene(const std::string& text, const ident::Path& file) {
-  const scene::Value document = scene::parse_toml(text, file);
-  const std::string file_name = file.string();
-  const scene::Item root(document, file_name, {}, {});
-  const scene::Table table =
-      root.table({"title", "data", "structure", "joints", "force", "frequency", "response", "curves", "equivalent", "transient"});
+  const scene::Document document(
+      text, file, {"data", "structure", "joints", "force", "frequency", "response", "curves", "equivalent", "transient"});
+  const scene::Table& table = document.table();
   ResponseScene scene;
   scene.file = file;
-  if (const auto title = table.find("title")) scene.title = title->text();
+  scene.title = document.title();
   const auto data = table.find("data"), structure = table.find("structure");
   if (data.has_value() == structure.has_value()) {
     throw InputError({.kind = ErrorKind::usage,
-                      .file = file_name,
+                      .file = file.string(),
                       .place = "",
                       .problem = data ? "there are both [data] and [structure]" : "there is no structure",
                       .remedy = "give [data] parts (FRFs) or [structure] mass and stiffness (matrices)"});

@@ -29,7 +29,7 @@ TEST(Fit, FindsTheClosePairInEveryFamilyOfModels) {
   const frf::FrfSet set = pair_with_noise();
   for (const ModelKind& kind : {hysteretic_real, ModelKind{Damping::hysteretic, false}, ModelKind{Damping::viscous, true}, ModelKind{}}) {
     const ModalFit found = fitted(set, {.kind = kind});
-    ASSERT_EQ(found.status, FitStatus::ok) << found.message;
+    ASSERT_EQ(found.status, Status::ok) << found.message;
     ASSERT_EQ(found.modes.size(), 2u);
     const double damping = kind.damping == Damping::hysteretic ? 0.002 : 0.001;
     for (std::size_t r = 0; r < 2; ++r) {
@@ -64,7 +64,7 @@ TEST(Fit, KeepsTheMostSignificantWhenToldHowMany) {
 
 TEST(Fit, SaysSoWhereThereIsNoMode) {
   const ModalFit found = fitted(pair_with_noise(), {.kind = hysteretic_real, .range_hz = std::array{104.0, 110.0}});
-  EXPECT_EQ(found.status, FitStatus::no_modes);
+  EXPECT_EQ(found.status, Status::no_modes);
   EXPECT_TRUE(found.modes.empty());
   EXPECT_NE(found.message, "");
 }

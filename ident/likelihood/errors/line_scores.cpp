@@ -32,7 +32,7 @@ std::shared_ptr<const SystematicTerms> joined(const SystematicTerms* declared, s
 
 class LineScores {
  public:
-  LineScores(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit, const SystematicLines& trials,
+  LineScores(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit, const SystematicLines& trials,
              const TermsOf& terms)
       : plan_(plan), estimator_(estimator), fit_(fit), trials_(trials), terms_(terms), unknowns_(trials.plan().unknowns()) {}
 
@@ -56,7 +56,7 @@ class LineScores {
 
  private:
   const Plan& plan_;
-  const LikelihoodEstimator& estimator_;
+  const LinearisedLikelihood& estimator_;
   const LikelihoodFit& fit_;
   const SystematicLines& trials_;
   const TermsOf& terms_;
@@ -73,7 +73,7 @@ std::vector<Complex> weights_of(const LineData& line) {
   return out;
 }
 
-void score_lines(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit, const SystematicLines& trials,
+void score_lines(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit, const SystematicLines& trials,
                  const Control& control, const std::function<void(std::size_t run, const ScoredLine& line)>& look,
                  const TermsOf& terms) {
   const Observations& observations = *likelihood_plan(plan)->observations;

@@ -31,7 +31,7 @@ constexpr std::size_t most_runs = 16;
 using TermsOf = std::function<SystematicTerms(std::size_t line, const LineData& data)>;
 
 /// Tells `look` every line of this process that counts, with the number of its run. `terms`: in place of those of trials.plan().
-void score_lines(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit, const SystematicLines& trials,
+void score_lines(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit, const SystematicLines& trials,
                  const Control& control, const std::function<void(std::size_t run, const ScoredLine& line)>& look,
                  const TermsOf& terms = {});
 

@@ -104,7 +104,7 @@ struct SensorSums {
   }
 };
 
-SensorSums sums_of(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit, const Sensors& sensors,
+SensorSums sums_of(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit, const Sensors& sensors,
                    const Control& control) {
   const Observations& observations = *likelihood_plan(plan)->observations;
   const SystematicLines lines(sensors.plan, *plan.substructures, *plan.assembly, observations.layout().coordinates);
@@ -120,7 +120,7 @@ SensorSums sums_of(const Plan& plan, const LikelihoodEstimator& estimator, const
 
 }  // namespace
 
-std::optional<SensorScatter> sensor_scatter(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit,
+std::optional<SensorScatter> sensor_scatter(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit,
                                             const Eigen::MatrixXd& information, const Control& control) {
   const Sensors sensors = sensors_of(plan);
   if (std::min(sensors.count[0], sensors.count[1]) < least_sensors) return std::nullopt;

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "ident/likelihood/fit/estimator.hpp"
+#include "ident/likelihood/fit/linearised_likelihood.hpp"
 #include "ident/plan/plan.hpp"
 #include "ident/result/control.hpp"
 
@@ -19,7 +19,7 @@ struct SensorScatter {
 /// coordinate; what both do adds up. I_s is that of random signs on the FRFs of s, one draw a line: unbiased. Errors that look like
 /// another joint leave no residual and are not in it. `information`: I of the unknowns of the fit. Empty where a sensor alone fixes an
 /// unknown, or a kind has fewer than three.
-std::optional<SensorScatter> sensor_scatter(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit,
+std::optional<SensorScatter> sensor_scatter(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit,
                                             const Eigen::MatrixXd& information, const Control& control);
 
 }  // namespace jointid::ident
