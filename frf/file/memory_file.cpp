@@ -86,8 +86,8 @@ class ArraySource final : public FrfSource {
       }
     }
     if (diagonal.empty()) return;
-    gather(block, arrays_->factor_diagonal, responses, diagonal,
-           [&](double value, std::size_t line) { return std::norm(factor(line)) * value; });
+    gather_elements(by_lines<double>(arrays_->factor_diagonal, responses), block.lines, block.responses, block.references, diagonal,
+                    [&](double value, std::size_t line) { return std::norm(factor(line)) * value; });
   }
 
   void do_read_covariance(const Block& pairs, std::span<Complex> out) override {
