@@ -35,7 +35,7 @@ std::vector<Blow> find_stretches(std::span<const Record> records, const FrfOptio
   }
   for (const std::size_t number : options.reject) {
     if (number < 1 || number > out.size())
-      refuse_stretch("--reject", fmt::format("there is no stretch {} of {}", number, out.size()), "give numbers of the table");
+      refuse_stretch("--reject", fmt::format("there is no segment {} of {}", number, out.size()), "give numbers of the table");
     if (out[number - 1].rejected.empty()) out[number - 1].rejected = "by the user";
   }
   for (Blow& blow : out) {

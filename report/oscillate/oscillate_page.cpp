@@ -24,7 +24,7 @@ void add_modes(const tasks::OscillateResult& run, ReportPage& page) {
   page.add(fractions_table(*run.modes), "Shares");
   page.add(shapes_table(run), "Shapes");
   page.add(Text{
-      "Shares of Σσ², mean removed; standard errors by a jackknife over 20 stretches, which mean nothing for a periodic motion. "
+      "Shares of Σσ², mean removed; standard errors by a jackknife over 20 segments, which mean nothing for a periodic motion. "
       "Values are mean squares, not energies.",
       true});
 }

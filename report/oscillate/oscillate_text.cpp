@@ -129,7 +129,7 @@ std::string oscillate_text(const tasks::OscillateResult& run) {
   text += "motion: " + motion_line(run) + "\n";
   if (run.modes) {
     text +=
-        "\nproper orthogonal modes of what is seen; standard errors by a jackknife over 20 stretches, which mean nothing for a "
+        "\nproper orthogonal modes of what is seen; standard errors by a jackknife over 20 segments, which mean nothing for a "
         "periodic motion\n" +
         fractions_table(*run.modes).text() + "\n" + shapes_table(run).text();
   }

@@ -69,7 +69,7 @@ TEST_F(Modalfit, ModesAtTheEdgeOfTheRangeAreNamed) {
   EXPECT_THAT(report::notes(run({})), testing::Not(testing::Contains(testing::HasSubstr("edge"))));
   modalfit::FitOptions options;
   options.range_hz = {99.97, 106.0};  // lines 0.02 Hz apart
-  EXPECT_THAT(report::notes(tasks::run_modal_files({file_}, {}, options)), testing::Contains(testing::HasSubstr("what lies beyond: 100 Hz")));
+  EXPECT_THAT(report::notes(tasks::run_modal_files({file_}, {}, options)), testing::Contains(testing::HasSubstr("from those beyond: 100 Hz")));
 }
 
 TEST_F(Modalfit, JsonHasModesAndErrors) {
