@@ -60,12 +60,13 @@ void one_seed(const ident::Scene& scene, const problems::Problem& problem, std::
   const ident::Solution solution = ident::solve(*plan, control);
   std::vector<double> values;
   for (const ident::Estimate& estimate : solution.unknowns) values.push_back(estimate.value);
-  ident::LikelihoodEstimator estimator = ident::make_estimator(*plan, control);
-  const ident::LikelihoodFit fit = estimator.refine(ident::scaled(*plan, values), [](std::size_t) {});
+  const ident::LinearisedLikelihood fitted =
+      ident::make_estimator(*plan, control).refine(ident::scaled(*plan, values), [](std::size_t) {});
+  const ident::LikelihoodFit& fit = fitted.fit;
   const Eigen::MatrixXd covariance = minimise::covariance_of(fit.information);
   plan->scene.identify.bootstrap_seed = seed;
   std::vector<ident::Replicate> replicates;
-  out.seconds += bench::seconds([&] { replicates = ident::bootstrap(*plan, estimator, fit, control); });
+  out.seconds += bench::seconds([&] { replicates = ident::bootstrap(*plan, fitted, fit, control); });
   out.usable += static_cast<double>(std::ranges::count_if(replicates, &ident::Replicate::usable));
   out.replicates += static_cast<double>(replicates.size());
   for (std::size_t column = 0; column < values.size(); ++column) {

@@ -322,7 +322,9 @@ void measure(const bench::CommandLine& line, bench::Promises& promises) {
       if (name == "A1") continue;  // a line alone tells its K(3,3)
       promises.at_least(one.name + ": coverage", found.coverage(), bench::least_share(0.92, seeds));
     }
-    if (wanted("places")) measured(places(name, 0.003), seeds, true);
+    for (const double off : {0.0003, 0.001, 0.003}) {
+      if (wanted("places")) measured(places(name, off), seeds, true);
+    }
   }
 }
 

@@ -50,7 +50,7 @@ void measure(const bench::CommandLine& line, bench::Promises& promises) {
   const Timed rotary =
       timed(torque, friction::ring_family("ren", ring->ring->inner, ring->ring->outer), {}, line.quick() ? 1 : 11);
   fmt::print("rotary ren {:8.3f} {:10}\n", rotary.milliseconds, rotary.fit.iterations);
-  promises.holds("rotary ren: the fit is usable", rotary.fit.status == friction::FitStatus::usable);
+  promises.holds("rotary ren: the fit is usable", rotary.fit.status == Status::ok);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ void run(const std::string& name, std::size_t seeds, bench::Promises& promises) 
     const frf::FrfSet noisy = problems::polluted(set, seed, 0);
     modalfit::Band band = modalfit::make_band(noisy, {});
     const modalfit::ModalFit found = modalfit::fit(band, noisy.header, {.kind = {modalfit::Damping::hysteretic, true}});
-    if (found.modes.size() != modes || found.status != modalfit::FitStatus::ok) continue;
+    if (found.modes.size() != modes || found.status != Status::ok) continue;
     ++complete;
     for (std::size_t r = 0; r < modes; ++r) {
       const modalfit::Mode& mode = found.modes[r];

@@ -59,7 +59,7 @@ frf::FrfSet measurement(const problems::Modes& modes, std::size_t lines) {
 
 void judge(const modalfit::ModalFit& fit, const problems::Modes& modes, std::size_t inside, bench::Promises& promises) {
   fmt::print("  {} of {} modes found\n", fit.modes_inside(), inside);
-  const bool found = fit.modes_inside() == inside && fit.status == modalfit::FitStatus::ok;
+  const bool found = fit.modes_inside() == inside && fit.status == Status::ok;
   promises.holds("all modes are found and no other", found);
   if (!found) return;
   double frequency = 0.0, damping = 0.0;

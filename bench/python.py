@@ -1,9 +1,11 @@
 """What Python costs beside the C++ call and the command. PYTHONPATH=build/release/python bench/python.py build/release/cli/jointid
 
-Handing over 226 MB of FRFs; what identify() of A1 does besides the library's work; a study of 1,000 trials beside the command's.
+Handing over 226 MB of FRFs; what identify() of A1 does besides the library's work; a study of 1,000 trials beside the command's, by
+processor time of all threads, which other work on the machine changes little.
 """
 
 import os
+import resource
 import subprocess
 import sys
 import tempfile
@@ -17,14 +19,19 @@ from jointid._joint import _joint_scene
 JOINT = {"dofs": ["4:+Y", "4:+RZ", "5:+Y", "5:+RZ"], "stiffness": "symmetric", "hysteretic_damping": "symmetric"}
 
 
-def best(work, rounds):
+def best(work, rounds, clock=time.perf_counter):
     """Seconds, the least of so many rounds."""
     times = []
     for _ in range(rounds):
-        start = time.perf_counter()
+        start = clock()
         work()
-        times.append(time.perf_counter() - start)
+        times.append(clock() - start)
     return min(times)
+
+
+def of_children():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def handing_over():
@@ -55,8 +62,17 @@ def study_beside_command(scene, command):
             os.remove(out)
         subprocess.run([command, "study", scene, "--trials", "1000", "--out", out, "--json", "-"], check=True, capture_output=True)
 
-    ours, theirs = best(lambda: jointid.study(scene, trials=1000).to_json(), 9), best(of_command, 9)
-    print(f"study of 1,000 trials: Python {ours:.3f} s, command {theirs:.3f} s")
+    def of_python():
+        program = "import jointid, sys; jointid.study(sys.argv[1], trials=1000).to_json()"
+        subprocess.run([sys.executable, "-c", program, scene], check=True)
+
+    def of_import():
+        subprocess.run([sys.executable, "-c", "import jointid"], check=True)
+
+    inside = best(lambda: jointid.study(scene, trials=1000).to_json(), 9, time.process_time)
+    command, python, start = (best(work, 9, of_children) for work in (of_command, of_python, of_import))
+    print(f"study of 1,000 trials, processor time: inside Python {inside:.3f} s, command {command:.3f} s; "
+          f"program of Python {python:.3f} s, of it import {start:.3f} s")
 
 
 if __name__ == "__main__":

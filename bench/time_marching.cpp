@@ -138,8 +138,8 @@ void steady_state(const JointType& type, bench::Promises& promises) {
   const PeriodicProblem problem{structure_of(type), omega, {1}, Complex(0.0, -1.0) * VectorXd::Unit(18, force_at)};
   PeriodicOrbit orbit;
   const double time = bench::seconds([&] { orbit = find_orbit(problem); });
-  promises.holds(type.name + ": the orbit closes", orbit.status == OrbitStatus::closed);
-  if (orbit.status != OrbitStatus::closed) return;
+  promises.holds(type.name + ": the orbit closes", orbit.closed);
+  if (!orbit.closed) return;
   const OrbitFigures found = figures(problem, orbit, {1});
   const double energy = std::abs(found.work - found.loss.sum() - found.damping_loss) / found.work;
   fmt::print("{:<6}{:>14.6e}{:>10}{:>10}{:>8}{:>12.1e}{:>12.1e}{:>10.4f}{:>12.0f}\n", type.name, found.largest[force_at],

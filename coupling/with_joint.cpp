@@ -1,6 +1,5 @@
-
-#include "coupling/methods.hpp"
 #include "coupling/joint_loop.hpp"
+#include "coupling/methods.hpp"
 
 namespace jointid::coupling {
 

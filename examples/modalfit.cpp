@@ -37,7 +37,7 @@ int main() {
   options.interrupted = [] { return false; };
   const tasks::ModalRun run = tasks::run_modal("simulated", set, options);
 
-  std::cout << "status " << modalfit::name(run.fit.status) << '\n';
+  std::cout << "status " << name(run.fit.status) << '\n';
   for (const modalfit::Mode& mode : run.fit.modes) {
     std::cout << mode.pole.frequency_hz << " Hz ± " << mode.frequency_deviation_hz << ", damping ratio " << mode.pole.damping
               << " ± " << mode.damping_deviation << '\n';
@@ -47,5 +47,5 @@ int main() {
     const modalfit::Pole& pole = run.fit.modes[i].pole;
     found = std::abs(pole.frequency_hz - modes[i].frequency_hz) < 0.01 && std::abs(pole.damping - modes[i].damping) < 0.0005;
   }
-  return modalfit::is_usable(run.fit.status) && found ? EXIT_SUCCESS : EXIT_FAILURE;
+  return is_usable(run.fit.status) && found ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -113,7 +113,6 @@ void Project::check() {
   show_problem();
   show_form();
   show_scene();
-  Q_EMIT scene_checked();
 }
 
 /// Scenes of other kinds are checked by their pages, whose tabs are seen with a scene of their kind.

@@ -88,8 +88,6 @@ class Project : public QWidget {
 
  Q_SIGNALS:
   void title_changed();
-  /// The text was checked anew; checked() has what came of it.
-  void scene_checked();
 
  private:
   std::filesystem::path path() const;

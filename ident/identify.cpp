@@ -48,7 +48,7 @@ void warn_of_shared_errors(const Plan& plan, Solution& out) {
   if (!traits(plan.scene.identify.method).uses_variances) return;
   std::string which;
   if (!plan.scene.couple_first.pairs.empty() && !plan.method->carries_shared_errors()) which = "the FRFs of the coupled parts";
-  if (!plan.regenerated.empty()) which += (which.empty() ? "" : " and ") + std::string("regenerated FRFs");
+  if (!plan.regenerated.empty()) which += (which.empty() ? "" : " and ") + std::string("synthesised FRFs");
   if (which.empty()) return;
   out.warnings.push_back("The likelihood takes the errors of FRFs for independent; those of " + which +
                          " are not, so that standard errors and intervals are too small.");

@@ -39,9 +39,9 @@ modalfit::FitOptions regeneration_options(const Scene& scene) {
 }
 
 std::string note(const ModalRegeneration& of) {
-  if (!of.harm.empty()) return of.file + ": regenerating these FRFs harms: " + of.harm;
-  return of.file + ": FRFs regenerated from " + std::to_string(of.modes) + " modes, " +
-         digits(of.rms_db_away) + " dB rms from the measured ones";
+  if (!of.harm.empty()) return of.file + ": synthesised FRFs are worse than the measured ones: " + of.harm;
+  return of.file + ": FRFs synthesised from " + std::to_string(of.modes) + " modes, " + digits(of.rms_db_away) +
+         " dB rms from the measured ones";
 }
 
 std::vector<std::unique_ptr<frf::FrfSource>> regenerate_sources(std::vector<std::unique_ptr<frf::FrfSource>> sources, bool one_structure,

@@ -65,20 +65,27 @@ class View {
   std::unique_ptr<py::buffer_info> info_;
 };
 
+py::object or_none(const py::dict& of, const char* key) { return of.contains(key) ? py::object(of[key]) : py::none(); }
+
 /// Arrays with those that keep their numbers.
 struct KeptArrays : frf::FrfArrays {
-  View<Complex> kept_values, kept_variance, kept_covariance, kept_correlation;
-  View<double> kept_coherence;
+  View<Complex> kept_values, kept_variance, kept_covariance, kept_factor, kept_correlation;
+  View<double> kept_coherence, kept_diagonal;
 
   explicit KeptArrays(const py::dict& of)
       : kept_values(of["frfs"], "frfs", "Zd"),
         kept_variance(of["variance"], "variance", "Zd"),
         kept_covariance(of["covariance"], "covariance", "Zd"),
+        kept_factor(or_none(of, "factor"), "covariance_factor", "Zd"),
         kept_correlation(of["reference_correlation"], "reference_correlation", "Zd"),
-        kept_coherence(of["coherence"], "coherence", "d") {
+        kept_coherence(of["coherence"], "coherence", "d"),
+        kept_diagonal(or_none(of, "factor_diagonal"), "covariance_diagonal", "d") {
     values = kept_values.numbers();
     variance = kept_variance.numbers();
     covariance = kept_covariance.numbers();
+    factor = kept_factor.numbers();
+    factor_diagonal = kept_diagonal.numbers();
+    rank = values.empty() ? 0 : factor.size() / values.size();
     reference_correlation = kept_correlation.numbers();
     coherence = kept_coherence.numbers();
   }
@@ -114,6 +121,16 @@ void fill(frf::FrfHeader& header, const py::dict& of) {
 }
 
 }  // namespace
+
+std::shared_ptr<const std::span<const double>> kept_doubles(const py::object& buffer, const char* what) {
+  struct Kept {
+    View<double> view;
+    std::span<const double> numbers;
+  };
+  auto kept = std::make_shared<Kept>(Kept{View<double>(buffer, what, "d"), {}});
+  kept->numbers = kept->view.numbers();
+  return {kept, &kept->numbers};
+}
 
 std::vector<frf::Dof> dofs_of(const py::handle& names) {
   std::vector<frf::Dof> dofs;

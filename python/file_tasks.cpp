@@ -2,6 +2,7 @@
 
 #include <pybind11/stl.h>
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -24,6 +25,11 @@ namespace jointid::python {
 namespace {
 
 namespace py = pybind11;
+using std::chrono_literals::operator""ms;
+
+/// For residues and synthesis of the modes that there are when Ctrl-C comes.
+constexpr std::chrono::milliseconds patience = 700ms;
+
 struct ModalTask {
   std::optional<std::array<double, 2>> range;
   std::optional<std::size_t> modes;
@@ -45,9 +51,9 @@ modalfit::FitOptions options_of(const ModalTask& task) {
 
 Outcome outcome_of(tasks::ModalRun found) {
   const auto run = std::make_shared<const tasks::ModalRun>(std::move(found));
-  return {.status = modalfit::name(run->fit.status),
+  return {.status = name(run->fit.status),
           .message = run->fit.message,
-          .usable = modalfit::is_usable(run->fit.status),
+          .usable = is_usable(run->fit.status),
           .json = [run] { return report::modal_json(*run); },
           .text = [run] { return report::modal_text(*run); },
           .csv = [run] { return report::modes_csv(*run); },
@@ -61,6 +67,7 @@ Outcome modalfit_of(const std::vector<std::string>& files, const frf::OpenOption
   return watched(progress, 0, [files = paths_of(files), open, options](const ident::Control& control) {
     modalfit::FitOptions watching = options;
     watching.interrupted = control.interrupted;
+    watching.abandoned = lasting(control.interrupted, patience);
     watching.progress = [&control](const char* stage) { control.progress(stage, 0, 0); };
     return outcome_of(tasks::run_modal_files(files, open, watching));
   });
@@ -78,14 +85,21 @@ Outcome outcome_of(tasks::LoadingCurveResult found) {
           .page = [result](const ident::Control&) { return report::loading_curve_page(*result); }};
 }
 
-tasks::FittingWatch watch_of(const ident::Control& control) {
-  return {control.interrupted, [&control](const std::string& stage) { control.progress(stage.c_str(), 0, 0); }, {}};
+tasks::FittingWatch watch_of(const ident::Control& control, SoFar& so_far) {
+  const auto keep = [&so_far](const tasks::LoadingCurveResult& laws) {
+    so_far.put([laws] {
+      Outcome out = outcome_of(laws);
+      out.message = "Interrupted: the laws that were fitted so far.";
+      return out;
+    });
+  };
+  return {control.interrupted, [&control](const std::string& stage) { control.progress(stage.c_str(), 0, 0); }, keep};
 }
 
 Outcome loading_curve(const tasks::LoadingCurveTask& task, const py::object& progress) {
   tasks::check(task);
-  return watched(progress, 0, [task](const ident::Control& control) {
-    return outcome_of(tasks::fit_loading_curves(task, watch_of(control)));
+  return watched(progress, 0, [task](const ident::Control& control, SoFar& so_far) {
+    return outcome_of(tasks::fit_loading_curves(task, watch_of(control, so_far)));
   });
 }
 
@@ -96,8 +110,8 @@ Outcome loading_curve_arrays(const std::vector<std::tuple<std::string, py::buffe
   for (const auto& [name, displacement, force] : curves) {
     data.curves.push_back(friction::loading_curve(name, {doubles_of(displacement), doubles_of(force)}));
   }
-  return watched(progress, 0, [task, data](const ident::Control& control) {
-    return outcome_of(tasks::fit_loading_curves(data, task, watch_of(control)));
+  return watched(progress, 0, [task, data](const ident::Control& control, SoFar& so_far) {
+    return outcome_of(tasks::fit_loading_curves(data, task, watch_of(control, so_far)));
   });
 }
 

@@ -71,13 +71,33 @@ Outcome solve_laws(const SceneText& text, const ident::Control& control) {
   const auto scene = std::make_shared<const laws::LawScene>(laws::parse_law_scene(text.text, text.file));
   const response::FitWork work = {.threads = threads_or_cores(control.threads), .interrupted = control.interrupted};
   const auto found = std::make_shared<const laws::LawIdentification>(laws::identify_laws(*scene, work));
-  return {.status = std::string(laws::word(found->status)),
+  return {.status = name(found->status),
           .message = found->message,
-          .usable = laws::is_usable(found->status),
+          .usable = is_usable(found->status),
           .json = [=] { return report::law_json(*scene, *found); },
           .text = [=] { return report::law_text(*scene, *found); },
           .csv = [=] { return report::law_csv(*scene, *found); },
           .page = [=](const ident::Control&) { return report::law_page(*scene, *found); }};
+}
+
+/// The best estimate of a run that was interrupted; page and predictions would need the data again.
+Outcome interrupted_outcome(ident::Solution best, const std::string& title) {
+  tasks::mark_interrupted(best);
+  const auto found = std::make_shared<const ident::Solution>(std::move(best));
+  return {.status = ident::name(found->status),
+          .message = found->message,
+          .usable = false,
+          .json = [found] { return report::solution_json(*found); },
+          .text = [found, title] { return report::solution_text(*found, title); },
+          .csv = [found] { return report::unknowns_csv(*found); }};
+}
+
+Outcome outcome_of(const std::shared_ptr<const ident::Plan>& plan, const std::shared_ptr<const tasks::BoundReport>& found) {
+  return {.status = {},
+          .message = found->interrupted ? "Interrupted: what was predicted so far." : "",
+          .usable = !found->interrupted,
+          .json = [=] { return report::plan_json(*plan, *found); },
+          .text = [=] { return report::plan_text(*plan) + report::bound_text(*found); }};
 }
 
 [[noreturn]] void refuse_law_scene(const SceneText& scene, const char* problem, const char* remedy) {
@@ -97,11 +117,14 @@ Outcome bound_of_laws(const SceneText& text, bool has_candidates) {
 
 }  // namespace
 
-Outcome solve(const SceneText& text, const ident::Control& control) {
+Outcome solve(const SceneText& text, const ident::Control& control, SoFar& so_far) {
   if (scene::is_law_scene(text.text, text.file)) return solve_laws(text, control);
   auto plan = ident::make_plan(ident::parse_scene(text.text, text.file));
   ident::Control judging = control;
   judging.judgement = ident::Judgement::data;
+  judging.so_far = [&so_far, title = plan->scene.title](const ident::Solution& best) {
+    so_far.put([kept = best, title] { return interrupted_outcome(kept, title); });
+  };
   const auto solved = std::make_shared<Solved>();
   solved->solution = ident::solve(*plan, judging);
   solved->plan = std::move(plan);
@@ -136,16 +159,19 @@ Outcome plan(const SceneText& text, const ident::Control&) {
           .text = [made] { return report::plan_text(*made); }};
 }
 
-Outcome bound(const SceneText& text, const std::vector<frf::Dof>& candidates, const ident::Control& control) {
+Outcome bound(const SceneText& text, const std::vector<frf::Dof>& candidates, const ident::Control& control, SoFar& so_far) {
   if (scene::is_law_scene(text.text, text.file)) return bound_of_laws(text, !candidates.empty());
   const std::shared_ptr<ident::Plan> made = ident::make_plan(ident::parse_scene(text.text, text.file));
-  const auto found = std::make_shared<const tasks::BoundReport>(tasks::predict_bound(*made, candidates, control));
+  const auto keep = [&so_far, made](const tasks::BoundReport& report) {
+    so_far.put([made, kept = report]() mutable {
+      kept.interrupted = true;
+      return outcome_of(made, std::make_shared<const tasks::BoundReport>(kept));
+    });
+  };
+  const auto found = std::make_shared<const tasks::BoundReport>(tasks::predict_bound(*made, candidates, control, keep));
   const std::string note = found->interrupted ? "" : tasks::suspect_note(*made, control);
   if (!note.empty()) made->notes.push_back(note);
-  return {.status = {},
-          .message = {},
-          .json = [made, found] { return report::plan_json(*made, *found); },
-          .text = [made, found] { return report::plan_text(*made) + report::bound_text(*found); }};
+  return outcome_of(made, found);
 }
 
 }  // namespace jointid::python

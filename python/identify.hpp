@@ -8,8 +8,9 @@
 
 namespace jointid::python {
 
-/// `jointid solve`, of scenes of friction laws too. Throws InputError and Interrupted, as all of these do.
-Outcome solve(const SceneText& scene, const ident::Control& control);
+/// `jointid solve`, of scenes of friction laws too. Throws InputError and Interrupted, as all of these do; `so_far`
+/// gets what there is to be kept where it is interrupted.
+Outcome solve(const SceneText& scene, const ident::Control& control, SoFar& so_far);
 
 /// `jointid check`
 Outcome check(const SceneText& scene, const ident::Control& control);
@@ -18,6 +19,6 @@ Outcome check(const SceneText& scene, const ident::Control& control);
 Outcome plan(const SceneText& scene, const ident::Control& control);
 
 /// `jointid plan --bound`, of scenes of friction laws too; `candidates`: coordinates that are not measured yet.
-Outcome bound(const SceneText& scene, const std::vector<frf::Dof>& candidates, const ident::Control& control);
+Outcome bound(const SceneText& scene, const std::vector<frf::Dof>& candidates, const ident::Control& control, SoFar& so_far);
 
 }  // namespace jointid::python

@@ -53,38 +53,28 @@ tasks::CoupledSets coupled(const ident::CoupleScene& scene, const std::filesyste
   return sets;
 }
 
-/// Point FRFs first, then the others, as tasks::read_predicted() of files.
-std::vector<tasks::PredictedFrf> drawn(const tasks::CoupledSets& coupled) {
-  const frf::FrfSet& set = coupled.frfs;
-  const frf::FrfHeader& header = set.header;
-  std::vector<tasks::PredictedFrf> out;
-  for (const bool point : {true, false}) {
-    for (std::size_t r = 0; r < header.response.size(); ++r) {
-      for (std::size_t c = 0; c < header.reference.size() && out.size() < report::most_frfs; ++c) {
-        if (header.response[r].same_coordinate(header.reference[c]) != point) continue;
-        tasks::PredictedFrf frf{header.response[r], header.reference[c], {}, {}, {}};
-        for (std::size_t line = 0; line < header.lines(); ++line) {
-          frf.value.push_back(set.values[set.index(line, r, c)]);
-          if (!set.variance.empty()) frf.variance.push_back(set.variance[set.index(line, r, c)]);
-          if (coupled.with_all) frf.with_all.push_back(coupled.with_all->values[set.index(line, r, c)]);
-        }
-        out.push_back(std::move(frf));
-      }
-    }
-  }
-  return out;
-}
-
 Outcome direct_steps(const SceneText& text) {
   const auto scene = std::make_shared<const laws::LawScene>(laws::parse_law_scene(text.text, text.file));
   const auto found = std::make_shared<const laws::DirectIdentification>(laws::identify_directly(*scene));
-  return {.status = std::string(laws::word(found->status)),
+  return {.status = name(found->status),
           .message = found->message,
-          .usable = laws::is_usable(found->status),
+          .usable = is_usable(found->status),
           .json = [=] { return report::direct_json(*scene, *found); },
           .text = [=] { return report::direct_text(*scene, *found); },
           .csv = [=] { return report::direct_csv(*scene, *found); },
           .page = [=](const ident::Control&) { return report::direct_page(*scene, *found); }};
+}
+
+Outcome outcome_of(tasks::OscillateResult motion) {
+  const auto run = std::make_shared<const tasks::OscillateResult>(std::move(motion));
+  const std::string failure = tasks::failure_of(*run);
+  return {.status = failure.empty() ? "ok" : "unusable",
+          .message = failure,
+          .usable = failure.empty(),
+          .json = [=] { return report::oscillate_json(*run); },
+          .text = [=] { return report::oscillate_text(*run); },
+          .csv = [=] { return report::motion_csv(*run); },
+          .page = [=](const ident::Control&) { return report::oscillate_report(*run); }};
 }
 
 }  // namespace
@@ -100,7 +90,10 @@ Outcome couple(const SceneText& text, const std::filesystem::path& out, bool bou
           .json = [=] { return report::couple_json(*scene, found->result); },
           .text = [=] { return report::couple_text(*scene, found->result); },
           .csv = [=] { return report::couple_csv(found->result); },
-          .page = [=](const ident::Control&) { return report::couple_page(*scene, found->result, drawn(*found)); },
+          .page =
+              [=](const ident::Control&) {
+                return report::couple_page(*scene, found->result, tasks::predicted_of(*found, report::most_frfs));
+              },
           .frfs = [=](const ident::Control&) { return found->frfs; }};
 }
 
@@ -142,17 +135,17 @@ Outcome response_ways(const SceneText& text, const ident::Control& control) {
           .csv = [=] { return report::ways_csv(*runs); }};
 }
 
-Outcome oscillate(const SceneText& text, const ident::Control& control) {
-  const auto run = std::make_shared<const tasks::OscillateResult>(
-      tasks::run_oscillate(tasks::parse_oscillate_scene(text.text, text.file), control));
-  const std::string failure = tasks::failure_of(*run);
-  return {.status = failure.empty() ? "ok" : "unusable",
-          .message = failure,
-          .usable = failure.empty(),
-          .json = [=] { return report::oscillate_json(*run); },
-          .text = [=] { return report::oscillate_text(*run); },
-          .csv = [=] { return report::motion_csv(*run); },
-          .page = [=](const ident::Control&) { return report::oscillate_report(*run); }};
+Outcome oscillate(const SceneText& text, const ident::Control& control, SoFar& so_far) {
+  const auto keep = [&so_far](const tasks::OscillateResult& found) {
+    so_far.put([kept = found]() mutable {
+      kept.interrupted = true;
+      kept.remarks.emplace_back("INTERRUPTED: only what was found so far");
+      Outcome out = outcome_of(kept);
+      out.message = "Interrupted: what was found so far.";
+      return out;
+    });
+  };
+  return outcome_of(tasks::run_oscillate(tasks::parse_oscillate_scene(text.text, text.file), control, keep));
 }
 
 frf::FrfSet at_virtual_points(const SceneText& text, const std::filesystem::path& path) {

@@ -23,7 +23,7 @@ Outcome response_of(const SceneText& scene, const ident::Control& control);
 Outcome response_ways(const SceneText& scene, const ident::Control& control);
 
 /// `jointid oscillate`
-Outcome oscillate(const SceneText& scene, const ident::Control& control);
+Outcome oscillate(const SceneText& scene, const ident::Control& control, SoFar& so_far);
 
 /// FRFs of files (as one structure) whose sensors and impacts at interfaces are replaced by virtual points: those of the
 /// [[virtual_points]] of `text`, a scene without other tables but [nodes].

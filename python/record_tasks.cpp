@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/control.hpp"
 #include "base/error.hpp"
 #include "python/arrays.hpp"
 #include "python/conversions.hpp"
@@ -114,14 +115,16 @@ Outcome pod_of(const tasks::PodTask& task, std::size_t threads, const py::object
 }
 
 /// Samples in memory [T, m], of named channels with units.
-Outcome pod_array(const py::buffer& samples, const std::vector<std::string>& names, const std::vector<std::string>& units,
+Outcome pod_array(const py::object& samples, const std::vector<std::string>& names, const std::vector<std::string>& units,
                   const tasks::PodTask& task, const py::object& progress) {
   tasks::check(task);
-  const std::vector<double> numbers = doubles_of(samples);
-  return watched(progress, 0, [numbers, names, units, task](const ident::Control&) {
+  return watched(progress, 0, [kept = kept_doubles(samples, "record"), names, units, task](const ident::Control& control) {
+    const std::span<const double> numbers = *kept;
     const std::size_t channels = names.size();
     std::size_t done = 0;
     const auto next = [&](std::span<double> rows) {
+      stop_if(control.interrupted);
+      control.progress("reading samples", done / channels, numbers.size() / channels);
       const std::size_t count = std::min(rows.size() / channels, (numbers.size() - done) / channels);
       std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(done), count * channels, rows.begin());
       done += count * channels;

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "python/arrays.hpp"
@@ -59,11 +60,18 @@ void bind_outcome(py::module_& module) {
 template <class Run>
 Outcome run_scene(const std::string& text, const std::string& file, std::size_t threads, const py::object& progress,
                   const Run& run) {
-  return watched(progress, threads,
-                 [scene = SceneText{text, file}, run](const ident::Control& control) { return run(scene, control); });
+  if constexpr (std::is_invocable_v<Run, const SceneText&, const ident::Control&, SoFar&>) {
+    return watched(progress, threads, [scene = SceneText{text, file}, run](const ident::Control& control, SoFar& so_far) {
+      return run(scene, control, so_far);
+    });
+  } else {
+    return watched(progress, threads,
+                   [scene = SceneText{text, file}, run](const ident::Control& control) { return run(scene, control); });
+  }
 }
 
-void bind_plain(py::module_& module, const char* name, Outcome (*run)(const SceneText&, const ident::Control&)) {
+template <class... Kept>
+void bind_plain(py::module_& module, const char* name, Outcome (*run)(const SceneText&, const ident::Control&, Kept&...)) {
   module.def(name, [run](const std::string& text, const std::string& file, std::size_t threads, const py::object& progress) {
     return run_scene(text, file, threads, progress, run);
   });
@@ -72,8 +80,8 @@ void bind_plain(py::module_& module, const char* name, Outcome (*run)(const Scen
 Outcome run_bound(const std::string& text, const std::string& file, std::size_t threads, const py::object& progress,
                   const py::object& candidates) {
   return run_scene(text, file, threads, progress,
-                   [dofs = dofs_of(candidates)](const SceneText& scene, const ident::Control& control) {
-                     return bound(scene, dofs, control);
+                   [dofs = dofs_of(candidates)](const SceneText& scene, const ident::Control& control, SoFar& so_far) {
+                     return bound(scene, dofs, control, so_far);
                    });
 }
 
@@ -88,7 +96,9 @@ Outcome run_study(const std::string& text, const std::string& file, std::size_t 
 Outcome run_compare(const std::string& text, const std::string& file, std::size_t threads, const py::object& progress,
                     const CompareTask& task) {
   return run_scene(text, file, threads, progress,
-                   [task](const SceneText& scene, const ident::Control& control) { return compare(scene, task, control); });
+                   [task](const SceneText& scene, const ident::Control& control, SoFar& so_far) {
+                     return compare(scene, task, control, so_far);
+                   });
 }
 
 Outcome run_couple(const std::string& text, const std::string& file, std::size_t threads, const py::object& progress,
@@ -99,12 +109,9 @@ Outcome run_couple(const std::string& text, const std::string& file, std::size_t
 }
 
 py::dict virtual_points(const std::string& text, const std::string& file, const std::string& path) {
-  frf::FrfSet set;
-  {
-    const py::gil_scoped_release release;
-    set = at_virtual_points({text, file}, path);
-  }
-  return dict_of(std::move(set));
+  return dict_of(watched(py::none(), 0, [scene = SceneText{text, file}, path](const ident::Control&) {
+    return at_virtual_points(scene, path);
+  }));
 }
 
 void bind_compare_task(py::module_& module) {

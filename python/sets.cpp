@@ -54,13 +54,15 @@ void as_stored(frf::FrfSet& set) {
   const std::size_t entries = header.entries(), pairs = frf::pair_count(header.response.size()) * header.reference.size();
   for (std::size_t line = 0; line < header.lines(); ++line) {
     const Complex factor = frf::from_receptance(header.quantity, header.frequency_hz[line]);
-    const auto each = [line](std::vector<Complex>& numbers, std::size_t count, const auto& change) {
+    const auto each = [line](auto& numbers, std::size_t count, const auto& change) {
       if (numbers.empty()) return;
       for (std::size_t k = line * count; k < (line + 1) * count; ++k) numbers[k] = change(numbers[k]);
     };
     each(set.values, entries, [factor](Complex value) { return factor * value; });
     each(set.variance, entries, [factor](Complex value) { return frf::scaled_variance(factor, value); });
     each(set.covariance, pairs, [factor](Complex value) { return std::norm(factor) * value; });
+    each(set.factor.rows, entries * set.factor.rank, [factor](Complex value) { return std::abs(factor) * value; });
+    each(set.factor.diagonal, entries, [factor](double value) { return std::norm(factor) * value; });
   }
 }
 
@@ -82,9 +84,10 @@ py::object read(const std::vector<std::string>& paths, const frf::OpenOptions& o
 }
 
 void write(const py::dict& of, const std::string& path, const std::string& format) {
-  const auto arrays = arrays_of(of);
-  const py::gil_scoped_release release;
-  frf::write(frf::load_with_covariance(*frf::from_arrays(arrays)), path, format);
+  watched(py::none(), 0, [arrays = arrays_of(of), path, format](const ident::Control&) {
+    frf::write(frf::load_with_covariance(*frf::from_arrays(arrays)), path, format);
+    return true;
+  });
 }
 
 std::optional<frf::Quantity> quantity_or_none(const std::optional<std::string>& word) {
@@ -130,10 +133,6 @@ std::string quantity_of_unit(const std::string& unit) {
 }  // namespace
 
 py::dict dict_of(frf::FrfSet set) {
-  if (set.factor.any()) {
-    set.covariance = frf::covariance_pairs(set);
-    set.factor = {};
-  }
   as_stored(set);
   const frf::FrfHeader& header = set.header;
   const py::ssize_t lines = length(header.lines()), rows = length(header.response.size()),
@@ -157,6 +156,8 @@ py::dict dict_of(frf::FrfSet set) {
   put("variance", set.variance, shape);
   put("coherence", set.coherence, shape);
   put("covariance", set.covariance, {lines, length(frf::pair_count(header.response.size())), columns});
+  put("factor", set.factor.rows, {lines, rows, length(set.factor.rank), columns});
+  put("factor_diagonal", set.factor.diagonal, shape);
   put("reference_correlation", set.reference_correlation, {lines, columns, columns});
   return out;
 }

@@ -103,6 +103,25 @@ study::Alternatives alternatives(const CompareTask& task) {
   return out;
 }
 
+Outcome outcome_of(tasks::ComparisonResult ways, const std::shared_ptr<const ident::Scene>& scene) {
+  const auto found = std::make_shared<const tasks::ComparisonResult>(std::move(ways));
+  return {.status = {},
+          .message = {},
+          .usable = tasks::some_usable(*found),
+          .json = [=] { return report::comparison_json(*found); },
+          .text = [=] { return report::comparison_text(*found); },
+          .csv = [=] { return report::comparison_csv(*found); },
+          .page = [=](const ident::Control&) { return report::comparison_page(*found, *scene); }};
+}
+
+Outcome interrupted_outcome(tasks::ComparisonResult ways, const std::shared_ptr<const ident::Scene>& scene) {
+  ways.comparison.interrupted = true;
+  study::mark_fronts(ways.comparison.combinations);
+  Outcome out = outcome_of(std::move(ways), scene);
+  out.message = "Interrupted: the ways that were finished.";
+  return out;
+}
+
 void require_delta(double delta) {
   if (delta >= 0.0 && delta < 2.0) return;
   throw InputError({ErrorKind::usage, "", "deltas", std::to_string(delta) + " is outside 0 <= delta < 2", "0 drops no equation"});
@@ -135,7 +154,7 @@ Outcome study(const SceneText& text, const StudyTask& task, const ident::Control
               }};
 }
 
-Outcome compare(const SceneText& text, const CompareTask& task, const ident::Control& control) {
+Outcome compare(const SceneText& text, const CompareTask& task, const ident::Control& control, SoFar& so_far) {
   require_trials(task.trials);
   if (scene::is_law_scene(text.text, text.file)) return compare_laws(text, task, control);
   std::ranges::for_each(task.deltas, require_delta);
@@ -146,14 +165,10 @@ Outcome compare(const SceneText& text, const CompareTask& task, const ident::Con
   options.threads = control.threads;
   options.progress = of_trials(control);
   options.interrupted = control.interrupted;
-  const auto found = std::make_shared<const tasks::ComparisonResult>(tasks::compare_ways(*scene, alternatives(task), options));
-  return {.status = {},
-          .message = {},
-          .usable = tasks::some_usable(*found),
-          .json = [=] { return report::comparison_json(*found); },
-          .text = [=] { return report::comparison_text(*found); },
-          .csv = [=] { return report::comparison_csv(*found); },
-          .page = [=](const ident::Control&) { return report::comparison_page(*found, *scene); }};
+  const auto keep = [&so_far, scene](const tasks::ComparisonResult& ways) {
+    so_far.put([kept = ways, scene] { return interrupted_outcome(kept, scene); });
+  };
+  return outcome_of(tasks::compare_ways(*scene, alternatives(task), options, keep), scene);
 }
 
 }  // namespace jointid::python

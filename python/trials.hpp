@@ -32,6 +32,6 @@ struct CompareTask {
 };
 
 /// `jointid compare`, of scenes of friction laws too.
-Outcome compare(const SceneText& scene, const CompareTask& task, const ident::Control& control);
+Outcome compare(const SceneText& scene, const CompareTask& task, const ident::Control& control, SoFar& so_far);
 
 }  // namespace jointid::python

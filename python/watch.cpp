@@ -105,9 +105,21 @@ std::exception_ptr wait_for_end(Run& run, const py::object& progress) {
   return look(run, progress, false);
 }
 
+/// Gives a KeyboardInterrupt what there is so far.
+void add_partial(const std::exception_ptr& raised, const Partial& partial, bool ended) {
+  if (!partial) return;
+  try {
+    std::rethrow_exception(raised);
+  } catch (const py::error_already_set& error) {
+    if (error.matches(PyExc_KeyboardInterrupt)) error.value().attr("partial") = partial(ended);
+  } catch (...) {
+    return;  // no exception of Python
+  }
+}
+
 }  // namespace
 
-void run_watched(const py::object& progress, std::function<void(const ident::Control&)> work) {
+void run_watched(const py::object& progress, std::function<void(const ident::Control&)> work, const Partial& partial) {
   const auto run = std::make_shared<Run>();
   std::thread thread([run, work = std::move(work)]() mutable {
     std::exception_ptr error;
@@ -121,15 +133,31 @@ void run_watched(const py::object& progress, std::function<void(const ident::Con
   });
   const std::exception_ptr raised = wait_for_end(*run, progress);
   if (raised) run->stop();
-  if (raised && !wait_without_lock(*run, 1500ms)) {
+  const bool left = raised && !wait_without_lock(*run, 1500ms);
+  if (left) {
     run->leave();
     thread.detach();
   } else {
     const py::gil_scoped_release release;
     thread.join();
   }
-  if (raised) std::rethrow_exception(raised);
+  if (raised) {
+    add_partial(raised, partial, !left);
+    std::rethrow_exception(raised);
+  }
   run->rethrow();
+}
+
+std::function<bool()> lasting(std::function<bool()> interrupted, std::chrono::milliseconds time) {
+  using Clock = std::chrono::steady_clock;
+  auto since = std::make_shared<std::atomic<Clock::rep>>(0);  // 0: not interrupted yet
+  return [interrupted = std::move(interrupted), time, since] {
+    if (!interrupted()) return false;
+    const Clock::rep now = Clock::now().time_since_epoch().count();
+    Clock::rep first = 0;
+    if (since->compare_exchange_strong(first, now)) return false;
+    return Clock::duration(now - first) > time;
+  };
 }
 
 int runs_left() noexcept { return left_to_themselves; }

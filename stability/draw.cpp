@@ -52,8 +52,9 @@ ExtremeScene draw(std::uint64_t seed, std::uint64_t index) {
   return out;
 }
 
-std::string draw_solver(std::uint64_t seed, std::uint64_t index) {
-  return Draw(seed, index, 1).of(std::array<std::string, 4>{"qr", "qr", "spqr", "normal"});
+ident::Solver draw_solver(std::uint64_t seed, std::uint64_t index) {
+  using enum ident::Solver;
+  return Draw(seed, index, 1).of(std::array{qr, qr, spqr, normal});
 }
 
 }  // namespace jointid::stability

@@ -9,6 +9,6 @@ namespace jointid::stability {
 ExtremeScene draw(std::uint64_t seed, std::uint64_t index);
 
 /// The solver to go with it: qr, spqr or normal.
-std::string draw_solver(std::uint64_t seed, std::uint64_t index);
+ident::Solver draw_solver(std::uint64_t seed, std::uint64_t index);
 
 }  // namespace jointid::stability

@@ -144,9 +144,9 @@ ExtremeProblem make(const ExtremeScene& given) {
   return out;
 }
 
-std::unique_ptr<ident::Plan> ExtremeProblem::plan(const std::string& solver) const {
+std::unique_ptr<ident::Plan> ExtremeProblem::plan(ident::Solver solver) const {
   ident::Scene chosen = scene;
-  chosen.identify.solver = ident::parse_solver(solver);
+  chosen.identify.solver = solver;
   return ident::make_plan(chosen, sets.substructures, sets.assembly);
 }
 

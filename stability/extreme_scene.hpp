@@ -38,7 +38,7 @@ struct ExtremeProblem {
   ident::Scene scene;
   std::vector<double> truth;  ///< of the unknowns in the order of the restriction
 
-  std::unique_ptr<ident::Plan> plan(const std::string& solver) const;
+  std::unique_ptr<ident::Plan> plan(ident::Solver solver) const;
 };
 
 ExtremeProblem make(const ExtremeScene& scene);

@@ -55,25 +55,25 @@ ExactSolution solve_exactly(const Rows& rows) {
   return out;
 }
 
-minimise::LinearSolution solved(const Rows& rows, const std::string& solver, Measured& out) {
+minimise::LinearSolution solved(const Rows& rows, Way way, Measured& out) {
   minimise::LinearSolution linear;
-  if (solver == "qr refined") {
+  if (way == Way(OwnWay::qr_refined)) {
     const Refined refined = solve_refined(rows);
     linear.y = refined.y;
     linear.rank = refined.converged ? rows.unknowns : 0;
     return linear;
   }
-  minimise::Accumulator accumulator(rows.unknowns,
-                                    solver == "normal" ? minimise::Reduction::normal : minimise::Reduction::orthogonal);
+  const bool is_normal = way == Way(ident::Solver::normal);
+  minimise::Accumulator accumulator(rows.unknowns, is_normal ? minimise::Reduction::normal : minimise::Reduction::orthogonal);
   minimise::Accumulator::Columns columns;
   for (std::size_t j = 0; j < rows.unknowns; ++j) columns.push_back(j);
   for (std::size_t i = 0; i < rows.count(); ++i) {
     std::copy_n(rows.high.data() + i * (rows.unknowns + 1), rows.unknowns + 1, accumulator.triangle(columns).append(1));
   }
-  linear = solver == "normal" ? minimise::solve_normal(accumulator)
-           : solver == "spqr" ? minimise::solve_sparse(accumulator)
-           : solver == "svd"  ? solve_svd(accumulator)
-                              : minimise::solve_dense(accumulator);
+  linear = is_normal                         ? minimise::solve_normal(accumulator)
+           : way == Way(ident::Solver::spqr) ? minimise::solve_sparse(accumulator)
+           : way == Way(OwnWay::svd)         ? solve_svd(accumulator)
+                                             : minimise::solve_dense(accumulator);
   out.bytes = accumulator.bytes();
   return linear;
 }
@@ -116,17 +116,17 @@ Rows weighted(std::size_t count, std::size_t unknowns, double spread) {
   return rows;
 }
 
-Measured measure(const Rows& rows, const std::string& solver) {
+Measured measure(const Rows& rows, Way way) {
   const ExactSolution exact = solve_exactly(rows);
   Measured out;
   out.method = "rows";
-  out.solver = solver;
+  out.solver = name(way);
   out.lines = rows.count();
   out.unknowns = rows.unknowns;
   out.condition = exact.condition;
   out.digits_true = std::numeric_limits<double>::quiet_NaN();
   const auto start = Clock::now();
-  const minimise::LinearSolution linear = solved(rows, solver, out);
+  const minimise::LinearSolution linear = solved(rows, way, out);
   out.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   out.rank = linear.rank;
   if (linear.rank < rows.unknowns) out.status = ident::Status::rank_deficient;
@@ -147,8 +147,8 @@ Measured measure(const Rows& rows, const std::string& solver) {
     out.warned = share > 1e-2;
   }
   const bool told = out.status != ident::Status::ok || out.warned;
-  if (solver == "svd" || solver == "qr refined") return out;
-  out.verdict = told ? (difference < 1e-6 * size ? Verdict::false_alarm : Verdict::told) : beyond ? Verdict::silent_wrong : Verdict::right;
+  if (std::holds_alternative<OwnWay>(way)) return out;
+  out.verdict = told ? (difference < 1e-6 * size ? Honesty::false_alarm : Honesty::told) : beyond ? Honesty::silent_wrong : Honesty::right;
   return out;
 }
 

@@ -17,8 +17,8 @@ Rows laeuchli(std::size_t unknowns, double delta);
 /// Reid's (1969); y = 1 up to a residual that the weights amplify.
 Rows weighted(std::size_t rows, std::size_t unknowns, double spread);
 
-/// A problem's rows by solver "normal", "qr", "svd", "spqr" or "qr refined", against its solution in 50 digits. Bounds are those of
+/// A problem's rows by solver normal, qr or spqr or by a way of this folder, against its solution in 50 digits. Bounds are those of
 /// LinearSolution::rounding.
-Measured measure(const Rows& rows, const std::string& solver);
+Measured measure(const Rows& rows, Way way);
 
 }  // namespace jointid::stability

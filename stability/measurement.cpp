@@ -21,10 +21,12 @@ ident::Control one_thread() {
   return control;
 }
 
-ident::Solution solved(const ExtremeProblem& problem, const std::string& solver) {
-  if (solver != "svd") return ident::solve(*problem.plan(solver), one_thread());
+bool is_svd(Way way) { return way == Way(OwnWay::svd); }
+
+ident::Solution solved(const ExtremeProblem& problem, Way way) {
+  if (!is_svd(way)) return ident::solve(*problem.plan(std::get<ident::Solver>(way)), one_thread());
   using Clock = std::chrono::steady_clock;
-  const auto plan = problem.plan("qr");
+  const auto plan = problem.plan(ident::Solver::qr);
   ident::Solution out;
   ident::Assembled system = ident::assemble(*plan, out.runtime_s, one_thread());
   const auto start = Clock::now();
@@ -55,7 +57,7 @@ double largest(const std::vector<double>& values) {
 /// What the solution states of the error of an unknown.
 std::optional<double> stated(const ident::Estimate& unknown) { return unknown.rounding ? unknown.rounding : unknown.std_error; }
 
-Verdict judged(const ident::Solution& solution, const std::vector<double>& truth) {
+Honesty judged(const ident::Solution& solution, const std::vector<double>& truth) {
   const bool told = solution.status != ident::Status::ok || !solution.warnings.empty();
   bool beyond = false, has_bound = false;
   double worst = 0.0;
@@ -66,25 +68,25 @@ Verdict judged(const ident::Solution& solution, const std::vector<double>& truth
     has_bound = has_bound || bound;
     beyond = beyond || (bound && !(error <= 10.0 * *bound));
   }
-  if (told) return worst < 1e-6 ? Verdict::false_alarm : Verdict::told;
-  if (!has_bound) return Verdict::not_judged;
-  if (beyond) return Verdict::silent_wrong;
-  return worst < 1e-6 ? Verdict::right : Verdict::told;
+  if (told) return worst < 1e-6 ? Honesty::false_alarm : Honesty::told;
+  if (!has_bound) return Honesty::not_judged;
+  if (beyond) return Honesty::silent_wrong;
+  return worst < 1e-6 ? Honesty::right : Honesty::told;
 }
 
 }  // namespace
 
-std::string name(Verdict verdict) {
+std::string name(Honesty verdict) {
   switch (verdict) {
-    case Verdict::told:
+    case Honesty::told:
       return "told";
-    case Verdict::right:
+    case Honesty::right:
       return "right";
-    case Verdict::silent_wrong:
+    case Honesty::silent_wrong:
       return "silent wrong";
-    case Verdict::false_alarm:
+    case Honesty::false_alarm:
       return "false alarm";
-    case Verdict::not_judged:
+    case Honesty::not_judged:
       break;
   }
   return "–";
@@ -98,16 +100,16 @@ double digits(double relative_error) {
 std::optional<ExactEstimate> exact_estimate(const ExtremeProblem& problem) {
   const ident::Method method = problem.scene.identify.method;
   if (method == ident::Method::likelihood || method == ident::Method::newton) {
-    return fit_exactly(*problem.plan("auto"), problem.sets, problem.truth);
+    return fit_exactly(*problem.plan(ident::Solver::automatic), problem.sets, problem.truth);
   }
-  return identify_exactly(*problem.plan("qr"), problem.sets);
+  return identify_exactly(*problem.plan(ident::Solver::qr), problem.sets);
 }
 
-Measured measure(const ExtremeProblem& problem, const std::string& solver, const std::optional<ExactEstimate>& exact) {
-  const ident::Solution solution = solved(problem, solver);
+Measured measure(const ExtremeProblem& problem, Way way, const std::optional<ExactEstimate>& exact) {
+  const ident::Solution solution = solved(problem, way);
   Measured out;
   out.method = ident::name(problem.scene.identify.method);
-  out.solver = solver == "svd" ? solver : solution.used.solver;
+  out.solver = is_svd(way) ? name(way) : solution.used.solver;
   out.lines = solution.fit.lines;
   out.unknowns = problem.truth.size();
   out.digits_kept = out.digits_true = nan;
@@ -126,7 +128,7 @@ Measured measure(const ExtremeProblem& problem, const std::string& solver, const
     worst = std::isnan(error) ? HUGE_VAL : std::max(worst, error / largest(problem.truth));
   }
   out.digits_true = digits(worst);
-  if (solver != "svd") out.verdict = judged(solution, problem.truth);
+  if (!is_svd(way)) out.verdict = judged(solution, problem.truth);
   return out;
 }
 

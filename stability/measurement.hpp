@@ -6,18 +6,19 @@
 
 #include "ident/result/solution.hpp"
 #include "stability/extreme_scene.hpp"
+#include "stability/way.hpp"
 
 namespace jointid::stability {
 
 /// Whether what a solution says of itself is true.
-enum class Verdict {
+enum class Honesty {
   not_judged,    ///< the solver states no bound
   told,          ///< wrong or imprecise, and said so by status, warning or bound
   right,
   silent_wrong,  ///< an unknown is off by more than 10 times its stated bound, and neither status nor warning says so
   false_alarm    ///< status or warning, though every unknown is right to 6 digits
 };
-std::string name(Verdict verdict);
+std::string name(Honesty verdict);
 
 /// One solver on one problem. Digits are −log₁₀ of a relative error, between 0 and 16; NaN where there is nothing to compare with.
 struct Measured {
@@ -34,11 +35,11 @@ struct Measured {
   std::size_t bytes = 0;
   ident::Status status = ident::Status::ok;
   bool warned = false;
-  Verdict verdict = Verdict::not_judged;
+  Honesty verdict = Honesty::not_judged;
 };
 
-/// Solves the problem; solver "svd" is solve_svd() on the compressed rows, others are those of scenes. `exact`: empty where there is none.
-Measured measure(const ExtremeProblem& problem, const std::string& solver, const std::optional<ExactEstimate>& exact);
+/// Solves the problem; OwnWay::svd on the compressed rows. Throws std::bad_variant_access for OwnWay::qr_refined. `exact`: empty where there is none.
+Measured measure(const ExtremeProblem& problem, Way way, const std::optional<ExactEstimate>& exact);
 
 /// The exact estimate where the method has one.
 std::optional<ExactEstimate> exact_estimate(const ExtremeProblem& problem);

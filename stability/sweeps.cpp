@@ -12,6 +12,7 @@ namespace jointid::stability {
 namespace {
 
 using ident::Method;
+using ident::Solver;
 
 /// A value of a sweep and the scene for it.
 struct Step {
@@ -81,30 +82,30 @@ constexpr std::size_t few_lines = 1000;
 void stop_if_asked(const Watch& watch) { stop_if(watch.interrupted); }
 
 void measure_scene(const std::string& sweep, const Step& step, const Watch& watch, std::vector<Measured>& out) {
-  const auto add = [&](ExtremeScene scene, Method method, const std::vector<std::string>& solvers) {
+  const auto add = [&](ExtremeScene scene, Method method, const std::vector<Way>& ways) {
     scene.method = method;
     const ExtremeProblem problem = make(scene);
     const std::optional<ExactEstimate> exact = exact_estimate(problem);
-    for (const std::string& solver : solvers) {
+    for (const Way way : ways) {
       stop_if_asked(watch);
-      out.push_back(measure(problem, solver, exact));
+      out.push_back(measure(problem, way, exact));
       out.back().sweep = sweep;
       out.back().value = step.value;
       if (watch.measured) watch.measured(out.back());
     }
   };
-  add(step.scene, Method::one, {"normal", "qr", "svd", "spqr"});
+  add(step.scene, Method::one, {Solver::normal, Solver::qr, OwnWay::svd, Solver::spqr});
   if (!follows_all_methods(sweep)) return;
-  add(step.scene, Method::two, {"qr"});
-  add(step.scene, Method::direct, {"qr"});
-  add(step.scene, Method::newton, {"auto"});
-  if (step.scene.lines <= few_lines) add(step.scene, Method::likelihood, {"auto"});
+  add(step.scene, Method::two, {Solver::qr});
+  add(step.scene, Method::direct, {Solver::qr});
+  add(step.scene, Method::newton, {Solver::automatic});
+  if (step.scene.lines <= few_lines) add(step.scene, Method::likelihood, {Solver::automatic});
 }
 
 void measure_rows(const std::string& sweep, double value, const Rows& rows, const Watch& watch, std::vector<Measured>& out) {
-  for (const char* solver : {"normal", "qr", "svd", "spqr", "qr refined"}) {
+  for (const Way way : {Way(Solver::normal), Way(Solver::qr), Way(OwnWay::svd), Way(Solver::spqr), Way(OwnWay::qr_refined)}) {
     stop_if_asked(watch);
-    out.push_back(measure(rows, solver));
+    out.push_back(measure(rows, way));
     out.back().sweep = sweep;
     out.back().value = value;
     if (watch.measured) watch.measured(out.back());
@@ -127,7 +128,7 @@ void run(const std::string& sweep, const Watch& watch, std::vector<Measured>& ou
   }
 }
 
-Verdict verdict_of(std::uint64_t seed, std::uint64_t index) {
+Honesty verdict_of(std::uint64_t seed, std::uint64_t index) {
   const ExtremeProblem problem = make(draw(seed, index));
   return measure(problem, draw_solver(seed, index), std::nullopt).verdict;
 }
@@ -178,11 +179,11 @@ Count count_verdicts(std::uint64_t seed, std::uint64_t first, std::size_t count,
     stop_if_asked(watch);
     if (watch.progress) watch.progress("scene " + std::to_string(index - first + 1) + " of " + std::to_string(count));
     try {
-      const Verdict verdict = verdict_of(seed, index);
-      out.right += verdict == Verdict::right;
-      out.told += verdict == Verdict::told || verdict == Verdict::not_judged;
-      out.false_alarm += verdict == Verdict::false_alarm;
-      if (verdict == Verdict::silent_wrong) {
+      const Honesty verdict = verdict_of(seed, index);
+      out.right += verdict == Honesty::right;
+      out.told += verdict == Honesty::told || verdict == Honesty::not_judged;
+      out.false_alarm += verdict == Honesty::false_alarm;
+      if (verdict == Honesty::silent_wrong) {
         ++out.silent_wrong;
         out.silent.push_back(index);
       }

@@ -1,15 +1,17 @@
 #include "study/study.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <atomic>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
-#include "study/outbox.hpp"
+#include "study/shared_trials.hpp"
 #include "study/study_records.hpp"
-#include "study/study_workers.hpp"
+#include "study/study_row.hpp"
+#include "study/trial_queue.hpp"
 
 namespace jointid::study {
 namespace {
@@ -46,9 +48,10 @@ class Study {
     });
     StudyRecords& records = *opened;
     StudyRun run;
-    run.done = options_.trials - count(missing);
-    share(missing);
-    supervise(records, missing, run);
+    const std::size_t done_before = options_.trials - count(missing);
+    run.computed = share_trials(std::move(missing), team_, leading(records, done_before));
+    run.done = done_before + run.computed;
+    if (solved_ > 0) run.solve_s = 1e-9 * static_cast<double>(solve_ns_) / static_cast<double>(solved_);
     run.complete = run.done == options_.trials;
     if (run.complete) records.finish();
     return run;
@@ -56,30 +59,12 @@ class Study {
 
   StudyRun follow() {
     start_together(team_, [&] { choose_columns(); });
-    std::vector<frf::IndexRange> missing;
-    share(missing);
-    Outbox outbox;
     StudyRun run;
-    {
-      TrialQueue queue(part_of(missing, team_.rank(), team_.size()));
-      StudyWorkers workers(data_, columns_, options_.seed, threads(), queue,
-                           [&](std::size_t trial, std::span<const double> row) { outbox.put(trial, row); }, state_);
-      for (bool ended = false; !ended;) {
-        ended = workers.wait_ms(5);
-        const std::vector<double> numbers = outbox.take();
-        if (!numbers.empty()) team_.send(numbers);
-        if (team_.stopped() || is_interrupted()) state_.stop = true;
-      }
-    }
-    team_.send_end(ident::text_of_end(state_.failure));
-    run.done = run.computed = state_.computed;
+    run.done = run.computed = share_trials({}, team_, sharing());
     return run;
   }
 
  private:
-  std::size_t threads() const { return threads_or_cores(options_.threads); }
-  bool is_interrupted() const { return control_.interrupted && control_.interrupted(); }
-
   void choose_columns() { columns_ = columns_of(*data_, has_intervals(data_, options_.seed)); }
 
   frf::TableHeader header() const {
@@ -90,63 +75,31 @@ class Study {
     return header;
   }
 
-  /// Gives the leader's ranges to all.
-  void share(std::vector<frf::IndexRange>& ranges) {
-    std::vector<std::uint64_t> ends;
-    for (const frf::IndexRange& range : ranges) ends.insert(ends.end(), {range.first, range.end});
-    team_.share(ends);
-    ranges.clear();
-    for (std::size_t i = 0; i < ends.size(); i += 2) ranges.push_back({ends[i], ends[i + 1]});
+  TrialSharing sharing() {
+    const auto maker = [this]() -> MakeTrialRow {
+      return [this, runner = std::make_shared<TrialRunner>(data_)](std::size_t number, std::vector<double>& row) {
+        const Trial trial = runner->run(options_.seed, number);
+        solve_ns_ += static_cast<std::uint64_t>(1e9 * trial.solve_s);
+        ++solved_;
+        row.resize(columns_.count());
+        fill_row(trial, columns_, row);
+        if (team_.rank() == 0 && control_.row) control_.row(number, row);
+      };
+    };
+    return {.threads = threads_or_cores(options_.threads), .maker = maker, .keep = {}, .interrupted = control_.interrupted};
   }
 
-  void supervise(StudyRecords& records, std::span<const frf::IndexRange> missing, StudyRun& run) {
-    const std::size_t done_before = run.done;
-    std::size_t received = 0, others = team_.size() - 1;
-    TrialQueue queue(part_of(missing, 0, team_.size()));
-    StudyWorkers workers(data_, columns_, options_.seed, threads(), queue,
-                         [&](std::size_t trial, std::span<const double> row) {
-                           records.put(trial, row);
-                           if (control_.row) control_.row(trial, row);
-                         },
-                         state_);
-    Clock::time_point synced = Clock::now();
-    for (bool ended = false; !ended || others > 0;) {
-      ended = workers.wait_ms(team_.size() > 1 ? 2 : 50);
-      while (const auto message = team_.receive()) {
-        if (const auto* end = std::get_if<ident::TeamEnd>(&*message)) {
-          --others;
-          note_failure(end->failure);
-        } else {
-          received += store(std::get<std::vector<double>>(*message), records);
-        }
-      }
-      if (is_interrupted()) state_.stop = true;
-      if (state_.stop) team_.stop_others();
-      run.computed = state_.computed + received;
-      run.done = done_before + run.computed;
-      if (control_.progress) control_.progress(run.done, options_.trials);
-      if (run.computed > 0 && seconds_since(synced) > 5.0) {
-        records.sync();
-        synced = Clock::now();
-      }
-    }
-    if (state_.computed > 0) run.solve_s = 1e-9 * static_cast<double>(state_.solve_ns) / static_cast<double>(state_.computed);
-    if (state_.failure) std::rethrow_exception(state_.failure);
-  }
-
-  std::size_t store(std::span<const double> numbers, StudyRecords& records) const {
-    const std::size_t step = 1 + columns_.count();
-    for (std::size_t at = 0; at < numbers.size(); at += step) {
-      records.put(static_cast<std::size_t>(numbers[at]), numbers.subspan(at + 1, columns_.count()));
-    }
-    return numbers.size() / step;
-  }
-
-  void note_failure(const std::string& text) {
-    if (text.empty()) return;
-    const std::lock_guard lock(state_.mutex);
-    if (!state_.failure) state_.failure = ident::failure_elsewhere(text);
-    state_.stop = true;
+  TrialSharing leading(StudyRecords& records, std::size_t done_before) {
+    constexpr double between_syncs_s = 5.0;
+    TrialSharing out = sharing();
+    out.keep = [&records](std::size_t trial, std::span<const double> row) { records.put(trial, row); };
+    out.watch = [this, &records, done_before, synced = Clock::now()](std::size_t made) mutable {
+      if (control_.progress) control_.progress(done_before + made, options_.trials);
+      if (made == 0 || seconds_since(synced) <= between_syncs_s) return;
+      records.sync();
+      synced = Clock::now();
+    };
+    return out;
   }
 
   std::shared_ptr<const TrialData> data_;
@@ -154,7 +107,8 @@ class Study {
   ident::Team& team_;
   const StudyControl& control_;
   StudyColumns columns_;
-  WorkerState state_;
+  std::atomic<std::size_t> solved_ = 0;
+  std::atomic<std::uint64_t> solve_ns_ = 0;
 };
 
 }  // namespace

@@ -287,7 +287,9 @@ std::shared_ptr<TrialData> prepare(const ident::Scene& scene, Sources substructu
   declare_noise(noise, *data);
   declare_regeneration(*data);
   if (drawn_apart) {
-    data->notes.push_back("With errors of gains or masses FRFs there and back are measurements of their own: their noise is drawn apart.");
+    data->notes.push_back(
+        "With errors of gains or masses the two FRFs of a reciprocal pair are separate "
+        "measurements: each gets its own noise.");
   }
   return data;
 }

@@ -1,28 +1,27 @@
 #include "study/trial_loop.hpp"
 
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <limits>
 #include <mutex>
+
+#include "base/control.hpp"
+#include "base/parallel.hpp"
+#include "study/trial_threads.hpp"
 
 namespace jointid::study {
 
 std::vector<Trial> run_trials(const std::shared_ptr<const TrialData>& data, const TrialOptions& options) {
   std::vector<Trial> trials(options.trials);
-  tbb::enumerable_thread_specific<TrialRunner> runners([&] { return TrialRunner(data, options.interrupted); });
   std::mutex reporting;
   std::size_t done = 0;
-  const auto run_one = [&](std::size_t trial) {
-    stop_if(options.interrupted);
-    trials[trial] = runners.local().run(options.seed, trial);
-    if (!options.progress) return;
-    const std::lock_guard lock(reporting);
-    options.progress(++done, options.trials);
-  };
-  const int threads = options.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options.threads);
-  tbb::task_arena(threads).execute([&] { tbb::parallel_for(std::size_t{0}, options.trials, run_one); });
+  work_through(options.trials, threads_or_cores(options.threads), options.interrupted, [&]() -> TrialWork {
+    return [&, runner = std::make_shared<TrialRunner>(data, options.interrupted)](std::size_t trial) {
+      stop_if(options.interrupted);
+      trials[trial] = runner->run(options.seed, trial);
+      if (!options.progress) return;
+      const std::lock_guard lock(reporting);
+      options.progress(++done, options.trials);
+    };
+  });
   return trials;
 }
 

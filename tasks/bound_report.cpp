@@ -187,13 +187,13 @@ class Predictor {
                                       std::vector<Eigen::MatrixXd>* by_part = nullptr) {
     stop_if(control_.interrupted);
     likelihood_plan(*plan_)->observations->leave_out(coordinates);
-    ident::LikelihoodEstimator estimator = make_estimator(*plan_, control_, next_stage());
-    Eigen::MatrixXd information = estimator.information_at(scaled(*plan_, guess_));
+    const ident::LinearisedLikelihood there = make_estimator(*plan_, control_, next_stage()).at(scaled(*plan_, guess_));
+    Eigen::MatrixXd information = there.fit.information;
     const std::size_t lines = plan_->lines.size(), count = std::min(parts, lines);
     for (std::size_t part = 0; by_part != nullptr && part < count; ++part) {
       by_part->push_back(Eigen::MatrixXd::Zero(information.rows(), information.cols()));
       for (std::size_t i = part * lines / count; i < (part + 1) * lines / count; ++i)
-        by_part->back() += estimator.information_of(i);
+        by_part->back() += there.information_of(i);
     }
     return information;
   }
@@ -268,18 +268,17 @@ class Predictor {
   }
 
   /// The bound of another scene on the same files, without the candidates; of its lines the same part is looked at.
-  std::vector<double> bound_of_other(std::unique_ptr<ident::Plan> plan) {
-    ident::Plan& other = *plan;
+  std::vector<double> bound_of_other(std::unique_ptr<ident::Plan> other) {
     std::vector<std::size_t> absent;
-    const ident::Dofs& coordinates = likelihood_plan(other)->observations->layout().coordinates;
+    const ident::Dofs& coordinates = likelihood_plan(*other)->observations->layout().coordinates;
     const ident::Dofs& own = likelihood_plan(*plan_)->observations->layout().coordinates;
     for (const std::size_t c : absent_) absent.push_back(frf::find_coordinate(coordinates, own[c]));
-    const std::size_t all = other.lines.size();
-    other.lines = spread_lines(other.lines, std::max<std::size_t>(1, all * plan_->lines.size() / all_lines_));
-    read_observations(other, control_);
-    likelihood_plan(other)->observations->leave_out(absent);
-    const double share = static_cast<double>(all) / static_cast<double>(other.lines.size());
-    return bound_of(other, share * make_estimator(other, control_, next_stage()).information_at(scaled(other, guess_)));
+    const std::size_t all = other->lines.size();
+    other->lines = spread_lines(other->lines, std::max<std::size_t>(1, all * plan_->lines.size() / all_lines_));
+    read_observations(*other, control_);
+    likelihood_plan(*other)->observations->leave_out(absent);
+    const double share = static_cast<double>(all) / static_cast<double>(other->lines.size());
+    return bound_of(*other, share * make_estimator(*other, control_, next_stage()).at(scaled(*other, guess_)).fit.information);
   }
 
   void add_lines(const Baseline& now, BoundReport& out) {

@@ -17,8 +17,7 @@ class Follower final : public ident::ChunkWorker {
         builder_(*linear_plan(plan)->builder),
         points_(points),
         assembler_(linear_plan(plan)->spec),
-        accumulator_(plan.columns->size(),
-                     plan.solver == ident::Solver::normal ? minimise::Reduction::normal : minimise::Reduction::orthogonal),
+        accumulator_(plan.columns->size(), reduction_of(plan)),
         out_(out) {}
 
   void read(std::size_t first, std::size_t last) override {

@@ -222,7 +222,8 @@ void judge(CoupleResult& out) {
                     ? "No line is usable"
                     : std::to_string(out.unusable_lines) + " of " + std::to_string(out.lines) + " lines are not usable";
   out.message +=
-      ": an FRF of a coupled coordinate is missing, or the conditions depend on each other. A threshold drops what is dependent.";
+      ": an FRF of a coupled DOF is missing, or the compatibility conditions are redundant. A `threshold` drops the redundant "
+      "ones.";
   if (out.unusable_lines == out.lines) out.status = ident::Status::rank_deficient;
 }
 

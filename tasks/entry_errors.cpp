@@ -10,7 +10,8 @@
 
 #include "base/eigen.hpp"
 #include "base/error.hpp"
-#include "dense/lu.hpp"
+#include "coupling/joint_loop.hpp"
+#include "ident/judgement/measured_rectangle.hpp"
 #include "ident/result/chunk_pipeline.hpp"
 #include "ident/result/decibel_error.hpp"
 #include "ident/variance/variances.hpp"
@@ -81,10 +82,8 @@ class MeasuredNoise {
 std::unique_ptr<MeasuredNoise> measured_noise(frf::FrfSystem& system, const ident::Dofs& rows, const ident::Dofs& columns,
                                               const ident::Scene& scene, const std::vector<ident::Line>& lines,
                                               std::size_t ident::Line::*line_of) {
-  std::vector<std::size_t> numbers;
-  for (const ident::Line& line : lines) numbers.push_back(line.*line_of);
   try {
-    auto noise = std::make_unique<MeasuredNoise>(system, rows, columns, scene, std::move(numbers));
+    auto noise = std::make_unique<MeasuredNoise>(system, rows, columns, scene, ident::lines_of(lines, line_of));
     if (noise->is_known()) return noise;
   } catch (const InputError&) {  // too few lines to see a scatter
   }
@@ -115,16 +114,9 @@ Eigen::MatrixXd predicted_variances(const ident::JointEffect& effect, const mini
                                     const Eigen::MatrixXd& v, const std::vector<std::size_t>& rows,
                                     const std::vector<std::size_t>& columns) {
   const Eigen::Index n = impedance.rows(), r = v.rows(), c = v.cols();
-  Eigen::MatrixXcd h_bb(n, n), left(static_cast<Eigen::Index>(rows.size()), n),
-      right(n, static_cast<Eigen::Index>(columns.size()));
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index k = 0; k < n; ++k) h_bb(i, k) = h(static_cast<std::size_t>(r - n + i), static_cast<std::size_t>(c - n + k));
-    for (Eigen::Index k = 0; k < right.cols(); ++k)
-      right(i, k) = effect.right(static_cast<std::size_t>(i), columns[static_cast<std::size_t>(k)]);
-  }
-  for (Eigen::Index i = 0; i < left.rows(); ++i)
-    left.row(i) = effect.left.row(static_cast<Eigen::Index>(rows[static_cast<std::size_t>(i)]));
-  right = dense::solve(Eigen::MatrixXcd::Identity(n, n) + impedance * h_bb, Eigen::MatrixXcd(impedance * right));
+  const Eigen::MatrixXcd h_bb = map(h).bottomRightCorner(n, n), left = effect.left(rows, Eigen::all);
+  const Eigen::MatrixXcd to_joint = map(effect.right)(Eigen::all, columns);
+  const Eigen::MatrixXcd right = coupling::force_with_joint(impedance, h_bb, impedance * to_joint);
   const ErrorFactors above(left, rows, static_cast<std::size_t>(r)),
       below(right.transpose(), columns, static_cast<std::size_t>(c));
   Eigen::MatrixXd half = above.joint * v.bottomRows(n);  // [entries, columns of h]

@@ -78,12 +78,13 @@ class Levels {
   }
 
   [[noreturn]] void fail(const ident::DisplacementLevel& level) const {
-    throw InputError({.kind = ErrorKind::data,
-                      .file = level.assembly.path.string(),
-                      .place = "FRFs of " + ends_[0].name() + " and " + ends_[1].name(),
-                      .problem = "no line of the range has them together with those of the parts" +
-                                 std::string(rigid_ ? " and of the rigid joint" : ""),
-                      .remedy = "both responses to " + ends_[0].name() + " are needed; `jointid info` says what the file holds"});
+    throw InputError(
+        {.kind = ErrorKind::data,
+         .file = level.assembly.path.string(),
+         .place = "FRFs of " + ends_[0].name() + " and " + ends_[1].name(),
+         .problem = "no line of the range has them together with those of the parts" +
+                    std::string(rigid_ ? " and of the rigid joint" : ""),
+         .remedy = "both responses to " + ends_[0].name() + " are needed; `jointid info` prints what the file holds"});
   }
 
   /// Lines on which all that is needed was measured.

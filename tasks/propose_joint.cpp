@@ -104,7 +104,7 @@ ProposedJoint propose_joint(const Headers& parts) {
   for (const NearNode& node : all) least = std::min(least, node.gap);
   if (!std::isfinite(least)) {
     joint.doubts.push_back(
-        "Joint DOFs: the files do not say where the nodes are, or not of two parts; name the DOFs on both sides of the joint.");
+        "Joint DOFs: the files have no node positions, or only those of one part; name the DOFs on both sides of the joint.");
     return joint;
   }
   std::set<std::int64_t> near, nearest_ones;
@@ -119,7 +119,7 @@ ProposedJoint propose_joint(const Headers& parts) {
                           (by_spacing ? " lie nearer to another part than half the usual distance of nodes in their own"
                                       : " are those of different parts that lie nearest to each other") +
                           "; the smallest gap is " + digits(least, "%.3g") + " m.");
-  joint.doubts.push_back("Where the joint is, only positions say: look at its DOFs.");
+  joint.doubts.push_back("Only node positions locate the joint: check its DOFs.");
   return joint;
 }
 

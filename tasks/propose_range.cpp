@@ -111,7 +111,7 @@ ProposedRange propose_range(const std::vector<frf::FrfSource*>& files, const std
   if (range != common)
     reason += "; outside " + text(range) + " noise rules (median coherence below 0.5, or deviation above half of |H|)";
   else
-    reason += known ? ", and noise rules at neither end." : "; no file says how large its noise is.";
+    reason += known ? ", and noise rules at neither end." : "; no file states its noise.";
   proposed.reasons.push_back(reason + (range != common ? "." : ""));
   return proposed;
 }

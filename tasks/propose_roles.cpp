@@ -145,8 +145,8 @@ void explain(const Headers& files, ProposedRoles& roles, bool one_choice, bool b
       roles.reasons.push_back(listed(files, {group}) + " have the same DOFs and lines: runs of one measurement.");
   }
   if (!one_choice) {
-    roles.doubts.push_back(std::string("The DOFs alone do not say which file is the assembly; ") + assembly +
-                           (by_name ? " was taken for it by its name." : " was taken for it as it has the most DOFs."));
+    roles.doubts.push_back(std::string("The DOFs alone do not identify the assembly; ") + assembly +
+                           (by_name ? " was taken for it by its name." : " is assumed, because it has the most DOFs."));
   }
 }
 

@@ -20,7 +20,8 @@ std::vector<ident::Equation> equation_set(const std::string& text) {
   std::istringstream words(text);
   for (std::string word; words >> word;) {
     const ident::Equation equation = ident::parse_equation(word);
-    if (std::ranges::find(set, equation) != set.end()) fail("--equations", "'" + word + "' stands twice in a set", "name it once");
+    if (std::ranges::find(set, equation) != set.end())
+      fail("--equations", "'" + word + "' occurs twice in a set", "name it once");
     set.push_back(equation);
   }
   if (set.empty()) fail("--equations", "a set is empty", "write e.g. \"nn nj;nn nj jj jn\"");

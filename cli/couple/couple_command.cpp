@@ -37,13 +37,13 @@ std::string page_of(const ident::CoupleScene& scene, const tasks::CoupleResult& 
 }  // namespace
 
 void add_couple(CLI::App& app, Chosen& chosen) {
-  auto [command, arguments] =
-      add_command<CoupleArguments>(app, chosen, "couple", "Predict the FRFs of an assembly from those of its parts");
+  auto [command, arguments] = add_command<CoupleArguments>(
+      app, chosen, "couple", "Couple substructures (LM-FBS): FRFs of the assembly from those of its parts; or decouple one");
   command->add_option("SCENE", arguments->scene, "Scene file (TOML) with [data] parts and [couple]")->required();
   command->add_option("--out", arguments->out, "FRFs of the assembly (HDF5); default: SCENE's name with .coupled.h5, here");
   command->add_flag(
       "--bounds", arguments->bounds,
-      "Leave out conditions that the others nearly imply, and write the FRFs with them as well: what is right lies between");
+      "Leave out nearly redundant pairs, and write a second file of FRFs with all pairs; the truth lies between the two");
   add_whole_number(command, "--threads", arguments->threads, "0 for all cores; the results do not depend on it",
                    counts_of_threads());
   add_outputs(command, *arguments, "what was done", "condition numbers, alphas and singular values line by line",

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/laws/law_status.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
 #include "cli/text/failure.hpp"
@@ -31,7 +30,7 @@ ExitCode take_direct_steps(const EquivalentArguments& arguments, const laws::Law
   if (arguments.csv) write_target(*arguments.csv, report::direct_csv(scene, found), out);
   if (arguments.report) write_target(*arguments.report, report::direct_page(scene, found), out);
   if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::direct_text(scene, found);
-  return tell_status(scene, found.status, found.message);
+  return tell_status(scene.file.string(), found.status, found.message);
 }
 
 std::vector<tasks::LevelJoint> joints_of(const ident::EquivalentScene& scene) {

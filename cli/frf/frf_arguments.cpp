@@ -33,24 +33,24 @@ void declare_reading(CLI::App& command, FrfArguments& arguments) {
           [&arguments](const std::vector<std::string>& texts) {
             arguments.references = of_option("--reference", [&] { return parse_dofs(texts); });
           },
-          "DOF of the force, or one per file (roving hammer); default: as the channels say")
+          "DOF of the force, or one per file (roving hammer); default: as the channels state")
       ->delimiter(',')
       ->allow_extra_args(false);
 }
 
 void declare_stretches(CLI::App& command, FrfArguments& arguments) {
   records::HammerOptions& hammer = arguments.options.hammer;
-  command.add_flag("--shaker", arguments.shaker, "Segments of a long record instead of blows of a hammer");
-  command.add_option("--block", arguments.block_s, "Seconds of a stretch; default: every file is one blow, whole");
-  command.add_option("--pretrigger", hammer.pretrigger_s, "Seconds of a stretch that lie before the trigger")
+  command.add_flag("--shaker", arguments.shaker, "Segments of a long record instead of hits of a hammer");
+  command.add_option("--block", arguments.block_s, "Length of a segment, s; default: each whole file is one hit");
+  command.add_option("--pretrigger", hammer.pretrigger_s, "Time before the trigger that belongs to the segment, s")
       ->capture_default_str();
-  command.add_option("--trigger", hammer.trigger, "A blow begins at this share of the record's largest force")
+  command.add_option("--trigger", hammer.trigger, "A hit begins at this share of the record's largest force")
       ->capture_default_str();
-  command.add_option("--second-blow", hammer.second_peak, "A force above this share of the peak is a second blow")
+  command.add_option("--second-blow", hammer.second_peak, "A force above this share of the peak is a double impact")
       ->capture_default_str();
   command.add_option("--force-window", arguments.options.force_window_s, "Seconds after its peak for which the force counts");
   command.add_option("--exponential", arguments.options.decay_time_s,
-                     "Time constant, s, of an exponential window; the damping that it adds is taken out again");
+                     "Time constant, s, of an exponential window; jointid removes the damping that it adds");
   command.add_option("--overlap", arguments.segments.overlap, "Share by which segments overlap")->capture_default_str();
   command.add_option_function<std::string>(
       "--window",
@@ -60,11 +60,11 @@ void declare_stretches(CLI::App& command, FrfArguments& arguments) {
         });
       },
       "Of segments: hann or rectangular; default: hann");
-  command.add_flag("--remove-mean", arguments.options.remove_mean, "Take its mean off every stretch");
-  command.add_option("--reject", arguments.options.reject, "Stretches to leave out, by their number in the table, e.g. 2,5")
+  command.add_flag("--remove-mean", arguments.options.remove_mean, "Subtract the mean of every segment");
+  command.add_option("--reject", arguments.options.reject, "Segments to leave out, by their number in the table, e.g. 2,5")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command.add_flag("--keep-faulty", arguments.options.keep_faulty, "Average overloaded stretches and double blows too");
+  command.add_flag("--keep-faulty", arguments.options.keep_faulty, "Also average overloads and double impacts");
 }
 
 void declare_estimate(CLI::App& command, FrfArguments& arguments) {
@@ -79,7 +79,7 @@ void declare_estimate(CLI::App& command, FrfArguments& arguments) {
       [&arguments](const std::string& text) {
         arguments.options.noise = of_option("--variances", [&] { return records::parse_noise_from(text); });
       },
-      "residuals (those of the coherence) or scatter over the blows; default: residuals");
+      "residuals (as the coherence) or scatter over the hits; default: residuals");
   command.add_option("--highest", arguments.options.highest_hz, "Highest line to make, Hz; default: all")->default_str("");
 }
 
@@ -90,8 +90,8 @@ void declare(CLI::App& command, FrfArguments& arguments) {
   declare_stretches(command, arguments);
   declare_estimate(command, arguments);
   command.add_option("--output", arguments.output,
-                     "Write the FRFs (h5 with covariances; uff, mat, csv without); default: only tell of them");
-  add_outputs(&command, arguments, "stretches, averages and coherences", "the stretches", "the FRFs and their coherence");
+                     "Write the FRFs (h5 with covariances; uff, mat, csv without); default: only print their quality");
+  add_outputs(&command, arguments, "segments, averages and coherences", "the segments", "the FRFs and their coherence");
   command.footer(
       "Examples:\n  jointid frf hit_*.npy --channel '2=1:+Z N' --channel '3=4:+Z m/s^2' --time 1 --output beam.h5\n"
       "  jointid frf hits.csv --channel 'hammer=1:+Z N' --channel 'a=4:+Z g' --block 2 --pretrigger 0.01 --exponential 0.4 "

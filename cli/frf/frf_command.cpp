@@ -33,7 +33,7 @@ tasks::FrfRun made(const FrfArguments& arguments) {
 
 void add_frf(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] =
-      add_command<FrfArguments>(app, chosen, "frf", "Make FRFs with coherences, variances and covariances of time records");
+      add_command<FrfArguments>(app, chosen, "frf", "Estimate FRFs with coherences, variances and covariances from time records");
   declare(*command, *arguments);
 }
 

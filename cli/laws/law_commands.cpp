@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "cli/laws/law_status.hpp"
 #include "cli/options/output.hpp"
 #include "cli/solve/plan_command.hpp"
 #include "cli/solve/solve_command.hpp"
@@ -32,7 +31,7 @@ ExitCode solve_laws(const SolveArguments& arguments, const std::string& text, st
   if (arguments.csv) write_target(*arguments.csv, report::law_csv(scene, found), out);
   if (arguments.report) write_target(*arguments.report, report::law_page(scene, found), out);
   if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::law_text(scene, found);
-  return tell_status(scene, found.status, found.message);
+  return tell_status(scene.file.string(), found.status, found.message);
 }
 
 ExitCode plan_laws(const PlanArguments& arguments, const std::string& text, std::ostream& out) {

@@ -65,13 +65,13 @@ void declare(CLI::App& command, ModalfitArguments& arguments) {
   command.add_option_function<std::string>(
       "--range", [&arguments](const std::string& text) { arguments.fit.range_hz = parse_range(text); },
       "Lines to fit, LOW:HIGH in Hz; default: all");
-  add_whole_number(
-      &command, "--modes", [&arguments](std::uint64_t count) { arguments.fit.modes = count; },
-      "Keep the most significant so many; default: all that stand out of the noise", {.least = 1, .most = 10000, .remedy = {}});
+  add_whole_number(&command, "--modes", [&arguments](std::uint64_t count) { arguments.fit.modes = count; },
+                   "Keep only this many, the most significant; default: all that exceed the noise",
+                   {.least = 1, .most = 10000, .remedy = {}});
   command
       .add_option_function<std::vector<std::string>>(
           "--poles", [&arguments](const std::vector<std::string>& texts) { arguments.fit.poles = parse_poles(texts); },
-          "Seek no modes, but refine these: FREQUENCY:DAMPING,… in Hz and ζ (η), as the workbench copies them")
+          "Do not search for modes, refine these: FREQUENCY:DAMPING,… in Hz and ζ (η), as the workbench copies them")
       ->delimiter(',')
       ->excludes("--modes");
   command.add_flag("--real", arguments.fit.kind.real_modes, "Real modes: all coordinates move in phase or in antiphase");

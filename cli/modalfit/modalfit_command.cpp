@@ -27,8 +27,8 @@ tasks::ModalRun fitted(const ModalfitArguments& arguments) {
 }  // namespace
 
 void add_modalfit(CLI::App& app, Chosen& chosen) {
-  auto [command, arguments] = add_command<ModalfitArguments>(app, chosen, "modalfit",
-                                                             "Find the modes behind measured FRFs and regenerate the FRFs from them");
+  auto [command, arguments] = add_command<ModalfitArguments>(
+      app, chosen, "modalfit", "Identify modes from measured FRFs (modal analysis), and synthesise FRFs");
   declare(*command, *arguments);
 }
 
@@ -46,7 +46,7 @@ ExitCode execute(const ModalfitArguments& arguments, std::ostream& out) {
   if (arguments.report) write_target(*arguments.report, report::modal_page(run), out);
   if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::modal_text(run);
   if (!complete) throw Interrupted("interrupted; what was fitted so far is written");
-  if (modalfit::is_usable(run.fit.status)) return ExitCode::done;
+  if (is_usable(run.fit.status)) return ExitCode::done;
   print_error(run.files + ": " + run.fit.message);
   return ExitCode::unusable;
 }

@@ -19,13 +19,17 @@ void add_open_options(CLI::App* command, frf::OpenOptions& open) {
       "--quantity",
       [&open](const std::string& text) { open.quantity = of_option("--quantity", [&] { return frf::parse_quantity(text); }); },
       "receptance, mobility or accelerance, for files that do not name it or name a wrong one");
-  command->add_option_function<std::string>(
-      "--unit",
-      [&open](const std::string& text) {
-        of_option("--unit", [&] { frf::require_frf_unit(text); });
-        open.unit = text;
-      },
-      "UFF, CSV, text exports: unit of the FRFs in place of what the file says, e.g. g/lbf");
+  const auto checked = [command](const char* name, std::string& to, auto check, const char* what) {
+    command->add_option_function<std::string>(
+        name,
+        [&to, name, check](const std::string& text) {
+          of_option(name, [&] { check(text); });
+          to = text;
+        },
+        what);
+  };
+  checked("--unit", open.unit, [](const std::string& text) { frf::require_frf_unit(text); },
+          "UFF, CSV, text exports: unit of the FRFs in place of what the file says, e.g. g/lbf");
   const auto dofs = [command](const char* name, std::vector<frf::Dof>& to, const char* what) {
     command
         ->add_option_function<std::vector<std::string>>(
@@ -40,13 +44,8 @@ void add_open_options(CLI::App* command, frf::OpenOptions& open) {
   command->add_option("--variable", open.variable, "MAT, HDF5, npz: name of the FRF variable; S.field of a struct");
   command->add_option("--frequency-variable", open.frequency_variable,
                       "The same of the frequencies; of .npy the file that holds them");
-  command->add_option_function<std::string>(
-      "--frequency-unit",
-      [&open](const std::string& text) {
-        of_option("--frequency-unit", [&] { frf::hertz_per(text); });
-        open.frequency_unit = text;
-      },
-      "Unit of the frequencies in place of what the file says, e.g. kHz, rad/s or rpm");
+  checked("--frequency-unit", open.frequency_unit, [](const std::string& text) { frf::hertz_per(text); },
+          "Unit of the frequencies in place of what the file says, e.g. kHz, rad/s or rpm");
 }
 
 }  // namespace jointid::cli

@@ -4,13 +4,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <filesystem>
-#include <string_view>
+#include <map>
+#include <set>
 
 #include "base/error.hpp"
 #include "base/temporary_file.hpp"
+#include "frf/text/unit_names.hpp"
 #include "cli/options/own_file.hpp"
 #include "cli/options/pdf.hpp"
 
@@ -126,17 +126,17 @@ void require_own(const OutputFile& output, bool record) {
 
 /// What the ending of a file says that it is, where an option writes something else.
 void require_ending(const OutputFile& output) {
-  constexpr std::array kinds = {std::pair{"--report", ".html .htm .xhtml .pdf"}, std::pair{"--json", ".json"},
-                                std::pair{"--csv", ".csv .txt .tsv .dat"}};
-  constexpr std::string_view endings =
-      " .html .htm .pdf .json .csv .h5 .hdf5 .uff .unv .mat .npy .npz .toml .doc .docx .odt .rtf .xls .xlsx .ods "
-      ".ppt .pptx .tex .md .png .svg .jpg .jpeg .ps .eps ";
-  const auto kind = std::ranges::find(kinds, output.option, [](const auto& each) { return std::string_view(each.first); });
-  std::string ending = Path(output.target).extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (kind == kinds.end() || ending.empty() || endings.find(" " + ending + " ") == std::string_view::npos) return;
-  if (std::string(" ").append(kind->second).append(" ").find(" " + ending + " ") != std::string::npos) return;
-  refuse_use(output.words(), "would not be a file of the kind that " + ending + " says", std::string("name it ") + kind->second);
+  static const std::map<std::string, std::vector<std::string>> own = {
+      {"--report", {".html", ".htm", ".xhtml", ".pdf"}}, {"--json", {".json"}}, {"--csv", {".csv", ".txt", ".tsv", ".dat"}}};
+  static const std::set<std::string> telling = {".html", ".htm", ".pdf",  ".json", ".csv", ".h5",  ".hdf5", ".uff", ".unv", ".mat",
+                                                ".npy",  ".npz", ".toml", ".doc",  ".docx", ".odt", ".rtf",  ".xls", ".xlsx", ".ods",
+                                                ".ppt",  ".pptx", ".tex", ".md",   ".png", ".svg", ".jpg",  ".jpeg", ".ps", ".eps"};
+  const std::string ending = frf::lower_case(Path(output.target).extension().string());
+  const auto kind = own.find(output.option);
+  if (kind == own.end() || !telling.contains(ending) || std::ranges::find(kind->second, ending) != kind->second.end()) return;
+  std::string names;
+  for (const std::string& each : kind->second) names += " " + each;
+  refuse_use(output.words(), "would not be a file of the kind that " + ending + " says", "name it" + names);
 }
 
 /// "-" is standard output, a file where the shell says so.

@@ -63,7 +63,7 @@ bool is_option_of_some(const CLI::App& command, const std::string& option) {
 std::string about_stray(const CLI::App& command, const std::string& word) {
   const std::string of = "`" + path_of(command) + "`";
   const std::vector<std::string> own = options_of(command);
-  if (std::ranges::find(own, word) != own.end()) return "'" + word + "' stands in the wrong place; put it behind " + of;
+  if (std::ranges::find(own, word) != own.end()) return "'" + word + "' is in the wrong place; put it after " + of;
   if (word.starts_with('-') && is_option_of_some(command, word)) return of + " has no option '" + word + "'; it goes behind the command";
   if (word.starts_with('-')) return of + " has no option '" + word + "'" + did_you_mean(word, own);
   const std::vector<std::string> commands = commands_of(command);

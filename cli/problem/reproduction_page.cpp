@@ -10,9 +10,9 @@ namespace jointid::cli {
 namespace {
 
 report::ComparedCell cell_of(const problems::TableEntry& entry, const problems::Reproduced& result) {
-  const report::Verdict judged = result.inside ? report::Verdict::inside : report::Verdict::outside;
+  const report::InRange judged = result.inside ? report::InRange::inside : report::InRange::outside;
   return {entry.print.text, four_digits(result.ours.median), four_digits(result.ours.low), four_digits(result.ours.high),
-          entry.print.doubtful ? report::Verdict::doubtful : judged};
+          entry.print.doubtful ? report::InRange::doubtful : judged};
 }
 
 /// Consecutive rows over the same columns stand in one table.

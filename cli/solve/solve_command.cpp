@@ -12,6 +12,7 @@
 #include "report/text/frf_plot.hpp"
 #include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
+#include "cli/text/tell_status.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "report/page/limits.hpp"
@@ -131,7 +132,7 @@ SolveArguments& add_linear_solve(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<SolveArguments>(app, chosen, "solve", "Identify the joint of a scene");
   command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
   add_outputs(command, *arguments, "the solution", "the unknowns", "tables and plots");
-  command->add_option("--plot", arguments->plot, "Plot an assembly FRF, measured and regenerated, e.g. 1:+Y/5:+Y");
+  command->add_option("--plot", arguments->plot, "Plot an assembly FRF, measured and synthesised, e.g. 1:+Y/5:+Y");
   command->add_option("--units", arguments->units, "Of text, CSV and page: SI (default) or mm (N/mm); JSON stays SI");
   command->add_option("--quantity", arguments->quantity,
                       "Of plotted FRFs: receptance (default), mobility, accelerance, or measured as the assembly's file");
@@ -173,13 +174,7 @@ ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
   const bool has_text = !takes_output({arguments.json, arguments.csv, arguments.report});
   if (has_text && entry && !solution.bands.empty()) plot(*entry, *plan, solution, display, out);
   if (arguments.report) write_report(*arguments.report, *plan, solution, entry, display, out);
-  if (solution.status == ident::Status::ok) return ExitCode::done;
-  if (ident::is_usable(solution.status)) {
-    print_warning(arguments.scene.string() + ": doubtful: " + solution.message);
-    return ExitCode::done;
-  }
-  print_error(arguments.scene.string() + ": " + solution.message);
-  return ExitCode::unusable;
+  return tell_status(arguments.scene.string(), solution.status, solution.message);
 }
 
 }  // namespace jointid::cli

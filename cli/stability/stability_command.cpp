@@ -55,7 +55,7 @@ StabilityReport measured(const StabilityArguments& arguments, std::ostream& out)
 
 bool keeps_silent(const StabilityReport& report) {
   for (const stability::Measured& row : report.rows) {
-    if (row.verdict == stability::Verdict::silent_wrong) return true;
+    if (row.verdict == stability::Honesty::silent_wrong) return true;
   }
   return report.count.silent_wrong > 0;
 }

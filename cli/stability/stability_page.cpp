@@ -34,7 +34,7 @@ report::CurvePlot digits_plot(const stability::Sweep& sweep, const std::vector<s
 /// Red when a solution was wrong and did not say so.
 report::StatusBanner stability_banner(const StabilityReport& report) {
   const auto silent =
-      static_cast<std::size_t>(std::ranges::count(report.rows, stability::Verdict::silent_wrong, &stability::Measured::verdict)) +
+      static_cast<std::size_t>(std::ranges::count(report.rows, stability::Honesty::silent_wrong, &stability::Measured::verdict)) +
       report.count.silent_wrong;
   if (silent == 0) return {report::Trust::good, "ok", "No solution was silently wrong."};
   return {report::Trust::bad, "silently wrong", fmt::format("{} solutions were wrong and did not say so.", silent)};

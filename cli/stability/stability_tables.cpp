@@ -15,7 +15,7 @@ namespace jointid::cli {
 namespace {
 
 using stability::Measured;
-using stability::Verdict;
+using stability::Honesty;
 
 /// "qr" of method one or of rows, "two", "direct", "newton", "likelihood".
 std::string way_of(const Measured& row) { return row.method == "one" || row.method == "rows" ? row.solver : row.method; }
@@ -42,7 +42,7 @@ std::string range(const std::vector<Measured>& rows, const std::function<double(
 /// "14 right, 2 told".
 std::string outcomes(const std::vector<Measured>& rows) {
   std::vector<std::string> words;
-  for (const Verdict verdict : {Verdict::right, Verdict::told, Verdict::silent_wrong, Verdict::false_alarm}) {
+  for (const Honesty verdict : {Honesty::right, Honesty::told, Honesty::silent_wrong, Honesty::false_alarm}) {
     const auto count = std::ranges::count(rows, verdict, &Measured::verdict);
     if (count > 0) words.push_back(fmt::format("{} {}", count, stability::name(verdict)));
   }
@@ -71,10 +71,10 @@ template <class Rows>
 std::vector<std::string> verdict_cells(const std::string& what, std::size_t total, const Rows& count) {
   return {what,
           fmt::format("{}", total),
-          fmt::format("{}", count(Verdict::right)),
-          fmt::format("{}", count(Verdict::told)),
-          fmt::format("{}", count(Verdict::silent_wrong)),
-          fmt::format("{}", count(Verdict::false_alarm))};
+          fmt::format("{}", count(Honesty::right)),
+          fmt::format("{}", count(Honesty::told)),
+          fmt::format("{}", count(Honesty::silent_wrong)),
+          fmt::format("{}", count(Honesty::false_alarm))};
 }
 
 }  // namespace
@@ -132,10 +132,10 @@ report::Table verdict_table(const StabilityReport& report) {
   report::Table table({{"", report::Align::left}, {"solutions"}, {"right"}, {"told"}, {"silent wrong"}, {"false alarm"}});
   for (const stability::Sweep& sweep : stability::sweeps()) {
     std::vector<Measured> rows = report.of(sweep.name);
-    std::erase_if(rows, [](const Measured& row) { return row.verdict == Verdict::not_judged; });
+    std::erase_if(rows, [](const Measured& row) { return row.verdict == Honesty::not_judged; });
     if (rows.empty()) continue;
     table.add(verdict_cells(sweep.name, rows.size(),
-                            [&](Verdict verdict) { return std::ranges::count(rows, verdict, &Measured::verdict); }));
+                            [&](Honesty verdict) { return std::ranges::count(rows, verdict, &Measured::verdict); }));
   }
   const stability::Count& count = report.count;
   if (count.scenes > 0) {

@@ -192,7 +192,7 @@ std::string page_of(const tasks::StudyResult& result, const ident::Scene& scene)
 
 void add_study(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<StudyArguments>(
-      app, chosen, "study", "Identify over and over with simulated noise, to see how well the rig sees the joint");
+      app, chosen, "study", "Monte-Carlo study: identify many times with simulated noise, for bias and scatter of every unknown");
   command->add_option("SCENE", arguments->scene, "Scene file (TOML) on noise-free or measured FRFs, with [noise]")->required();
   add_trial_options(command, *arguments);
   command->add_flag("--resume", arguments->resume, "Continue an interrupted study");

@@ -23,7 +23,7 @@ namespace {
 
 using std::chrono_literals::operator""ms;
 
-constexpr std::string_view heard = "jointid: stopping; what there is so far is kept; once more to stop at once\n";
+constexpr std::string_view heard = "jointid: stopping and keeping the partial result; Ctrl-C again stops at once\n";
 constexpr std::string_view clear_terminal_line = "\r\x1b[K";
 
 /// What a signal handler may touch.

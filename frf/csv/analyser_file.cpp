@@ -147,7 +147,7 @@ class AnalyserText {
     const auto first = channel_dof(text.substr(0, std::min(colon, text.size())));
     const auto second = colon < text.size() ? channel_dof(text.substr(colon + 1)) : std::nullopt;
     if (!first || !second) {
-      fail({}, "does not tell the DOFs of FRF " + std::to_string(k + 1) + " ('" + as_utf8(text.substr(0, 30)) + "')",
+      fail({}, "does not state the DOFs of FRF " + std::to_string(k + 1) + " ('" + as_utf8(text.substr(0, 30)) + "')",
            "give them, e.g. --response 4:-X --reference 1:+X");
     }
     const Dof& response = response_first_ ? *first : *second;

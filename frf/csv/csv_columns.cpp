@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "base/text.hpp"
-#include "frf/text/number_text.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/text/located.hpp"
+#include "frf/text/number_text.hpp"
 #include "frf/text/unit_names.hpp"
 
 namespace jointid::frf {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "frf/csv/csv_blanks.hpp"
 #include "frf/csv/csv_columns.hpp"
 #include "frf/csv/csv_nodes.hpp"
 #include "frf/csv/csv_text.hpp"
@@ -85,7 +86,8 @@ CsvTable table_of(LvmFile&& lvm, const CsvGiven& given) {
 
 CsvTable read_table(const std::filesystem::path& path, const OpenOptions& options) {
   const CsvGiven given{.unit = !options.unit.empty(), .frequency_unit = options.frequency_unit};
-  const std::string text = read_csv_text(path);
+  std::string text = read_csv_text(path);
+  if (auto table = tabs_for_blanks(text)) text = std::move(*table);
   return looks_like_lvm(text) ? table_of(read_lvm(path.string(), text), given) : read_csv_table(path.string(), text, given);
 }
 
@@ -224,7 +226,7 @@ bool looks_like_csv(std::span<const char> head) {
   while (!rest.empty() && (rest.back() == '\x1A' || rest.back() == '\0')) rest.remove_suffix(1);  // an end of file of DOS
   if (rest.empty() || std::ranges::any_of(rest, binary)) return false;
   if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
-  if (find_csv_header(rest)) return true;
+  if (find_csv_header(rest) || tabs_for_blanks(rest.substr(0, rest.rfind('\n') + 1))) return true;
   while (!rest.empty()) {
     const std::string_view line = rest.substr(0, rest.find('\n'));
     rest.remove_prefix(std::min(rest.size(), line.size() + 1));

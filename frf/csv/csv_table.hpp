@@ -40,16 +40,15 @@ struct CsvGiven {
   std::string frequency_unit;  ///< empty: as the table says; else the first column holds frequencies, whatever its title
 };
 
-/// Reads the table of a text (read_csv_text()), separated by comma, semicolon or tab, or as a first line `sep=;` says. Free lines
-/// may stand above the row of titles (find_csv_header(), read_csv_notes()). Cells may stand in quotes; numbers may have decimal
-/// commas where these do not separate, all of them or none. The first column is the frequency: `frequency_hz`, "Frequency [Hz]",
-/// "Freq (kHz)", "f [Hz]", "omega"; one before it that counts the rows and empty ones at the end are passed over. A column of
-/// complex numbers (parse_complex()) becomes two, with re and im behind its title. What stands in place of a number that is none
-/// (states_no_value()) is NaN. Keys: quantity, unit, averages, frequency_unit and node N, in any case, with = or :, also units
-/// for unit; lines
-/// `# key = value` with any other key are comments, but for keys that look like these. Throws InputError naming line and column
-/// of what is no finite number, rows of another length than the header, a unit that is not understood and a key that is nearly
-/// one.
+/// Reads the table of a text (read_csv_text()), separated by comma, semicolon or tab (tabs_for_blanks()), or as a first line
+/// `sep=;` says. Free lines may stand above the row of titles (find_csv_header(), read_csv_notes()). Cells may stand in quotes;
+/// numbers may have decimal commas where these do not separate, all of them or none. The first column is the frequency:
+/// `frequency_hz`, "Frequency [Hz]", "Freq (kHz)", "f [Hz]", "omega"; one before it that counts the rows and empty ones at the
+/// end are passed over. A column of complex numbers (parse_complex()) becomes two, with re and im behind its title. What stands
+/// in place of a number that is none (states_no_value()) is NaN. Keys: quantity, unit, averages, frequency_unit and node N, in
+/// any case, with = or :, also units for unit; lines `# key = value` with any other key are comments, but for keys that look like
+/// these. Throws InputError naming line and column of what is no finite number, rows of another length than the header, a unit
+/// that is not understood and a key that is nearly one.
 CsvTable read_csv_table(const std::string& file, std::string_view text, const CsvGiven& given = {});
 
 }  // namespace jointid::frf

@@ -158,8 +158,7 @@ const Format& format_of(const std::filesystem::path& path) {
   if (const Format* found = format_of(path, head, false)) return *found;
   fail(path, "begins with " + shown(head) + " and is no FRF file that this program knows",
        "give jointid-frf HDF5, UFF, MATLAB v5 to v7.3, CSV or the text export of an analyser; a table of text has a row of "
-       "titles that "
-       "begins with Frequency, and commas, semicolons or tabs between its columns");
+       "titles that begins with Frequency, and commas, semicolons, tabs or blanks between its columns");
 }
 
 FileFormat detect_format(const std::filesystem::path& path) { return format_of(path).format; }

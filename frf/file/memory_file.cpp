@@ -1,11 +1,13 @@
 #include "frf/file/memory_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <mutex>
 #include <string>
 #include <utility>
 
+#include "frf/set/gather.hpp"
 #include "frf/set/scaled_source.hpp"
 
 namespace jointid::frf {
@@ -25,6 +27,12 @@ void validate(const FrfArrays& arrays) {
   require_length(header, "variance", arrays.variance.size(), entries, header.noise != NoiseRecord::variance);
   require_length(header, "coherence", arrays.coherence.size(), entries, header.noise != NoiseRecord::coherence);
   require_length(header, "covariance", arrays.covariance.size(), lines * pair_count(header.response.size()) * columns, true);
+  require_length(header, "covariance_factor", arrays.factor.size(), entries * arrays.rank, false);
+  require_length(header, "covariance_diagonal", arrays.factor_diagonal.size(), entries, true);
+  if (arrays.rank > 0 && !arrays.covariance.empty())
+    fail(header, "covariance", "there are covariances and a factor of them", "give one of both");
+  if (arrays.rank == 0 && !arrays.factor_diagonal.empty())
+    fail(header, "covariance_diagonal", "it stands without a factor", "give the variances in its place");
   require_length(header, "reference_correlation", arrays.reference_correlation.size(), lines * columns * columns, true);
 }
 
@@ -37,53 +45,60 @@ class ArraySource final : public FrfSource {
   }
 
   bool in_memory() const override { return true; }
-  bool has_covariance() const override { return !arrays_->covariance.empty(); }
+  bool has_covariance() const override { return !arrays_->covariance.empty() || arrays_->rank > 0; }
+  FactorShape factor_shape() const override { return arrays_->factor_shape(); }
   bool has_reference_correlation() const override { return !arrays_->reference_correlation.empty(); }
 
  private:
-  /// `each(value, line)` of the elements [line, row, column] of an array with so many rows a line.
-  template <class T, class Each>
-  void gather(const Block& block, std::span<const T> from, std::size_t rows, std::span<T> out, const Each& each) const {
-    const std::size_t columns = header_.reference.size();
-    std::size_t next = 0;
-    for (const std::size_t line : block.lines) {
-      for (const std::size_t r : block.responses) {
-        const T* const row = from.data() + (line * rows + r) * columns;
-        for (const std::size_t c : block.references) out[next++] = each(row[c], line);
-      }
-    }
-  }
-
   Complex factor(std::size_t line) const { return to_receptance(header_.quantity, header_.frequency_hz[line]); }
 
+  template <class T>
+  LineArray<T> by_lines(std::span<const T> values, std::size_t rows) const {
+    return {values, rows, header_.reference.size()};
+  }
+
   void do_read(const Block& block, std::span<Complex> out) override {
-    const std::size_t rows = header_.response.size();
-    if (header_.quantity == Quantity::receptance) {
-      gather(block, arrays_->values, rows, out, [](Complex value, std::size_t) { return value; });
-    } else {
-      gather(block, arrays_->values, rows, out, [&](Complex value, std::size_t line) { return factor(line) * value; });
-    }
+    const LineArray<Complex> frfs = by_lines<Complex>(arrays_->values, header_.response.size());
+    if (header_.quantity == Quantity::receptance) return gather_elements(frfs, block.lines, block.responses, block.references, out);
+    gather_elements(frfs, block.lines, block.responses, block.references, out,
+                    [&](Complex value, std::size_t line) { return factor(line) * value; });
   }
 
   void do_read_variance(const Block& block, std::span<Complex> out) override {
-    gather(block, arrays_->variance, header_.response.size(), out,
-           [&](Complex value, std::size_t line) { return scaled_variance(factor(line), value); });
+    gather_elements(by_lines<Complex>(arrays_->variance, header_.response.size()), block.lines, block.responses, block.references,
+                    out, [&](Complex value, std::size_t line) { return scaled_variance(factor(line), value); });
   }
 
   void do_read_coherence(const Block& block, std::span<double> out) override {
-    gather(block, arrays_->coherence, header_.response.size(), out, [](double value, std::size_t) { return value; });
+    gather_elements(by_lines<double>(arrays_->coherence, header_.response.size()), block.lines, block.responses, block.references, out);
+  }
+
+  void do_read_factor(const Block& block, std::span<Complex> rows, std::span<double> diagonal) override {
+    const std::size_t columns = header_.reference.size(), responses = header_.response.size();
+    std::size_t next = 0;
+    for (const std::size_t line : block.lines) {
+      const double scale = std::abs(factor(line));
+      for (const std::size_t r : block.responses) {
+        const Complex* const own = arrays_->factor.data() + (line * responses + r) * arrays_->rank * columns;
+        for (std::size_t k = 0; k < arrays_->rank; ++k) {
+          for (const std::size_t c : block.references) rows[next++] = scale * own[k * columns + c];
+        }
+      }
+    }
+    if (diagonal.empty()) return;
+    gather(block, arrays_->factor_diagonal, responses, diagonal,
+           [&](double value, std::size_t line) { return std::norm(factor(line)) * value; });
   }
 
   void do_read_covariance(const Block& pairs, std::span<Complex> out) override {
-    gather(pairs, arrays_->covariance, pair_count(header_.response.size()), out,
-           [&](Complex value, std::size_t line) { return std::norm(factor(line)) * value; });
+    if (arrays_->rank > 0) return FrfSource::do_read_covariance(pairs, out);
+    gather_elements(by_lines<Complex>(arrays_->covariance, pair_count(header_.response.size())), pairs.lines, pairs.responses,
+                    pairs.references, out, [&](Complex value, std::size_t line) { return std::norm(factor(line)) * value; });
   }
 
   void do_read_reference_correlation(std::span<const std::size_t> lines, std::span<const std::size_t> references,
                                      std::span<Complex> out) override {
-    const std::vector<std::size_t> rows(references.begin(), references.end());
-    gather({lines, rows, references}, arrays_->reference_correlation, header_.reference.size(), out,
-           [](Complex value, std::size_t) { return value; });
+    gather_elements(by_lines<Complex>(arrays_->reference_correlation, header_.reference.size()), lines, references, references, out);
   }
 
   std::shared_ptr<const FrfArrays> arrays_;

@@ -16,7 +16,12 @@ struct FrfArrays {
   std::span<const Complex> variance{};               ///< [F,R,C] or empty
   std::span<const double> coherence{};               ///< [F,R,C] or empty
   std::span<const Complex> covariance{};             ///< [F,P,C] or empty
+  std::size_t rank = 0;                              ///< columns K of a factor in place of `covariance`
+  std::span<const Complex> factor{};                 ///< [F,R,K,C] as CovarianceFactor::rows
+  std::span<const double> factor_diagonal{};         ///< [F,R,C] or empty, beside a factor
   std::span<const Complex> reference_correlation{};  ///< [F,C,C] or empty, beside covariances
+
+  FactorShape factor_shape() const { return {rank, !factor_diagonal.empty()}; }
 };
 
 /// Such arrays as a source: receptances, as ever. Throws InputError where they are not as long as the header says.

@@ -3,9 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "frf/set/dof_number.hpp"
 #include "frf/set/frf_source.hpp"
-#include "frf/set/sensors_on.hpp"
+#include "frf/set/sensor_mass.hpp"
 
 namespace jointid::frf {
 

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "base/kernel.hpp"
+#include "frf/set/gather.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -32,24 +33,12 @@ class MemorySource final : public FrfSource {
  private:
   void do_read_reference_correlation(std::span<const std::size_t> lines, std::span<const std::size_t> references,
                                      std::span<Complex> out) override {
-    const std::size_t columns = header_.reference.size();
-    std::size_t next = 0;
-    for (const std::size_t line : lines) {
-      for (const std::size_t m : references) {
-        for (const std::size_t n : references) out[next++] = set_->reference_correlation[(line * columns + m) * columns + n];
-      }
-    }
+    gather({lines, references, references}, set_->reference_correlation, header_.reference.size(), out);
   }
 
   void do_read_covariance(const Block& pairs, std::span<Complex> out) override {
     if (set_->factor.any()) return FrfSource::do_read_covariance(pairs, out);
-    const std::size_t rows = pair_count(header_.response.size()), columns = header_.reference.size();
-    std::size_t next = 0;
-    for (const std::size_t line : pairs.lines) {
-      for (const std::size_t pair : pairs.responses) {
-        for (const std::size_t c : pairs.references) out[next++] = set_->covariance[(line * rows + pair) * columns + c];
-      }
-    }
+    gather(pairs, set_->covariance, pair_count(header_.response.size()), out);
   }
 
   void do_read_factor(const Block& block, std::span<Complex> rows, std::span<double> diagonal) override {
@@ -62,23 +51,24 @@ class MemorySource final : public FrfSource {
         }
       }
     }
-    if (!diagonal.empty()) gather(block, set_->factor.diagonal, diagonal);
+    if (!diagonal.empty()) gather(block, set_->factor.diagonal, header_.response.size(), diagonal);
   }
 
+  /// Of an array with so many rows a line.
   template <class T>
-  void gather(const Block& block, const std::vector<T>& from, std::span<T> out) const {
-    std::size_t next = 0;
-    for (const std::size_t line : block.lines) {
-      for (const std::size_t r : block.responses) {
-        const T* row = from.data() + set_->index(line, r, 0);
-        for (const std::size_t c : block.references) out[next++] = row[c];
-      }
-    }
+  void gather(const Block& block, const std::vector<T>& from, std::size_t rows, std::span<T> out) const {
+    gather_elements(LineArray<T>{from, rows, header_.reference.size()}, block.lines, block.responses, block.references, out);
   }
 
-  void do_read(const Block& block, std::span<Complex> out) override { gather(block, set_->values, out); }
-  void do_read_variance(const Block& block, std::span<Complex> out) override { gather(block, set_->variance, out); }
-  void do_read_coherence(const Block& block, std::span<double> out) override { gather(block, set_->coherence, out); }
+  void do_read(const Block& block, std::span<Complex> out) override {
+    gather(block, set_->values, header_.response.size(), out);
+  }
+  void do_read_variance(const Block& block, std::span<Complex> out) override {
+    gather(block, set_->variance, header_.response.size(), out);
+  }
+  void do_read_coherence(const Block& block, std::span<double> out) override {
+    gather(block, set_->coherence, header_.response.size(), out);
+  }
 
   std::shared_ptr<const FrfSet> set_;
 };

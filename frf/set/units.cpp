@@ -54,7 +54,7 @@ double si_factor(std::string_view unit_label, const FrfHeader& header) {
   const auto rotates = [](const Dof& dof) { return dof.is_rotation(); };
   if (factor != 1.0 && (std::any_of(header.response.begin(), header.response.end(), rotates) ||
                         std::any_of(header.reference.begin(), header.reference.end(), rotates))) {
-    fail("unit '" + std::string(unit_label) + "' does not tell how rotations are scaled",
+    fail("unit '" + std::string(unit_label) + "' does not define the scale of rotations",
          "store sets with rotations in SI units, " + unit(header.quantity));
   }
   return factor;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/control.hpp"
 #include "base/eigen.hpp"
 #include "base/error.hpp"
 #include "friction/fit/fit_problem.hpp"
@@ -78,14 +79,24 @@ std::vector<std::vector<double>> starts_of(const FitProblem& problem, const FitO
   if (!options.global) return problem.starts();
   if (!minimise::has_nlopt()) refuse("this build lacks NLopt; leave the global start out");
   const std::vector<double>& start = problem.starts().front();
-  return {minimise::nlopt_minimum([&](std::span<const double> q) { return problem.objective(q); }, start,
+  const auto objective = [&](std::span<const double> q) {
+    stop_if(options.interrupted);
+    return problem.objective(q);
+  };
+  return {minimise::nlopt_minimum(objective, start,
                                   {.half_width = global_half_width, .evaluations = global_evaluations * static_cast<int>(start.size())})
               .q};
 }
 
-minimise::Minimum minimise(const FitProblem& problem, const FitOptions& options) {
+/// Minimisers of other libraries make another exception of what stops them.
+minimise::Minimum minimise(const FitProblem& problem, const FitOptions& options) try {
   const auto starts = starts_of(problem, options);
-  return uses_ceres(options.minimiser) ? by_ceres(problem, starts) : by_pattern(problem, starts);
+  const minimise::Minimum found = uses_ceres(options.minimiser) ? by_ceres(problem, starts) : by_pattern(problem, starts);
+  stop_if(options.interrupted);
+  return found;
+} catch (const std::exception&) {
+  stop_if(options.interrupted);
+  throw;
 }
 
 double weighted_squares(const Curve& curve, const std::vector<double>& values, const std::vector<double>& weights) {
@@ -248,7 +259,7 @@ std::string correlated_residuals(double rho) {
 
 void judge(bool converged, Fit& fit) {
   if (!converged) {
-    fit.status = FitStatus::not_converged;
+    fit.status = Status::not_converged;
     fit.message = "the fit of " + fit.law + " did not converge";
   }
   for (const CurveFit& curve : fit.curves) {
@@ -278,11 +289,6 @@ void fill(std::span<const Curve> curves, const FitProblem& problem, const FitOpt
 
 }  // namespace
 
-std::string name(FitStatus status) {
-  constexpr std::array names = {"ok", "not_converged", "too_few_points"};
-  return names[static_cast<std::size_t>(status)];
-}
-
 Fit fit(std::span<const Curve> curves, const Family& family, const FitOptions& options) {
   const FitProblem problem(curves, family, options);
   Fit out;
@@ -292,7 +298,7 @@ Fit fit(std::span<const Curve> curves, const Family& family, const FitOptions& o
   out.rows = problem.residuals();
   out.unknowns = problem.unknowns();
   if (out.rows <= out.unknowns) {
-    out.status = FitStatus::too_few_points;
+    out.status = Status::too_few_points;
     out.message = std::to_string(out.rows) + " measured numbers cannot determine " + std::to_string(out.unknowns) + " unknowns";
     return out;
   }
@@ -309,7 +315,7 @@ Fit fit(std::span<const Curve> curves, const Family& family, const FitOptions& o
 std::vector<Fit> compare(std::span<const Curve> curves, std::span<const Family> families, const FitOptions& options) {
   std::vector<Fit> fits;
   for (const Family& family : families) fits.push_back(fit(curves, family, options));
-  const auto key = [](const Fit& each) { return std::pair(each.status != FitStatus::usable, each.aic); };
+  const auto key = [](const Fit& each) { return std::pair(each.status != Status::ok, each.aic); };
   std::ranges::stable_sort(fits, {}, key);
   return fits;
 }

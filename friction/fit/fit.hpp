@@ -1,12 +1,12 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "base/status.hpp"
 #include "friction/curve/curve.hpp"
 #include "friction/fit/fit_options.hpp"
 #include "friction/fit/fit_start.hpp"
@@ -29,11 +29,9 @@ struct CurveFit {
   double objective = 0.0;                   ///< ΔE (2.58b), or (7.20)
 };
 
-/// `usable` results may carry findings; others say in `message` why they are not.
-enum class FitStatus : std::uint8_t { usable, not_converged, too_few_points };
-
+/// Results that are ok may carry findings; others (not_converged, too_few_points) say in `message` why they are not.
 struct Fit {
-  FitStatus status = FitStatus::usable;
+  Status status = Status::ok;
   std::string message;
   std::string law, title;
   std::vector<CurveFit> curves;
@@ -49,8 +47,6 @@ struct Fit {
   std::string minimiser;       ///< what was used
   std::vector<std::string> findings;  ///< what the curves cannot tell, in words
 };
-
-std::string name(FitStatus status);
 
 /// Fits the law of `family` to curves by weighted least squares. Unknowns are the parameters on their ParameterScale. Standard
 /// errors are those of the linearised problem with the noise estimated from the residuals, taken as independent; intervals use

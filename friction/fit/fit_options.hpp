@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,7 @@ struct FitOptions {
   bool global = false;            ///< begin with NLopt's DIRECT-L around the start
   std::optional<double> limit{};  ///< preset friction limit, which ties one parameter of the law to the others
   bool friction_coefficient = false;  ///< limit = μ·normal_load of every curve, with one unknown μ
+  std::function<bool()> interrupted{};  ///< asked before residuals of a curve are worked out: Interrupted is thrown soon
   std::vector<std::string> shared{};  ///< parameters that have one value for all curves
 };
 

@@ -178,6 +178,7 @@ std::optional<CurveState> FitProblem::state(std::size_t curve, std::span<const d
 bool FitProblem::evaluate(std::span<const double> q, std::span<double> r, std::span<double> jacobian) const {
   std::size_t first = 0;
   for (std::size_t c = 0; c < curves_.size(); ++c) {
+    if (options_.interrupted && options_.interrupted()) return false;  // a minimiser of another library is between
     const auto found = state(c, q, !jacobian.empty());
     if (!found) return false;
     const std::vector<double> values = predicted(*found->element, curves_[c]);

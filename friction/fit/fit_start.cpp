@@ -100,14 +100,4 @@ std::vector<std::string> fitted_laws() {
   return out;
 }
 
-Family family_of(const Element& element, std::string name) {
-  const std::shared_ptr<const Element> kept = element.clone();
-  const auto starts = [kept](const Features&) {
-    Elements out;
-    out.push_back(kept->clone());
-    return out;
-  };
-  return {name, name, starts};
-}
-
 }  // namespace jointid::friction

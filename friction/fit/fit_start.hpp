@@ -30,7 +30,4 @@ Family ring_family(const std::string& law, double inner, double outer);
 /// All laws that a curve can be fitted with by name alone.
 std::vector<std::string> fitted_laws();
 
-/// The family of one given element: its values are the only start.
-Family family_of(const Element& element, std::string name);
-
 }  // namespace jointid::friction

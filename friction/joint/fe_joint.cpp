@@ -66,7 +66,7 @@ class FiniteElementJoint::Solver {
       }
       step *= 0.5;
       if (step < control_.smallest_step) {
-        done.status = EquilibriumStatus::no_equilibrium;
+        done.found = false;
         break;
       }
     }

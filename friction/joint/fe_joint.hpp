@@ -7,14 +7,9 @@
 
 namespace jointid::friction {
 
-enum class EquilibriumStatus {
-  ok,
-  no_equilibrium  ///< not even for the smallest step: the load is beyond the limit of the joint
-};
-
 /// What one change of load came to.
 struct EquilibriumStep {
-  EquilibriumStatus status = EquilibriumStatus::ok;
+  bool found = true;          ///< false: no equilibrium, not even for the smallest step: the load is beyond the limit of the joint
   double force = 0.0;         ///< at the last node
   double displacement = 0.0;  ///< of the last node
   int steps = 0;              ///< into which the change was divided

@@ -38,8 +38,8 @@ std::vector<TableMenu::Named> tables_of(const laws::LawScene& scene, const laws:
 
 Findings findings_of(const std::shared_ptr<const Identified>& all) {
   Findings out;
-  out.is_bad = !laws::is_usable(all->found.status);
-  out.said = q(std::string(laws::word(all->found.status))).replace('_', ' ') + ": " + q(laws::laws_text(all->found.laws()));
+  out.is_bad = !is_usable(all->found.status);
+  out.said = q(name(all->found.status)).replace('_', ' ') + ": " + q(laws::laws_text(all->found.laws()));
   if (!all->found.message.empty()) out.said += "\n" + q(all->found.message);
   out.plots = {{Said::tr("joint"), report::law_plots(all->scene, all->found)}};
   out.tables = tables_of(all->scene, all->found);

@@ -34,7 +34,7 @@ QString status_text(const tasks::LoadingCurveResult& report) {
   if (!report.fits.empty()) {
     const friction::Fit& best = report.fits.front();
     lines << (tasks::some_usable(report) ? LoadingCurvePage::tr("Best law by AIC: %1, %2").arg(q(best.law), q(best.title))
-                                          : q(friction::name(best.status)) + ": " + q(best.message));
+                                          : q(name(best.status)) + ": " + q(best.message));
     for (const std::string& finding : best.findings) lines << q(finding);
   }
   for (const std::string& note : report.data.notes) lines << q(note);

@@ -203,7 +203,7 @@ void ModalPage::show_run() {
   QString text = tr("%n mode(s); %1", nullptr, static_cast<int>(run_->fit.modes_inside()))
                      .arg(q(report::synthesis_text(run_->symmetric ? run_->of_model : run_->of_fit)));
   for (const std::string& note : report::notes(*run_)) text += "\n" + q(note);
-  line_->say(text, !modalfit::is_usable(run_->fit.status));
+  line_->say(text, !is_usable(run_->fit.status));
   Q_EMIT modes_changed();
 }
 

@@ -62,7 +62,7 @@ QWidget* PlanPage::make_top() {
   cancel_ = push_button("predict_cancel", tr("Cancel"), tr("Stop and show what is done"));
   cancel_->setEnabled(false);
   candidates_ = named(new QLineEdit, "candidates", tr("Candidates"),
-                      tr("Coordinates of the files that count as not measured, until it is told what each would bring"));
+                      tr("Coordinates of the files that count as not measured; the plan predicts what each would add"));
   candidates_->setPlaceholderText(tr("candidates, not measured so far: 3:+Y, 4:+RZ"));
   completer_ = new ListCompleter(*candidates_, tr("DOFs to choose from"));
   candidates_->setCompleter(completer_);

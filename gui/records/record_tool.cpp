@@ -295,7 +295,7 @@ RecordTool strain_tool() {
 
 RecordTool align_tool() {
   return {"align",
-          Said::tr("Late channels"),
+          Said::tr("Time delays of channels"),
           QStringLiteral("jointid series align"),
           Said::tr("The channels of a periodic record stand here, as measured and without their delays."),
           false,

@@ -562,8 +562,8 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
         <translation>Was die Fügestellen aller Läufe der Sitzung ergeben, übereinander zeichnen</translation>
     </message>
     <message>
-        <source>Error of the regenerated FRF</source>
-        <translation>Fehler der nachgerechneten FRF</translation>
+        <source>Error of the synthesised FRF</source>
+        <translation>Fehler der synthetisierten FRF</translation>
     </message>
     <message>
         <source>Solve, and the assembly&apos;s FRFs stand here as measured and as the joint gives them.</source>
@@ -578,10 +578,10 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
         <translation>nicht vergleichbar</translation>
     </message>
     <message numerus="yes">
-        <source>; %n outlying line(s), red below the curves</source>
+        <source>; %n outlier line(s), red below the curves</source>
         <translation>
-            <numerusform>; eine ausreißende Linie, rot unter den Kurven</numerusform>
-            <numerusform>; %n ausreißende Linien, rot unter den Kurven</numerusform>
+            <numerusform>; eine Ausreißer-Linie, rot unter den Kurven</numerusform>
+            <numerusform>; %n Ausreißer-Linien, rot unter den Kurven</numerusform>
         </translation>
     </message>
 </context>
@@ -1635,8 +1635,8 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Kandidaten</translation>
     </message>
     <message>
-        <source>Coordinates of the files that count as not measured, until it is told what each would bring</source>
-        <translation>Koordinaten der Dateien, die als nicht gemessen gelten; gesagt wird, was jede brächte</translation>
+        <source>Coordinates of the files that count as not measured; the plan predicts what each would add</source>
+        <translation>Koordinaten der Dateien, die als nicht gemessen gelten; der Plan sagt voraus, was jede beiträgt</translation>
     </message>
     <message>
         <source>candidates, not measured so far: 3:+Y, 4:+RZ</source>
@@ -2322,8 +2322,8 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>FRF-Fehler des Zusammenbaus</translation>
     </message>
     <message>
-        <source>outlying lines</source>
-        <translation>ausreißende Linien</translation>
+        <source>outlier lines</source>
+        <translation>Ausreißer-Linien</translation>
     </message>
     <message>
         <source>misfit</source>
@@ -3266,8 +3266,8 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Zwei der Formen sind die einer Kraft und eines Moments am Ende</translation>
     </message>
     <message>
-        <source>Late channels</source>
-        <translation>Verspätete Kanäle</translation>
+        <source>Time delays of channels</source>
+        <translation>Zeitverzug der Kanäle</translation>
     </message>
     <message>
         <source>The channels of a periodic record stand here, as measured and without their delays.</source>

@@ -21,10 +21,10 @@
 <context>
     <name>FrfTab</name>
     <message numerus="yes">
-        <source>; %n outlying line(s), red below the curves</source>
+        <source>; %n outlier line(s), red below the curves</source>
         <translation>
-            <numerusform>; %n outlying line, red below the curves</numerusform>
-            <numerusform>; %n outlying lines, red below the curves</numerusform>
+            <numerusform>; %n outlier line, red below the curves</numerusform>
+            <numerusform>; %n outlier lines, red below the curves</numerusform>
         </translation>
     </message>
 </context>

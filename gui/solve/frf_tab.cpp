@@ -18,7 +18,7 @@ FrfTab::FrfTab(Worker& worker, QWidget* parent) : QWidget(parent), worker_(worke
   reference_ = named(new QComboBox, "asm_reference", tr("Reference"));
   all_runs_ = named(new QCheckBox(tr("all runs")), "all_runs", tr("Draw what the joints of all runs give"),
                     tr("Draw what the joints of all runs of the session give, one over the other"));
-  error_db_ = named(new QLabel, "error_db", tr("Error of the regenerated FRF"));
+  error_db_ = named(new QLabel, "error_db", tr("Error of the synthesised FRF"));
   plot_ = new FrfPlot(tr("Solve, and the assembly's FRFs stand here as measured and as the joint gives them."));
   plot_->offer(View::difference);
   auto* row = new QHBoxLayout;
@@ -64,7 +64,7 @@ void FrfTab::show_overlay(const Overlay& overlay) {
   QString text = overlay.error_db ? tr("error %1 dB (rms)").arg(QString::fromStdString(digits(*overlay.error_db, "%.3g")))
                                   : tr("not comparable");
   const int marked = static_cast<int>(outlying_hz(runs_[front_]).size());
-  if (marked > 0) text += tr("; %n outlying line(s), red below the curves", nullptr, marked);
+  if (marked > 0) text += tr("; %n outlier line(s), red below the curves", nullptr, marked);
   error_db_->setText(text);
 }
 

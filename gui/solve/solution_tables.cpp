@@ -95,7 +95,7 @@ void add_fit(const ident::Solution& solution, Rows& out) {
   if (fit.chi_square) {
     const auto& found = *fit.chi_square;
     out.add(Said::tr("χ² / degrees of freedom"), number(found.value / found.degrees_of_freedom));
-    out.add(Said::tr("outlying lines"), QString::number(found.outlying_lines));
+    out.add(Said::tr("outlier lines"), QString::number(found.outlying_lines));
   }
   if (fit.misfit) out.add(Said::tr("misfit"), number(*fit.misfit));
   for (const auto& [kind, quality] : solution.quality) {

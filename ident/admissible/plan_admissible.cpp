@@ -11,8 +11,8 @@
 #include "ident/admissible/definite_block.hpp"
 #include "ident/admissible/interior.hpp"
 #include "ident/admissible/tie.hpp"
-#include "restrictions/impedance_factor.hpp"
 #include "ident/scene/scene_failure.hpp"
+#include "restrictions/impedance_factor.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -50,7 +50,7 @@ std::string change_text(const Misfit& before, const Misfit& after) {
     if (at == was.size()) return;
     text += (text.empty() ? "" : ", ") + std::string(what) + " from " + percent(was[at]) + " to " + percent(is[at]);
   };
-  add(before.span, after.span, "what the parts and forces at the joint leave of the assembly's FRFs");
+  add(before.span, after.span, "the part of the assembly's FRFs that substructures and joint forces do not explain");
   add(before.reciprocity, after.reciprocity, "the difference of H_ij and H_ji");
   double active = 0.0;
   for (std::size_t f = 0; f < before.active.size(); ++f) active += before.active[f] - after.active[f];
@@ -170,7 +170,7 @@ class Inquiry {
     const MistakeTrial& trial = scored.trial;
     const std::string change = change_text(before, scored.after);
     std::string evidence = trial.what + (change.empty() ? "" : "; undone, it brings " + change);
-    if (equals > 1) evidence += "; the data do not tell which of the files it is";
+    if (equals > 1) evidence += "; the data do not determine which of the files it is";
     const double confidence = (1.0 - std::exp(-scored.score / certain)) / static_cast<double>(equals);
     for (const std::size_t f : trial.kind == SuspectKind::exchange ? std::vector{trial.files.front()} : trial.files) {
       std::string remedy = trial.remedy;

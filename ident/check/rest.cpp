@@ -200,8 +200,8 @@ std::vector<Suspect> small_gains(const Files& files, const std::vector<SpanSetup
         {.kind = SuspectKind::gain,
          .file = file.name,
          .dofs = {},
-         .evidence = fmt::format("all FRFs of the file are off by the factor {:.4g} ± {:.2g}, as far as the parts and forces at "
-                                 "the joint tell; a few tenths of a percent are what calibrations leave",
+         .evidence = fmt::format("all FRFs of the file are off by the factor {:.4g} ± {:.2g}, by substructures and joint forces; "
+                                 "calibrations leave a few tenths of a percent",
                                  1.0 / factor, first->second->excess_deviation),
          .confidence = 0.7,
          .remedy = remedy_in(file.name, fmt::format("gain = {:.5g}", factor))});
@@ -213,7 +213,7 @@ Suspect not_passive(const CheckedFile& file) {
   return {.kind = SuspectKind::not_passive,
           .file = file.name,
           .dofs = {},
-          .evidence = "the imaginary parts of driving points are positive: the structure would give energy away",
+          .evidence = "the imaginary parts of driving points are positive: the structure is not passive",
           .confidence = unexplained_confidence,
           .remedy = ""};
 }

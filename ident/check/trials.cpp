@@ -360,7 +360,7 @@ MistakeTrial conjugate_trial(const Files& files, std::size_t f) {
   return {.kind = SuspectKind::conjugate,
           .files = {f},
           .dofs = {},
-          .what = "the imaginary parts have the other sign: driving points give energy away",
+          .what = "the imaginary parts have the other sign: driving points are not passive",
           .remedy = remedy_in(files[f].name, "conjugate = true"),
           .undo = [f](Files& all) { conjugate_file(all[f]); }};
 }

@@ -104,8 +104,7 @@ void put_together(const LineShares& shares, Assembled& system) {
 
 Assembled assemble(const Plan& plan, const std::vector<Line>& of, RunTime& runtime, const Control& control) {
   const Clock::time_point start = Clock::now();
-  const minimise::Reduction reduction = plan.solver == Solver::normal ? minimise::Reduction::normal : minimise::Reduction::orthogonal;
-  Assembled out{minimise::Accumulator(plan.columns->size(), reduction), {}, 0, {}};
+  Assembled out{minimise::Accumulator(plan.columns->size(), reduction_of(plan)), {}, 0, {}};
   const bool measures_rounding = control.detail == Detail::full;
   const std::size_t chunk = chunk_lines(linear_plan(plan)->builder->entries_per_line());
   const LineShares::Range lines = control.shares.own(of.size());
@@ -124,6 +123,10 @@ Assembled assemble(const Plan& plan, const std::vector<Line>& of, RunTime& runti
 
 Assembled assemble(const Plan& plan, RunTime& runtime, const Control& control) {
   return assemble(plan, plan.lines, runtime, control);
+}
+
+minimise::Reduction reduction_of(const Plan& plan) {
+  return plan.solver == Solver::normal ? minimise::Reduction::normal : minimise::Reduction::orthogonal;
 }
 
 minimise::LinearSolution solve(const Plan& plan, minimise::Accumulator& accumulator, minimise::Condition condition) {

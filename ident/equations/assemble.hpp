@@ -21,6 +21,9 @@ struct Assembled {
 Assembled assemble(const Plan& plan, RunTime& runtime, const Control& control = {});
 Assembled assemble(const Plan& plan, const std::vector<Line>& of, RunTime& runtime, const Control& control = {});
 
+/// How rows are reduced for the plan's solver.
+minimise::Reduction reduction_of(const Plan& plan);
+
 /// Its solution by the plan's solver.
 minimise::LinearSolution solve(const Plan& plan, minimise::Accumulator& accumulator,
                                minimise::Condition condition = minimise::Condition::compute);

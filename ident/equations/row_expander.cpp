@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "restrictions/impedance_factor.hpp"
 #include "base/kernel.hpp"
+#include "restrictions/impedance_factor.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -56,8 +56,8 @@ void tell_misfit(const NoisyLines& data, const WhitenedFit& fit, Solution& out) 
   const double doubtful = data.from_knowledge && fit.corrected ? doubtful_misfit : doubtful_unsure;
   if (!poor && !(fit.misfit > doubtful || worst.misfit > doubtful_channel)) return;
   tell(out, poor ? Status::poor_fit : Status::doubtful,
-       "No joint of this scene explains the FRFs: the best one leaves " + digits(std::sqrt(fit.misfit)) +
-           " times the errors that their noise makes, and " + digits(std::sqrt(worst.misfit)) + " times with the " +
+       "No joint of this scene explains the FRFs: its residuals are " + digits(std::sqrt(fit.misfit)) +
+           " times their expected noise, and " + digits(std::sqrt(worst.misfit)) + " times with the " +
            (worst.is_row ? "response " : "reference ") + worst.dof + "." + remedy);
 }
 
@@ -70,7 +70,7 @@ void tell_no_joint(Solution& out) {
 void tell_active(const std::vector<ActiveMotion>& found, Solution& out) {
   if (found.empty()) return;
   tell(out, Status::poor_fit,
-       "The joint gives energy away: " + text(found.front()) + ". Are FRFs conjugated, delayed, or of the wrong sign?" + remedy);
+       "The joint is not passive: " + text(found.front()) + ". Are FRFs conjugated, delayed, or of the wrong sign?" + remedy);
 }
 
 Eigen::VectorXd vector_of(const std::vector<double>& values) {
@@ -153,8 +153,9 @@ std::optional<Unbiased> judge_prediction(const Plan& plan, const std::vector<dou
   const bool poor = fit->misfit > poor_misfit;
   if (poor || fit->misfit > (data->from_knowledge ? doubtful_misfit : doubtful_unsure)) {
     tell(out, poor ? Status::poor_fit : Status::doubtful,
-         "This joint does not explain H_nn: what parts and joint predict of it is off by " + digits(std::sqrt(fit->misfit)) +
-             " times the errors that their noise makes. Another one may: method \"likelihood\" looks for it; give a start near "
+         "This joint does not explain H_nn: the prediction from substructures and joint is off by " +
+             digits(std::sqrt(fit->misfit)) +
+             " times its expected noise. Another joint may fit: method \"likelihood\" looks for it; give a start near "
              "the joint, "
              "or measure the assembly at the joint.");
     return std::nullopt;
@@ -250,7 +251,7 @@ bool shares_errors(const Plan& plan) {
   return !plan.regenerated.empty() || (!plan.scene.couple_first.pairs.empty() && !plan.method->carries_shared_errors());
 }
 
-constexpr double poor_with_misfit = 4.0, hopeless_with_misfit = 16.0;  // χ² over f where errors include the misfit
+constexpr double poor_with_misfit = 4.0, hopeless_with_misfit = 64.0;  // χ² over f where errors include the misfit
 
 bool is_poor(const LikelihoodJudgement& fit, double ratio, bool estimated) {
   return fit.hopeless || ratio > (estimated || fit.includes_misfit ? poor_with_misfit : 2.0);
@@ -259,10 +260,10 @@ bool is_poor(const LikelihoodJudgement& fit, double ratio, bool estimated) {
 /// What errors and intervals are worth.
 std::string worth_of_errors(const LikelihoodJudgement& fit, double ratio, bool poor) {
   if (fit.includes_misfit && ratio <= hopeless_with_misfit) {
-    return " Standard errors and intervals include the model error, as blocks of lines that are left out tell it; an error that is alike "
-           "on all lines, as of a sensor off its place, can move the joint by more.";
+    return " Standard errors and intervals include the model error, estimated by leaving out blocks of lines and sensors. An error that "
+           "looks like another joint, such as a misplaced sensor at the joint, can move the joint by more.";
   }
-  return poor ? " No standard errors or intervals are given, they would not hold."
+  return poor ? " Standard errors and intervals are not given, because they would be wrong."
               : " Standard errors and intervals are too small.";
 }
 
@@ -276,7 +277,7 @@ void tell_chi_square(const Plan& plan, const LikelihoodJudgement& fit, Solution&
     if (!lines.are_many_outlying()) return;
     tell(out, Status::doubtful,
          std::to_string(lines.outlying) + " of " + std::to_string(lines.lines) +
-             " lines are off by far more than their standard errors and count for little; the others fit." + remedy);
+             " lines are outliers, far beyond their standard errors. They have little weight; the others fit." + remedy);
     return;
   }
   tell(out, poor ? Status::poor_fit : Status::doubtful,

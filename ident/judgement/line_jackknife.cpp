@@ -7,6 +7,7 @@
 #include "base/eigen.hpp"
 #include "ident/equations/assemble.hpp"
 #include "ident/equations/linear_plan.hpp"
+#include "ident/judgement/measured_rectangle.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -14,11 +15,10 @@ namespace {
 constexpr std::size_t least_lines = 4, most_groups = 12;
 
 std::vector<std::vector<Line>> groups_of(const std::vector<Line>& lines, std::size_t most_lines, bool bands) {
-  const std::size_t count = std::min(most_lines, lines.size()), groups = std::min(count, most_groups);
+  const std::vector<Line> some = spread_lines(lines, most_lines);
+  const std::size_t groups = std::min(some.size(), most_groups);
   std::vector<std::vector<Line>> out(groups);
-  for (std::size_t i = 0; i < count; ++i) {
-    out[bands ? i % groups : i * groups / count].push_back(lines[(2 * i + 1) * lines.size() / (2 * count)]);
-  }
+  for (std::size_t i = 0; i < some.size(); ++i) out[bands ? i % groups : i * groups / some.size()].push_back(some[i]);
   return out;
 }
 

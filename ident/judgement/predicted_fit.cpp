@@ -8,8 +8,8 @@
 #include "base/error.hpp"
 #include "base/statistics.hpp"
 #include "coupling/joint_loop.hpp"
-#include "ident/plan/joint_impedance.hpp"
 #include "ident/judgement/measured_rectangle.hpp"
+#include "ident/plan/joint_impedance.hpp"
 #include "minimise/damping.hpp"
 #include "minimise/linear/covariance.hpp"
 

@@ -38,7 +38,7 @@ void tell_negative(const Plan& plan, const std::vector<double>& theta, const Eig
   if (what.empty()) return;
   tell(out, Status::doubtful,
        "The joint is not passive: " + what +
-           ". No springs and dampers have that: do not use this matrix, or restrict it (definite = true).");
+           ". Springs and dampers cannot do that. Do not use this matrix, or constrain it (definite = true).");
 }
 
 /// Joints that springs and dampers cannot be by half of their size, however large their errors: these are as large then. Of

@@ -193,8 +193,8 @@ class BestJoint {
   std::size_t steps_ = 0;
 };
 
-LikelihoodFit fit_by_solver(const Plan& plan, LikelihoodEstimator& estimator, const Control& control, std::string& stage,
-                            double& start_time) {
+LinearisedLikelihood fit_by_solver(const Plan& plan, LikelihoodEstimator estimator, const Control& control, FollowOptions options,
+                                   std::string& stage, double& start_time) {
   const FitWatcher watch = [&](std::size_t iteration) {
     stop_if(control.interrupted);
     stage = "iteration " + std::to_string(iteration);
@@ -204,16 +204,18 @@ LikelihoodFit fit_by_solver(const Plan& plan, LikelihoodEstimator& estimator, co
   start_time = seconds_since(begun);
   if (plan.solver == Solver::gauss_helmert) {
     const Follow usual = joint_is_reached(plan) ? Follow::until_it_fits : Follow::until_reached_twice;
-    const Doubt doubtful = [&plan](const LikelihoodFit& fit) { return largest_relative_error(plan, fit) >= nonlinear_error; };
-    return estimator.run(starts, watch, plan.scene.identify.starts > 0 ? Follow::all : usual, doubtful);
+    options.follow = plan.scene.identify.starts > 0 ? Follow::all : usual;
+    options.doubtful = [&plan](const LikelihoodFit& fit) { return largest_relative_error(plan, fit) >= nonlinear_error; };
+    return std::move(estimator).run(starts, watch, std::move(options));
   }
-  LikelihoodFit fit = estimator.run_whitened(*starts(0), watch);
+  const std::vector<double> start = *starts(0);
+  LinearisedLikelihood whitened = std::move(estimator).run_whitened(start, watch, std::move(options));
+  LikelihoodFit fit = whitened.fit;
   if (plan.solver == Solver::ceres) {
     fit = adjust_bundle(*likelihood_plan(plan)->observations, plan.restriction, *plan.columns, plan.omega0, fit, watch);
   }
-  // Brings the lines to this joint for what is said of them afterwards.
-  if (control.detail == Detail::full || plan.scene.identify.bootstrap > 0 || plan.admissible) estimator.information_at(fit.theta);
-  return fit;
+  const bool asks_lines = control.detail == Detail::full || plan.scene.identify.bootstrap > 0 || plan.admissible;
+  return std::move(whitened).moved_to(std::move(fit), asks_lines);
 }
 
 /// The lines that say something of the joint, and how many of them are outlying.
@@ -297,13 +299,13 @@ minimise::LinearSolution with_rank(const Plan& plan, const LikelihoodFit& fit) {
 }
 
 /// Replaces the Cramér–Rao errors by those of a bootstrap; keeps them, and says so, when too many replicates fail.
-void bootstrap_errors(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit, const Control& control,
+void bootstrap_errors(const Plan& plan, const LinearisedLikelihood& fitted, const LikelihoodFit& fit, const Control& control,
                       Solution& out) {
-  const std::vector<Replicate> replicates = bootstrap(plan, estimator, fit, control);
+  const std::vector<Replicate> replicates = bootstrap(plan, fitted, fit, control);
   const auto usable = static_cast<std::size_t>(std::ranges::count_if(replicates, &Replicate::usable));
   if (10 * usable < 9 * replicates.size()) {
     out.message += "Only " + std::to_string(usable) + " of " + std::to_string(replicates.size()) +
-                   " bootstrap replicates settled: the intervals are those of the Cramér–Rao bound.";
+                   " bootstrap replicates converged: the intervals are those of the Cramér–Rao bound.";
     return;
   }
   out.intervals = IntervalKind::bootstrap;
@@ -331,48 +333,47 @@ double fitting_ratio(const ChiSquare& chi_square, const LikelihoodFit& fit) {
   return sum / count * (freedom + static_cast<double>(fit.theta.size())) / freedom;
 }
 
-/// A fit with what it was found by.
+/// A fit with what is asked of it at once.
 struct Fitted {
-  LikelihoodEstimator estimator;
-  LikelihoodFit fit;
+  LinearisedLikelihood found;
   ChiSquare chi_square;
   double ratio = 1.0;  ///< χ² over degrees of freedom, of the lines that count
   std::optional<TriedErrors> tried = {};
   std::unique_ptr<AssumedGain> gain = {};  ///< a common gain that is one of the unknowns
   std::optional<FileGain> without = {};    ///< what the fit without that gain said of it
 
-  bool is_own(const Plan& plan) const { return plan.solver == Solver::gauss_helmert && fit.converged; }
+  bool is_own(const Plan& plan) const { return plan.solver == Solver::gauss_helmert && found.fit.converged; }
   /// Whether intervals may hold more than the noise that variances tell.
   bool may_widen(const Plan& plan) const { return is_own(plan) && !plan.admissible && plan.scene.identify.bootstrap == 0; }
 };
 
-Fitted with_chi_square(const Plan& plan, LikelihoodEstimator estimator, LikelihoodFit fit) {
+Fitted with_chi_square(const Plan& plan, LinearisedLikelihood fitted) {
   const LikelihoodPlan& own = *likelihood_plan(plan);
-  ChiSquare chi_square = chi_square_of(*own.observations, own.priors, fit);
-  const double ratio = fitting_ratio(chi_square, fit);
-  return {std::move(estimator), std::move(fit), std::move(chi_square), ratio};
+  ChiSquare chi_square = chi_square_of(*own.observations, own.priors, fitted.fit);
+  const double ratio = fitting_ratio(chi_square, fitted.fit);
+  return {std::move(fitted), std::move(chi_square), ratio};
 }
 
 Fitted fitted(const Plan& plan, const Control& control, const std::shared_ptr<std::string>& stage, Solution& out) {
   const Clock::time_point start = Clock::now();
-  LikelihoodEstimator estimator = make_estimator(plan, control, stage);
   BestJoint best(plan, out, control);
-  if (control.so_far) estimator.set_listener([&best](const LikelihoodFit& found, double loss) { best.tell(found, loss); });
+  FollowOptions options;
+  if (control.so_far) options.listener = [&best](const LikelihoodFit& found, double loss) { best.tell(found, loss); };
   if (control.judgement == Judgement::data) {
-    estimator.set_second_opinion([&plan](const std::vector<double>& theta) { return beyond_any_joint(plan, theta); });
+    options.second_opinion = [&plan](const std::vector<double>& theta) { return beyond_any_joint(plan, theta); };
   }
-  LikelihoodFit fit = fit_by_solver(plan, estimator, control, *stage, out.runtime_s.start);
-  estimator.set_listener(nullptr);
+  LinearisedLikelihood found =
+      fit_by_solver(plan, make_estimator(plan, control, stage), control, std::move(options), *stage, out.runtime_s.start);
   if (plan.admissible) {
     *stage = "constraining";
     auto [constrained, admissible] =
-        estimator.constrain(std::move(fit), *plan.admissible, [&](std::size_t) { stop_if(control.interrupted); });
-    fit = std::move(constrained);
+        std::move(found).constrained(*plan.admissible, [&](std::size_t) { stop_if(control.interrupted); });
+    found = std::move(constrained);
     out.admissibility = outcome_of(*plan.admissible, admissible, 1.0);
     out.admissibility->from_variances = true;
   }
   out.runtime_s.solve = seconds_since(start) - out.runtime_s.start;
-  return with_chi_square(plan, std::move(estimator), std::move(fit));
+  return with_chi_square(plan, std::move(found));
 }
 
 /// Whether a gain explains the misfit beyond its expectation, or half of it.
@@ -386,17 +387,16 @@ void fit_with_gain(const Plan& plan, const Control& control, const std::shared_p
   const FileGain* const gain = all.tried && !all.tried->is_calibration_stated ? telling_gain(all.tried->files) : nullptr;
   if (gain == nullptr || has_better_explanation(*all.tried, *gain)) return;
   const FileGain chosen = *gain;
-  std::vector<double> start = all.fit.theta;
+  std::vector<double> start = all.found.fit.theta;
   for (std::size_t c = 0; c < start.size(); ++c) start[c] += chosen.gain * chosen.answer[at(c)];
   auto assumed = std::make_unique<AssumedGain>(plan, chosen.file);
   start.push_back(chosen.gain / usual_calibration);
-  LikelihoodEstimator estimator = make_estimator(plan, control, stage);
   const Starts only = [&start](std::size_t k) { return k == 0 ? std::optional(start) : std::nullopt; };
-  LikelihoodFit fit = estimator.run(only, [&](std::size_t) { stop_if(control.interrupted); });
-  Fitted more = with_chi_square(plan, std::move(estimator), std::move(fit));
-  if (!more.fit.converged || !explains(more.ratio, all.ratio, more.chi_square.degrees_of_freedom)) return;
-  more.fit.iterations += all.fit.iterations;
-  more.tried = try_errors(plan, more.estimator, more.fit, more.ratio, control);
+  Fitted more = with_chi_square(
+      plan, make_estimator(plan, control, stage).run(only, [&](std::size_t) { stop_if(control.interrupted); }));
+  if (!more.found.fit.converged || !explains(more.ratio, all.ratio, more.chi_square.degrees_of_freedom)) return;
+  more.found.fit.iterations += all.found.fit.iterations;
+  more.tried = try_errors(plan, more.found, more.found.fit, more.ratio, control);
   more.gain = std::move(assumed);
   more.without = chosen;
   all = std::move(more);
@@ -421,8 +421,8 @@ double ratio_without(const Plan& plan, const Fitted& all, const FileGain* stretc
   if (stretch == nullptr) return all.ratio;
   const Observations& observations = *likelihood_plan(plan)->observations;
   double excess = 0.0;
-  for (std::size_t i = 0; i < all.fit.line_weight.size(); ++i) {
-    const double weight = all.fit.line_weight[i], by_line = all.chi_square.by_line[i];
+  for (std::size_t i = 0; i < all.found.fit.line_weight.size(); ++i) {
+    const double weight = all.found.fit.line_weight[i], by_line = all.chi_square.by_line[i];
     if (!(weight > 0.0 && std::isfinite(by_line))) continue;
     excess += weight * (by_line - 1.0) * observations.lines()[i].redundancy(observations.layout());
   }
@@ -433,27 +433,29 @@ double ratio_without(const Plan& plan, const Fitted& all, const FileGain* stretc
 /// Where there is misfit, what a stretch does not explain of it is looked for at one standard deviation, not at five.
 constexpr double still_there = 0.2;
 
-Widened widened(const Plan& plan, const Fitted& all, const Eigen::MatrixXd& information, Solution& out) {
+Widened widened(const Plan& plan, const Fitted& all, const Eigen::MatrixXd& information, const Control& control, Solution& out) {
   const ChiSquare& chi_square = all.chi_square;
   const std::size_t joint = plan.columns->size();
   Widened to{Intervals(covariance_under_ties(plan, joint_information(information, joint)))};
   to.likely = likely_chi_square(plan, chi_square.degrees_of_freedom, likelihood_plan(plan)->observations->mirror_differences());
-  if (!all.tried || !all.may_widen(plan) || minimise::null_space_of(all.fit.information).cols() > 0) return to;
+  if (!all.tried || !all.may_widen(plan) || minimise::null_space_of(all.found.fit.information).cols() > 0) return to;
   const TriedErrors& tried = *all.tried;
   if (!tried.files.empty() && !tried.is_calibration_stated) to.intervals.add_gain(tried.files.front());
   note_calibration(to.intervals.cost(), all.without, tried, out);
   tell_shared_errors(plan, tried, information, to.intervals, out);
   const FileGain* const stretch = seen_stretch(tried);
-  if (stretch != nullptr) tell_stretch(plan, all.fit, *stretch, to.intervals, out);
+  if (stretch != nullptr) tell_stretch(plan, all.found.fit, *stretch, to.intervals, out);
   if (!all.without && !tried.is_calibration_stated) tell_unexplained_gain(tried, to.intervals, out);
   const double left = ratio_without(plan, all, stretch);
   to.includes_misfit = all.ratio > to.likely;
   const bool exceeds = to.includes_misfit && left > 1.0 + still_there * (to.likely - 1.0);
-  const auto jackknife = tried.jackknife(all.fit.theta.size(), stretch);
+  const auto jackknife = tried.jackknife(all.found.fit.theta.size(), stretch);
   const bool scatters = jackknife && jackknife->tells_more() && !tried.shared.are_seen();
   if (jackknife && (exceeds || scatters)) to.intervals.include_misfit(*jackknife, exceeds ? std::sqrt(std::max(1.0, left)) : 1.0);
+  const auto sensors = exceeds ? sensor_scatter(plan, all.found, all.found.fit, all.found.fit.information, control) : std::nullopt;
+  if (sensors) to.intervals.include_sensors(*sensors);
   if (scatters && !to.includes_misfit) tell_scatter(*jackknife, out);
-  to.includes_misfit = to.includes_misfit && (jackknife || !exceeds);
+  to.includes_misfit = to.includes_misfit && (jackknife || sensors || !exceeds);
   return to;
 }
 
@@ -474,14 +476,14 @@ void estimate(const Plan& plan, const Control& control, Solution& out) {
   Fitted all = fitted(plan, control, stage, out);
   *stage = "standard errors";
   const Clock::time_point solved = Clock::now();
-  if (all.may_widen(plan) || (all.fit.converged && control.detail == Detail::full))
-    all.tried = try_errors(plan, all.estimator, all.fit, all.ratio, control);
+  if (all.may_widen(plan) || (all.found.fit.converged && control.detail == Detail::full))
+    all.tried = try_errors(plan, all.found, all.found.fit, all.ratio, control);
   if (all.may_widen(plan)) fit_with_gain(plan, control, stage, all);
-  const Eigen::MatrixXd information = all.is_own(plan) ? all.estimator.godambe_information_at(all.fit) : all.fit.information;
-  const LikelihoodFit fit = joint_part(all.fit, plan.columns->size());
+  const Eigen::MatrixXd information = all.is_own(plan) ? all.found.godambe_information() : all.found.fit.information;
+  const LikelihoodFit fit = joint_part(all.found.fit, plan.columns->size());
   interpret(plan, with_rank(plan, fit), out);
-  out.systematic = systematic_estimates(plan, all.fit, information);
-  const Widened widest = widened(plan, all, information, out);
+  out.systematic = systematic_estimates(plan, all.found.fit, information);
+  const Widened widest = widened(plan, all, information, control, out);
   widest.intervals.state(plan, out);
   out.fit.lines = plan.lines.size();
   out.fit.equations_used = equations_used(observations, fit.line_weight);
@@ -489,16 +491,16 @@ void estimate(const Plan& plan, const Control& control, Solution& out) {
   out.fit.chi_square = all.chi_square;
   out.fit.chi_square->likely = widest.likely;
   if (all.tried && all.may_widen(plan))
-    out.suspects = fit_suspects(*all.tried, all.without, widest.intervals.covariance(), all.fit.theta);
+    out.suspects = fit_suspects(*all.tried, all.without, widest.intervals.covariance(), all.found.fit.theta);
   tell_force_noise(out);
   if (control.so_far) control.so_far(out);
-  if (plan.scene.identify.bootstrap > 0 && !fit.hopeless) bootstrap_errors(plan, all.estimator, fit, control, out);
+  if (plan.scene.identify.bootstrap > 0 && !fit.hopeless) bootstrap_errors(plan, all.found, fit, control, out);
   out.runtime_s.intervals = seconds_since(solved);
   if (plan.scene.identify.starts > 0) out.search = search_of(plan, fit);
   const bool finite = std::ranges::all_of(fit.theta, [](double value) { return std::isfinite(value); });
   if ((!fit.converged && !fit.hopeless) || !finite) {
     out.status = Status::not_converged;
-    out.message = finite ? "The likelihood did not settle."
+    out.message = finite ? "The likelihood did not converge."
                          : "The likelihood broke down: is a line on a resonance without any damping? Leave such lines out.";
   }
   out.used.accumulator_bytes = observations.bytes() + fit.bytes;
@@ -512,9 +514,9 @@ void estimate(const Plan& plan, const Control& control, Solution& out) {
     stop_if(control.interrupted);
     if (control.progress) control.progress("identifiability", 0, 0);
     const Stopwatch watch(out.runtime_s.identifiability);
-    out.identifiability = identifiability_of(plan, all.estimator, covariance, widest.likely, out);
+    out.identifiability = identifiability_of(plan, all.found, covariance, widest.likely, out);
     tell_calibration(plan, information, out);
-    if (all.tried) tell_gains(suspect_gains(*all.tried, all.fit.theta.size()), out);
+    if (all.tried) tell_gains(suspect_gains(*all.tried, all.found.fit.theta.size()), out);
   }
   if (control.judgement == Judgement::none) return;
   const Stopwatch watch(out.runtime_s.check);

@@ -40,7 +40,7 @@ void estimate(const Plan& plan, Assembled& system, const Control& control, Solut
   }
   if (!settled) {
     out.status = Status::not_converged;
-    out.message += "The constrained least-squares problem did not settle.";
+    out.message += "The constrained least-squares problem did not converge.";
   }
   tell_and_predict(plan, control, out);
   if (control.detail != Detail::full || control.judgement != Judgement::data) return;

@@ -117,6 +117,7 @@ class Search {
     options.watch = [this](const Point& q) { watch(q); };
     if (number > 0) options.draw = draws_of(number);
     NewtonFit fit = run_or_stop(start, options);
+    stop_if(control_.interrupted);
     fit.converged = fit.converged && !fit.diverged;
     iterations_ += fit.iterations;
     const double misfit = problem_.misfit(fit.q);
@@ -264,6 +265,7 @@ double as_good_as(double misfit, std::size_t unknowns, std::size_t rows) {
 void estimate(const Plan& plan, NewtonPlan& own, const Control& control, Solution& out, std::optional<Eigen::MatrixXd>& scatter) {
   const Clock::time_point start = Clock::now();
   ResponseProblem problem(own.read_responses(plan, plan.lines.size()), plan.columns->size());
+  problem.stop_when(control.interrupted);
   out.runtime_s.read = seconds_since(start);
   out.fit.lines = plan.lines.size();
   out.fit.equations_used = problem.residuals() / 2;
@@ -287,7 +289,7 @@ void estimate(const Plan& plan, NewtonPlan& own, const Control& control, Solutio
   if (!found.best().converged) {
     out.status = Status::not_converged;
     out.message = (found.best().diverged ? "The iteration diverged and was stopped: " + largest_unknown(found.best().q, out) + "."
-                                         : "The iteration did not settle.") +
+                                         : "The iteration did not converge.") +
                   " Try other starts (starts = 20 in [identify]) or method \"likelihood\".";
   } else if (out.status == Status::ok && control.detail == Detail::full) {
     scatter = scatter_at(problem, found.best().q);

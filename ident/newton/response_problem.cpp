@@ -60,6 +60,8 @@ std::vector<double> ResponseProblem::theta(std::span<const double> q) const {
 }
 
 void ResponseProblem::work_out(std::size_t line, const std::vector<double>& theta, bool with_jacobian, Line& to) const {
+  to.defined = false;
+  if (interrupted_ && interrupted_()) return;
   const ResponseLine& own = lines_[line];
   to.f.resize(own.rows());
   if (with_jacobian) to.jacobian.resize(own.rows() * own.columns().size());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 
 #include "ident/newton/response_line.hpp"
 #include "minimise/least_squares.hpp"
@@ -17,6 +18,9 @@ class ResponseProblem final : public minimise::LeastSquares {
   std::size_t unknowns() const override { return scale_.size(); }
   std::size_t residuals() const override;
   bool evaluate(std::span<const double> q, std::span<double> r, std::span<double> jacobian) const override;
+
+  /// Asked before each line is worked out: where true, no line is defined any longer, and every minimiser soon ends.
+  void stop_when(std::function<bool()> interrupted) { interrupted_ = std::move(interrupted); }
 
   /// θ/scale, with scales such that a unit of every unknown would move the FRFs of the free joint about as far as the joint does:
   /// thesis §6.12.2.2 wants unknowns of about one size.
@@ -72,6 +76,7 @@ class ResponseProblem final : public minimise::LeastSquares {
   std::vector<double> kept_at_;  ///< θ where all lines were worked out last; empty: nowhere
   std::vector<Line> kept_;
   mutable Line at_hand_;
+  std::function<bool()> interrupted_;
 };
 
 }  // namespace jointid::ident

@@ -109,9 +109,8 @@ void warn_of_axes(const Plan& plan, DataDoubts& out) {
 
 void warn_of_lines(const Plan& plan, DataDoubts& out) {
   if (plan.lines.size() > 1 || plan.columns->size() < 2) return;
-  out.warnings.push_back(
-      fmt::format("All {} unknowns come from one frequency line, {:.9g} Hz: nothing tells whether they hold on another.",
-                  plan.columns->size(), plan.lines.front().frequency_hz));
+  out.warnings.push_back(fmt::format("All {} unknowns come from one frequency line, {:.9g} Hz: no other line tests them.",
+                                     plan.columns->size(), plan.lines.front().frequency_hz));
 }
 
 void warn_of_doubts(const frf::FrfSystem& system, std::vector<std::string>& warnings) {

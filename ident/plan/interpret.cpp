@@ -1,7 +1,7 @@
 #include "ident/plan/interpret.hpp"
 
-#include "restrictions/impedance_factor.hpp"
 #include "ident/result/quality.hpp"
+#include "restrictions/impedance_factor.hpp"
 
 namespace jointid::ident {
 namespace {

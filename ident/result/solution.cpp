@@ -2,26 +2,6 @@
 
 namespace jointid::ident {
 
-std::string name(Status status) {
-  switch (status) {
-    case Status::rank_deficient:
-      return "rank_deficient";
-    case Status::no_equations:
-      return "no_equations";
-    case Status::not_converged:
-      return "not_converged";
-    case Status::imprecise:
-      return "imprecise";
-    case Status::doubtful:
-      return "doubtful";
-    case Status::poor_fit:
-      return "poor_fit";
-    case Status::ok:
-      break;
-  }
-  return "ok";
-}
-
 std::string name(IntervalKind kind) {
   switch (kind) {
     case IntervalKind::cramer_rao:

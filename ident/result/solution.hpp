@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/status.hpp"
 #include "ident/result/admissibility.hpp"
 #include "ident/result/identifiability.hpp"
 #include "ident/result/suspect.hpp"
@@ -14,21 +15,7 @@
 
 namespace jointid::ident {
 
-/// Whether the numbers are usable.
-enum class Status {
-  ok,
-  rank_deficient,  ///< the data do not fix every unknown; the rest of the numbers hold
-  no_equations,    ///< nothing was left to solve
-  not_converged,
-  imprecise,  ///< rounding alone can move an unknown by as much as its size
-  doubtful,   ///< usable, but the data say something against it
-  poor_fit    ///< the data contradict it: far more misfit than their noise explains, or a joint that gives energy away
-};
-
-std::string name(Status status);
-
-/// Whether the numbers may be used: ok or doubtful.
-constexpr bool is_usable(Status status) { return status == Status::ok || status == Status::doubtful; }
+using jointid::Status, jointid::name, jointid::is_usable;
 
 /// How the intervals of a solution were found.
 enum class IntervalKind { none, cramer_rao, bootstrap };

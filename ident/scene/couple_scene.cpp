@@ -4,6 +4,7 @@
 
 #include "base/text.hpp"
 #include "ident/scene/scene_sections.hpp"
+#include "scene/document.hpp"
 #include "scene/text.hpp"
 
 namespace jointid::ident {
@@ -127,13 +128,11 @@ void read_noise_law(const scene::Item& item, coupling::Options& options) {
 }  // namespace
 
 CoupleScene parse_couple_scene(const std::string& text, const Path& file) {
-  const scene::Value document = scene::parse_toml(text, file);
-  const std::string file_name = file.string();
-  const scene::Item root(document, file_name, {}, {});
-  const scene::Table table = root.table({"title", "data", "frequency", "couple", "noise", "nodes", "virtual_points"});
+  const scene::Document document(text, file, {"data", "frequency", "couple", "noise", "nodes", "virtual_points"});
+  const scene::Table& table = document.table();
   CoupleScene scene;
   scene.file = file;
-  if (const auto title = table.find("title")) scene.title = title->text();
+  scene.title = document.title();
   read_parts(table, file.parent_path(), scene);
   if (const auto frequency = table.find("frequency")) {
     scene.frequency = read_frequency(*frequency);

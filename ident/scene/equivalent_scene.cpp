@@ -1,6 +1,7 @@
 #include "ident/scene/equivalent_scene.hpp"
 
 #include "ident/scene/scene_sections.hpp"
+#include "scene/document.hpp"
 #include "scene/text.hpp"
 
 namespace jointid::ident {
@@ -47,13 +48,11 @@ std::vector<std::string> read_equivalent(const scene::Item& item, const Path& fo
 }  // namespace
 
 EquivalentScene parse_equivalent_scene(const std::string& text, const Path& file) {
-  const scene::Value document = scene::parse_toml(text, file);
-  const std::string file_name = file.string();
-  const scene::Item root(document, file_name, {}, {});
-  const scene::Table table = root.table({"title", "data", "frequency", "equivalent"});
+  const scene::Document document(text, file, {"data", "frequency", "equivalent"});
+  const scene::Table& table = document.table();
   EquivalentScene scene;
   scene.file = file;
-  if (const auto title = table.find("title")) scene.title = title->text();
+  scene.title = document.title();
   const scene::Item data_item = table.require("data");
   const std::vector<std::string> assembly_names = read_equivalent(table.require("equivalent"), file.parent_path(), scene);
   std::vector<std::string> part_names;

@@ -2,6 +2,7 @@
 
 #include "ident/scene/reduce_joints.hpp"
 #include "ident/scene/scene_sections.hpp"
+#include "scene/document.hpp"
 #include "scene/text.hpp"
 #include "ident/scene/scene_failure.hpp"
 #include "ident/scene/variance_origin.hpp"
@@ -9,14 +10,12 @@
 namespace jointid::ident {
 
 Scene parse_scene(const std::string& text, const Path& file) {
-  const scene::Value document = scene::parse_toml(text, file);
-  const std::string file_name = file.string();
-  const scene::Item root(document, file_name, {}, {});
-  const scene::Table table = root.table(
-      {"title", "data", "frequency", "joint", "joints", "nodes", "identify", "noise", "truth", "virtual_points"});
+  const scene::Document document(
+      text, file, {"data", "frequency", "joint", "joints", "nodes", "identify", "noise", "truth", "virtual_points"});
+  const scene::Table& table = document.table();
   Scene scene;
   scene.file = file;
-  if (const auto title = table.find("title")) scene.title = title->text();
+  scene.title = document.title();
   scene.data = read_data(table.require("data"), file.parent_path());
   if (const auto frequency = table.find("frequency")) scene.frequency = read_frequency(*frequency);
   scene.joints = read_joints(table);
@@ -32,7 +31,7 @@ Scene parse_scene(const std::string& text, const Path& file) {
   if (scene.identify.variance == VarianceChoice::noise) require_noise_law(scene);
   if (const auto truth = table.find("truth")) scene.truth = read_matrices(*truth, joint_size(scene.joints));
   scene.couple_first.pairs = read_couple_first(table);
-  if (!scene.couple_first.pairs.empty()) root.here([&] { reduce_joints(scene); });
+  if (!scene.couple_first.pairs.empty()) document.root().here([&] { reduce_joints(scene); });
   return scene;
 }
 

@@ -131,12 +131,14 @@ DataSection read_data(const scene::Item& item, const Path& folder) {
 
 DataSection read_parts_section(const scene::Item& item, const Path& folder, std::vector<std::string>& names,
                                const std::vector<FurtherFile>& further, const std::vector<std::string>& beside) {
-  std::vector<std::string> keys = {"parts", "reciprocity", "files"};
+  std::vector<std::string> keys = {"parts", "substructures", "reciprocity", "files"};
   keys.insert(keys.end(), beside.begin(), beside.end());
   const scene::Table table = item.table(keys);
   DataSection data;
   Names all;
-  data.substructures = read_files(table.require("parts"), folder, all);
+  const auto as_elsewhere = table.find("substructures");  // the word of scenes that identify
+  if (as_elsewhere && table.find("parts")) as_elsewhere->fail("there are parts, too", "give one of them: both are the same");
+  data.substructures = read_files(as_elsewhere ? *as_elsewhere : table.require("parts"), folder, all);
   if (const auto reciprocity = table.find("reciprocity")) data.reciprocity = reciprocity->boolean();
   if (const auto files = table.find("files")) {
     Names named = all;

@@ -300,7 +300,7 @@ LevelStates read_level_states(const LawScene& scene, PhasorFiles files) {
          "the parts have " + frf::range_text(out.structure->frequency_hz()) + "; see [frequency] range");
   }
   if (!out.structure->knows_errors()) {
-    out.notes.push_back("the FRFs of the parts are taken as exact: their files tell neither variances nor coherences");
+    out.notes.push_back("the FRFs of the parts are taken as exact: their files have neither variances nor coherences");
   }
   response::require_valid(out.states, *out.structure);
   return out;

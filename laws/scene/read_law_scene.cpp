@@ -2,6 +2,7 @@
 
 #include "laws/scene/sections.hpp"
 #include "response/fourier/harmonics.hpp"
+#include "scene/document.hpp"
 #include "scene/text.hpp"
 
 namespace jointid::laws {
@@ -44,13 +45,11 @@ void require_range(const scene::Table& table, const LawScene& scene) {
 }  // namespace
 
 LawScene parse_law_scene(const std::string& text, const ident::Path& file) {
-  const scene::Value document = scene::parse_toml(text, file);
-  const std::string file_name = file.string();
-  const scene::Item root(document, file_name, {}, {});
-  const scene::Table table = root.table({"title", "data", "frequency", "joint", "errors", "identify"});
+  const scene::Document document(text, file, {"data", "frequency", "joint", "errors", "identify"});
+  const scene::Table& table = document.table();
   LawScene scene;
   scene.file = file;
-  if (const auto title = table.find("title")) scene.title = title->text();
+  scene.title = document.title();
   const scene::Item data = table.require("data");
   std::vector<std::string> level_names, part_names;
   read_levels(data.open_table().require("levels"), file.parent_path(), scene, level_names);

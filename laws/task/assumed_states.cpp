@@ -61,7 +61,7 @@ Laws from_data(const LawScene& scene, LevelStates data) {
   data.states = std::move(states);
   data.level = std::move(level);
   const LawIdentification found = identify_states(scene, std::move(data));
-  if (!is_usable(found.status)) fail(scene, "[[data.levels]]", found.message, "give assumed laws, or mend the data first");
+  if (!is_usable(found.status)) fail(scene, "[[data.levels]]", found.message, "give assumed laws, or correct the data first");
   return {.joints = joints_of(found.fit()), .laws = found.laws()};
 }
 

@@ -39,8 +39,8 @@ void judge_joint(const LawScene& scene, std::size_t j, DirectIdentification& fou
                   scene.joints[j].beside.name, 100.0 * known_share, 100.0 * motion_error(found.steps, at(j)));
   const std::string remedy =
       ": Q = b − GF is a difference of like numbers where the parts move far more than the joint, or no response sees its force";
-  if (found.status == LawStatus::ok) {
-    found.status = LawStatus::doubtful;
+  if (found.status == Status::ok) {
+    found.status = Status::doubtful;
     found.message = what + remedy;
   }
   found.notes.push_back(what + remedy);
@@ -56,7 +56,7 @@ DirectIdentification identify_directly(const LawScene& scene) {
   found.steps = direct_steps(found.data);
   found.consistency = response::test_consistency(*found.data.structure, found.data.states, found.data.level);
   if (found.consistency.contradicts()) {
-    found.status = LawStatus::poor_fit;
+    found.status = Status::poor_fit;
     found.message = contradiction_text(found.consistency, found.data.responses, level_names(scene));
   }
   found.one_sided = test_even_harmonics(found.steps, found.data.structure->joints());
@@ -65,8 +65,8 @@ DirectIdentification identify_directly(const LawScene& scene) {
     judge_joint(scene, j, found);
     if (!found.one_sided[j].is_told()) continue;
     found.notes.push_back(one_sided_text(found.one_sided[j], scene.joints[j].beside.name));
-    if (found.status != LawStatus::ok) continue;
-    found.status = LawStatus::doubtful;
+    if (found.status != Status::ok) continue;
+    found.status = Status::doubtful;
     found.message = found.notes.back();
   }
   return found;

@@ -9,7 +9,7 @@ namespace jointid::laws {
 
 /// What the levels tell of the joints without any law: F and Q of every state.
 struct DirectIdentification {
-  LawStatus status = LawStatus::ok;  ///< ok, doubtful or poor_fit
+  Status status = Status::ok;  ///< ok, doubtful or poor_fit
   std::string message;
   LevelStates data;
   response::Consistency consistency;

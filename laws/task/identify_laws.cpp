@@ -13,7 +13,7 @@ namespace {
 
 using response::LawCandidate;
 using response::LawFit;
-using response::LawFitStatus;
+using response::LawFitEnd;
 
 /// Every choice of one law for each joint that is not tied; tied ones follow.
 std::vector<std::vector<std::string>> combinations(const LawScene& scene) {
@@ -38,32 +38,32 @@ bool is_poor(const LawFit& fit) { return fit.chi_square > chi_square_quantile(st
 void judge_fit(LawIdentification& found) {
   const LawFit& fit = found.fit();
   switch (fit.status) {
-    case LawFitStatus::no_response:
-      found.status = LawStatus::no_response;
+    case LawFitEnd::no_response:
+      found.status = Status::no_response;
       found.message = "harmonic balance has no solution for any law to start with: name other laws, or check the forces";
       return;
-    case LawFitStatus::too_few_data:
-      found.status = LawStatus::too_few_data;
+    case LawFitEnd::too_few_data:
+      found.status = Status::too_few_data;
       found.message = fmt::format("{} numbers measured do not fix the unknowns: give more lines or levels", fit.numbers);
       return;
-    case LawFitStatus::not_converged:
-      found.status = LawStatus::not_converged;
+    case LawFitEnd::not_converged:
+      found.status = Status::not_converged;
       found.message = "the fit did not end in a minimum: give priors or bounds, or levels that make the joint slip";
       return;
-    case LawFitStatus::harmonics_not_enough:
-      found.status = LawStatus::doubtful;
+    case LawFitEnd::harmonics_not_enough:
+      found.status = Status::doubtful;
       found.message = "harmonics that the parts' lines do not hold may still move the estimate";
       break;
-    case LawFitStatus::at_kink:
-      found.status = LawStatus::doubtful;
+    case LawFitEnd::at_kink:
+      found.status = Status::doubtful;
       found.message =
           "χ² bends sharply at the estimate (a loop of one state's motion appears or vanishes): it may be a standard error off";
       break;
-    case LawFitStatus::converged:
+    case LawFitEnd::converged:
       break;
   }
   if (!is_poor(fit)) return;
-  found.status = LawStatus::poor_fit;
+  found.status = Status::poor_fit;
   found.message = fmt::format("χ² = {:.4g} of {} degrees of freedom: the laws or the stated errors are wrong", fit.chi_square,
                               static_cast<long>(fit.freedom));
 }
@@ -74,9 +74,9 @@ void judge_data(const LawScene& scene, LawIdentification& found) {
   if (test.freedom == 0) {
     found.notes.push_back("no more responses than joints: nothing shows a wrong sign, gain or label of the data");
   } else if (test.contradicts()) {
-    found.status = LawStatus::poor_fit;
+    found.status = Status::poor_fit;
     found.message = contradiction_text(test, found.data.responses, level_names(scene));
-  } else if (found.status == LawStatus::poor_fit) {
+  } else if (found.status == Status::poor_fit) {
     found.message += fmt::format("; the data do not contradict each other (χ² = {:.4g} of {} without any law): try other laws",
                                  test.chi_square, static_cast<long>(test.freedom));
   }
@@ -98,8 +98,8 @@ void judge_levels(const LawScene& scene, LawIdentification& found) {
       told.push_back(drift_text(found.drifts.front(), scene, unknowns));
   }
   for (std::string& what : told) {
-    if (found.status == LawStatus::ok) {
-      found.status = LawStatus::doubtful;
+    if (found.status == Status::ok) {
+      found.status = Status::doubtful;
       found.message = what;
     }
     found.notes.push_back(std::move(what));
@@ -139,13 +139,6 @@ std::vector<std::string> unseen(const LawScene& scene, const std::vector<respons
   }
   return what;
 }
-
-std::string_view word(LawStatus status) {
-  constexpr std::string_view words[] = {"ok", "doubtful", "poor_fit", "not_converged", "no_response", "too_few_data"};
-  return words[static_cast<std::size_t>(status)];
-}
-
-bool is_usable(LawStatus status) { return status == LawStatus::ok || status == LawStatus::doubtful; }
 
 std::string laws_text(const std::vector<std::string>& laws) {
   std::string text;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/status.hpp"
 #include "laws/data/level_states.hpp"
 #include "laws/task/level_findings.hpp"
 #include "response/identify/consistency.hpp"
@@ -11,14 +12,9 @@
 
 namespace jointid::laws {
 
-/// Whether the numbers can be used.
-enum class LawStatus { ok, doubtful, poor_fit, not_converged, no_response, too_few_data };
-std::string_view word(LawStatus status);
-bool is_usable(LawStatus status);
-
 /// Laws of the joints of a scene from its measured states.
 struct LawIdentification {
-  LawStatus status = LawStatus::ok;
+  Status status = Status::ok;
   std::string message;  ///< why, and what helps; empty when ok
   LevelStates data;
   response::Consistency consistency;             ///< of the states with the parts, whatever the laws are

@@ -30,7 +30,7 @@ class Predictor {
     }
     LevelsBound bound;
     bound.size = std::numeric_limits<double>::quiet_NaN();
-    bound.status = response::LawFitStatus::too_few_data;
+    bound.status = response::LawFitEnd::too_few_data;
     if (states.empty()) return bound;
     response::LawFit found = response::bound_of_laws(data_.structure, states, unknowns_, harmonics_);
     bound.status = found.status;

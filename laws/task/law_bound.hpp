@@ -10,7 +10,7 @@ namespace jointid::laws {
 
 /// What a set of levels would tell of the joints: deviations at the bound, of states that are those of the laws assumed.
 struct LevelsBound {
-  response::LawFitStatus status = response::LawFitStatus::converged;
+  response::LawFitEnd status = response::LawFitEnd::converged;
   std::vector<response::FittedJoint> joints;  ///< none where harmonic balance has no solution
   std::vector<std::string> unseen;            ///< one phrase each, with the joint's name
   /// Geometric mean of the relative deviations of all stiffnesses and limits, each at most 1000; NaN without joints.

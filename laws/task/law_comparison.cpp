@@ -6,12 +6,12 @@
 #include <optional>
 
 #include "base/control.hpp"
-#include "base/parallel.hpp"
 #include "base/statistics.hpp"
 #include "base/stopwatch.hpp"
 #include "laws/task/identify_laws.hpp"
 #include "laws/task/simulated_levels.hpp"
 #include "laws/task/two_steps.hpp"
+#include "study/trial_threads.hpp"
 
 namespace jointid::laws {
 namespace {
@@ -77,14 +77,14 @@ LawComparison compare_law_ways(const LawScene& scene, const LawStudyOptions& opt
   std::vector<std::optional<std::array<Answer, 2>>> trials(options.trials);
   std::mutex mutex;
   std::size_t done = 0;
-  for_each_index(trials.size(), options.threads, [&](std::size_t trial) {
+  const auto both_ways = [&](std::size_t trial) {
     stop_if(options.interrupted);
     if (const auto data = simulated_levels(assumed, options.seed, trial))
       trials[trial] = {by_likelihood(known, *data), by_two_steps(assumed.laws, *data)};
     const std::scoped_lock lock(mutex);
     if (options.progress) options.progress(++done, trials.size());
-  });
-  stop_if(options.interrupted);
+  };
+  study::work_through(trials.size(), options.threads, options.interrupted, [&]() -> study::TrialWork { return both_ways; });
   for (std::size_t way = 0; way < out.ways.size(); ++way) {
     std::vector<double> seconds;
     for (const auto& trial : trials) {

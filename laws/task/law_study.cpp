@@ -41,7 +41,7 @@ class Trials {
       out.chi_square = nan;
       return out;
     }
-    out.status = word(found->status);
+    out.status = name(found->status);
     out.usable = is_usable(found->status);
     out.laws = laws_text(found->laws());
     out.contradicts = found->consistency.contradicts();

@@ -16,7 +16,7 @@ struct LawTrial {
     double value = 0.0, low = 0.0, high = 0.0;
   };
   std::size_t trial = 0;
-  std::string status;  ///< word of LawStatus, "no_response" where the drawn parts have none
+  std::string status;  ///< word of the Status, "no_response" where the drawn parts have none
   std::string laws;    ///< chosen, as laws_text()
   bool usable = false, contradicts = false;
   bool undecided = false;     ///< other laws are as good

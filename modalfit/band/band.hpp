@@ -3,6 +3,7 @@
 #include <array>
 #include <complex>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -20,6 +21,11 @@ struct Band {
   frf::Quantity quantity = frf::Quantity::receptance;  ///< as stored
   double precision = 0x1p-53;  ///< largest relative rounding error of the numbers as they were stored
 
+  std::function<void()> watch{};  ///< called before an FRF is worked on, by any thread; what it throws ends the work
+
+  void look() const {
+    if (watch) watch();
+  }
   std::size_t lines() const { return frequency_hz.size(); }
   std::size_t entries() const { return responses * references; }
   const std::complex<double>* value(std::size_t entry) const { return values.data() + entry * lines(); }

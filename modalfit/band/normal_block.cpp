@@ -29,6 +29,7 @@ RealBasis::RealBasis(const Basis& basis)
       per_mode(at(basis.per_mode)) {}
 
 NormalBlock::NormalBlock(const RealBasis& basis, const Band& band, std::size_t entry) {
+  band.look();
   const Index rows = basis.columns.rows(), size = basis.columns.cols();
   weight_ = Eigen::Map<const VectorXd>(band.weights(entry), rows);
   equations_ = static_cast<double>((weight_.array() > 0.0).count());

@@ -127,7 +127,7 @@ bool doubt_phase(ModalFit& fit, const Band& band) {
   if (!real && !lacks(band, [](const Complex& value) { return value.real(); })) return false;
   fit.message = fmt::format("The FRFs are {} throughout: magnitudes, one part of complex FRFs, or of a model without damping. A modal fit "
                             "needs real and imaginary part.", real ? "real" : "imaginary");
-  if (is_usable(fit.status)) fit.status = fit.deviation < follows_undamped ? FitStatus::doubtful : FitStatus::poor_fit;
+  if (is_usable(fit.status)) fit.status = fit.deviation < follows_undamped ? Status::doubtful : Status::poor_fit;
   return true;
 }
 

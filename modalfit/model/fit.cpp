@@ -72,11 +72,11 @@ class Fitter {
     out.residues = fit_residues(band_, all, options_.kind, refined.poles, whole ? refined.covariance : std::vector<double>());
     fill_modes(refined, scatter, out);
     if (refined.poles.empty()) {
-      out.status = FitStatus::no_modes;
-      out.message = "No mode stands out of the noise: widen the range, or look at the FRFs.";
+      out.status = Status::no_modes;
+      out.message = "No mode exceeds the noise: widen the range, or look at the FRFs.";
     } else if (!refined.converged) {
-      out.status = FitStatus::not_converged;
-      out.message = "The refinement of the poles did not settle: narrow the range, or say how many modes there are.";
+      out.status = Status::not_converged;
+      out.message = "The refinement of the poles did not converge: narrow the range, or give the number of modes.";
     } else {
       doubt(out);
       compare_damping(refined, out);
@@ -108,7 +108,7 @@ class Fitter {
       out.message = "Peaks are left in the residual FRFs, at " + where + " Hz: " +
                     (options_.modes ? "ask for more modes, or narrow the range." : "narrow the range, and look at the FRFs there.");
     }
-    if (!out.message.empty()) out.status = FitStatus::doubtful;
+    if (!out.message.empty()) out.status = Status::doubtful;
   }
 
   static void sort(RefinedPoles& refined) {
@@ -153,7 +153,7 @@ class Fitter {
 
 void judge(ModalFit& fit, double rms_db_away) {
   if (!is_usable(fit.status) || !(rms_db_away > most_synthesis_db)) return;
-  fit.status = FitStatus::poor_fit;
+  fit.status = Status::poor_fit;
   fit.message = fmt::format("The model is {:.2g} dB off away from antiresonances and noise: modes are missing, or the structure is not "
                             "that linear. {}", rms_db_away, fit.message);
   if (fit.message.back() == ' ') fit.message.pop_back();
@@ -164,7 +164,7 @@ ModalFit fit(Band& band, const frf::FrfHeader& header, const FitOptions& options
   multiply(band, 1.0 / unit);
   ModalFit out = Fitter(band, options).run();
   doubt_phase(out, band);
-  if (out.status == FitStatus::no_modes || out.status == FitStatus::not_converged) explain(out, band, options);
+  if (out.status == Status::no_modes || out.status == Status::not_converged) explain(out, band, options);
   multiply(band, unit);
   out.residues.unit = unit;
   out.response = header.response;

@@ -4,18 +4,6 @@
 
 namespace jointid::modalfit {
 
-std::string name(FitStatus status) {
-  switch (status) {
-    case FitStatus::no_modes: return "no_modes";
-    case FitStatus::not_converged: return "not_converged";
-    case FitStatus::doubtful: return "doubtful";
-    case FitStatus::poor_fit: return "poor_fit";
-    default: return "ok";
-  }
-}
-
-bool is_usable(FitStatus status) { return status == FitStatus::ok || status == FitStatus::doubtful; }
-
 std::vector<Pole> ModalFit::poles() const {
   std::vector<Pole> poles;
   for (const Mode& mode : modes) poles.push_back(mode.pole);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/status.hpp"
 #include "frf/set/frf_set.hpp"
 #include "modalfit/band/band.hpp"
 #include "modalfit/band/model_kind.hpp"
@@ -28,6 +29,7 @@ struct FitOptions {
   std::size_t most_refined = 400;
   std::function<void(const char* stage)> progress{};
   std::function<bool()> interrupted{};  ///< asked between steps of the refinement; the fit then stops where it is
+  std::function<bool()> abandoned{};    ///< asked between FRFs: nobody waits for the fit any longer, and Interrupted is thrown
 };
 
 /// A mode and how well it is known.
@@ -41,22 +43,9 @@ struct Mode {
   bool inside = true;         ///< false: beyond the ends of the range, where its flank is better than a constant residual term
 };
 
-enum class FitStatus {
-  ok,
-  no_modes,       ///< nothing in the range stands out of the noise; the residual terms alone were fitted
-  not_converged,  ///< the refinement stopped before its steps were small
-  doubtful,       ///< usable with care: not as many modes as asked for, or peaks left that no pole would take
-  poor_fit        ///< the model does not follow the FRFs (judge())
-};
-
-std::string name(FitStatus status);
-
-/// Whether results may be used as they are: ok and doubtful.
-bool is_usable(FitStatus status);
-
 /// A pole–residue model of all FRFs of a set.
 struct ModalFit {
-  FitStatus status = FitStatus::ok;
+  Status status = Status::ok;
   std::string message;
   std::vector<std::string> remarks;     ///< what was merged, left out or left over, one sentence each
   ModelKind kind;

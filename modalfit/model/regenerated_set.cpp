@@ -43,7 +43,7 @@ RegeneratedSet regenerate_set(const frf::FrfSet& measured, const FitOptions& opt
   Band band = make_band(measured, options.range_hz);
   const ModalFit found = fit(band, measured.header, options);
   RegeneratedSet out{.set = measured, .modes = found.modes_inside(), .error = {}, .misfit = 0.0, .harm = {}};
-  if (found.status == FitStatus::no_modes) {
+  if (found.status == Status::no_modes) {
     out.harm = found.message;
     return out;
   }

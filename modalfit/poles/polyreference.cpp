@@ -125,6 +125,7 @@ MatrixXd normal_matrix(const Band& band, const InputChoice& choice, const std::v
   std::vector<MatrixXd> parts(chunks);
   tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t i) {
     for (std::size_t o = i * responses_at_once; o < std::min(outputs.size(), (i + 1) * responses_at_once); ++o) {
+      band.look();
       const WeightedRows rows = weighted_rows(band, choice, outputs[o]);
       if (rows.weight.isZero(0.0)) continue;
       MatrixXd block = reduced_block(rows, lags, order);
@@ -225,7 +226,10 @@ std::vector<OrderPoles> polyreference_poles(const Band& band, const Polyreferenc
   const OrderSolver solver(band, normal_matrix(band, choice, outputs, highest), inputs, equations);
   const std::vector<Index> list = orders(highest, options.orders);
   std::vector<OrderPoles> out(list.size());
-  tbb::parallel_for(std::size_t{0}, list.size(), [&](std::size_t i) { out[i] = solver.solve(list[i]); });
+  tbb::parallel_for(std::size_t{0}, list.size(), [&](std::size_t i) {
+    band.look();
+    out[i] = solver.solve(list[i]);
+  });
   return out;
 }
 

@@ -22,17 +22,17 @@ std::optional<double> root_of(const VectorXd& c, double length, int zeros) {
 
 }  // namespace
 
-const char* word(Status status) {
+const char* word(MotionEnd status) {
   switch (status) {
-    case Status::ok:
+    case MotionEnd::ok:
       return "ok";
-    case Status::stalled:
+    case MotionEnd::stalled:
       return "stalled";
-    case Status::grazing:
+    case MotionEnd::grazing:
       return "grazing";
-    case Status::diverged:
+    case MotionEnd::diverged:
       return "diverged";
-    case Status::too_long:
+    case MotionEnd::too_long:
       return "too_long";
   }
   return "";
@@ -128,14 +128,14 @@ bool StickSlip::is_hopeless(double begin, double until) const {
   return !((until - begin) * static_cast<double>(looked_at) <= surely * static_cast<double>(most_steps) * (time_ - begin));
 }
 
-Status StickSlip::run(double until, std::size_t break_aways) {
+MotionEnd StickSlip::run(double until, std::size_t break_aways) {
   const double begin = time_;
   std::size_t taken = 0;
   while (time_ < until) {
     stop_if(interrupted);
-    if (++steps_ > most_steps || (break_aways == 0 && ++taken == looked_at && is_hopeless(begin, until))) return Status::too_long;
+    if (++steps_ > most_steps || (break_aways == 0 && ++taken == looked_at && is_hopeless(begin, until))) return MotionEnd::too_long;
     series_.expand(mode_, state_, piece_);
-    if (!std::isfinite(piece_.coefficients.rightCols(1).sum())) return Status::diverged;
+    if (!std::isfinite(piece_.coefficients.rightCols(1).sum())) return MotionEnd::diverged;
     piece_.start = time_;
     piece_.length = std::min(piece_.length, until - time_);
     const bool last = time_ + piece_.length >= until;
@@ -150,7 +150,7 @@ Status StickSlip::run(double until, std::size_t break_aways) {
     const double now = !found && last ? until : time_ + piece_.length;
     idle_ = now > time_ ? 0 : idle_ + 1;
     time_ = now;
-    if (idle_ > 100) return Status::stalled;
+    if (idle_ > 100) return MotionEnd::stalled;
     if (!found) {
       zeros_ = 0;
       continue;
@@ -159,11 +159,11 @@ Status StickSlip::run(double until, std::size_t break_aways) {
     take(*found);
     if (breaks && break_aways > 0 && --break_aways == 0) break;
   }
-  return grazed_ ? Status::grazing : Status::ok;
+  return grazed_ ? MotionEnd::grazing : MotionEnd::ok;
 }
 
-Status StickSlip::advance(double until) { return run(until, 0); }
-Status StickSlip::advance_break_aways(std::size_t count, double until) { return count == 0 ? Status::ok : run(until, count); }
+MotionEnd StickSlip::advance(double until) { return run(until, 0); }
+MotionEnd StickSlip::advance_break_aways(std::size_t count, double until) { return count == 0 ? MotionEnd::ok : run(until, count); }
 
 Motion integrate(const ContactSystem& system, const VectorXd& start, double until, const std::vector<double>& times,
                  const std::function<bool()>& interrupted) {

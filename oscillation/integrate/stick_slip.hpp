@@ -18,7 +18,7 @@ struct Event {
 };
 
 /// How an integration ended.
-enum class Status {
+enum class MotionEnd {
   ok,
   stalled,   ///< 100 events or steps by which time does not go on: the contact's law has no motion from there, or rounding hides
              ///< it
@@ -26,7 +26,7 @@ enum class Status {
   diverged,  ///< numbers that are not finite
   too_long   ///< more than `most_steps` steps, or a thousand times as many by what the first 4,000 tell
 };
-const char* word(Status status);
+const char* word(MotionEnd status);
 
 /// Event-exact integration of a contact system. In each mode the motion is a Taylor series of order 24; events are roots of the
 /// step's own polynomial. Sticking begins where V_r = 0 and |φ·z| ≤ μ_S N (rigid; otherwise the contact passes through to
@@ -47,9 +47,9 @@ class StickSlip {
   std::size_t most_steps = 3'000'000;
 
   /// Goes on to time `until`.
-  Status advance(double until);
+  MotionEnd advance(double until);
   /// Goes on until `count` more sticks have broken away, or time `until`.
-  Status advance_break_aways(std::size_t count, double until);
+  MotionEnd advance_break_aways(std::size_t count, double until);
 
   double time() const { return time_; }
   Mode mode() const { return mode_; }
@@ -74,7 +74,7 @@ class StickSlip {
   std::optional<Found> slip_end(const Piece& piece) const;
   std::optional<Found> stick_end(const Piece& piece) const;
   void take(const Found& found);
-  Status run(double until, std::size_t break_aways);
+  MotionEnd run(double until, std::size_t break_aways);
   bool is_hopeless(double begin, double until) const;
   int break_away_zeros() const;
 
@@ -94,7 +94,7 @@ class StickSlip {
 
 /// All events up to `until`, and the states at `times` (ascending, from 0 on, up to `until`), a column each.
 struct Motion {
-  Status status = Status::ok;
+  MotionEnd status = MotionEnd::ok;
   std::vector<Event> events;
   Eigen::MatrixXd samples;
   Eigen::VectorXd end;

@@ -59,7 +59,7 @@ PeriodicOrbit orbit_of(const series::PeriodicPoint& point) {
 
 constexpr std::size_t most_steps_of_orbits = 300'000, most_steps_of_exponents = 1'000'000;
 
-bool has_arrived(Status status) { return status == Status::ok || status == Status::grazing; }
+bool has_arrived(MotionEnd status) { return status == MotionEnd::ok || status == MotionEnd::grazing; }
 
 }  // namespace
 
@@ -81,7 +81,7 @@ PeriodicOrbit break_away_orbit(const ContactSystem& system, const VectorXd& star
     orbit.most_steps = most_steps_of_orbits;
     orbit.break_away();
     orbit.tangents() = unit_tangents(system, free);
-    const Status status = orbit.advance_break_aways(slips, longest);
+    const MotionEnd status = orbit.advance_break_aways(slips, longest);
     period = orbit.time();
     const VectorXd field = system.field(orbit.mode(), orbit.state());
     const bool returned = has_arrived(status) && period < longest;
@@ -116,7 +116,7 @@ PeriodicOrbit driven_orbit(const ContactSystem& system, const VectorXd& start, M
     orbit.interrupted = interrupted;
     orbit.most_steps = most_steps_of_orbits;
     orbit.tangents() = unit_tangents(system, free);
-    const Status status = orbit.advance(cycle * static_cast<double>(cycles));
+    const MotionEnd status = orbit.advance(cycle * static_cast<double>(cycles));
     x = orbit.state()(free);
     if (!has_arrived(status)) x.setConstant(nan);
     tangents = rows(orbit.tangents(), free) * tangents;
@@ -139,8 +139,8 @@ Exponents lyapunov_exponents(const ContactSystem& system, const VectorXd& start,
   Exponents out;
   const series::TangentStep step = [&](VectorXd& z, MatrixXd& tangents) {
     motion.tangents().swap(tangents);
-    const Status status = motion.advance(motion.time() + options.interval);
-    if (status != Status::ok) out.status = status;
+    const MotionEnd status = motion.advance(motion.time() + options.interval);
+    if (status != MotionEnd::ok) out.status = status;
     motion.tangents().swap(tangents);
     z = motion.state();
   };

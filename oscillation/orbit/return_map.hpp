@@ -39,7 +39,7 @@ struct ExponentOptions {
   std::function<bool()> interrupted = {};
 };
 struct Exponents {
-  Status status = Status::ok;
+  MotionEnd status = MotionEnd::ok;
   std::vector<double> exponent, standard_error;  ///< batch means over 20 blocks
 };
 Exponents lyapunov_exponents(const ContactSystem& system, const Eigen::VectorXd& start, const ExponentOptions& options);

@@ -17,29 +17,29 @@ void check(const SweepCase& each) {
 }
 
 /// Once a cycle of the drive.
-Status observe_cycles(StickSlip& motion, const SweepCase& each, std::vector<double>& values) {
-  if (!((each.transient + each.length) / each.cycle < static_cast<double>(motion.most_steps))) return Status::too_long;
+MotionEnd observe_cycles(StickSlip& motion, const SweepCase& each, std::vector<double>& values) {
+  if (!((each.transient + each.length) / each.cycle < static_cast<double>(motion.most_steps))) return MotionEnd::too_long;
   const auto cycles = [&](double time) { return static_cast<std::size_t>(time / each.cycle + 0.5); };
   const std::size_t first = cycles(each.transient), last = first + cycles(each.length);
-  Status status = Status::ok;
-  for (std::size_t k = 1; k <= last && status == Status::ok; ++k) {
+  MotionEnd status = MotionEnd::ok;
+  for (std::size_t k = 1; k <= last && status == MotionEnd::ok; ++k) {
     status = motion.advance(each.cycle * static_cast<double>(k));
     if (k > first) values.push_back(each.form.dot(motion.state()));
   }
   return status;
 }
 
-Status observe_break_aways(StickSlip& motion, const SweepCase& each, std::vector<double>& values) {
-  const Status status = motion.advance(each.transient);
+MotionEnd observe_break_aways(StickSlip& motion, const SweepCase& each, std::vector<double>& values) {
+  const MotionEnd status = motion.advance(each.transient);
   motion.on_event = [&](const Event& event) {
     if (event.from == Mode::stick) values.push_back(each.form.dot(event.state));
   };
-  return status == Status::ok ? motion.advance(each.transient + each.length) : status;
+  return status == MotionEnd::ok ? motion.advance(each.transient + each.length) : status;
 }
 
 SweepPoint observe(double parameter, const SweepCase& each, const SweepOptions& options) {
   check(each);
-  SweepPoint out{parameter, Status::ok, {}};
+  SweepPoint out{parameter, MotionEnd::ok, {}};
   StickSlip motion(each.system, each.start);
   motion.interrupted = options.interrupted;
   motion.most_steps = most_steps_of_points;

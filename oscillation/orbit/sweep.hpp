@@ -11,7 +11,7 @@ namespace jointid::oscillation {
 /// One parameter of a bifurcation diagram.
 struct SweepPoint {
   double parameter = 0.0;
-  Status status = Status::ok;
+  MotionEnd status = MotionEnd::ok;
   std::vector<double> values;  ///< of the observed form, at break-aways or once a cycle
 };
 

@@ -54,9 +54,9 @@ Trajectory trajectory(const Model& full, const ReductionBasis& basis, const Comp
 }
 
 ReductionError reduction_error(const Model& full, const Trajectory& truth, const Trajectory& found, const MatrixXd& observed) {
-  ReductionError out{truth.status == Status::ok ? found.status : truth.status, nan, nan, VectorXd::Constant(observed.rows(), nan),
+  ReductionError out{truth.status == MotionEnd::ok ? found.status : truth.status, nan, nan, VectorXd::Constant(observed.rows(), nan),
                      found.seconds};
-  if (out.status != Status::ok) return out;
+  if (out.status != MotionEnd::ok) return out;
   const double off = (found.q - truth.q).squaredNorm() + (found.v - truth.v).squaredNorm();
   out.motion = std::sqrt(off / (truth.q.squaredNorm() + truth.v.squaredNorm()));
   out.energy = std::abs(energy(full.mechanics, found.q, found.v) / energy(full.mechanics, truth.q, truth.v) - 1.0);

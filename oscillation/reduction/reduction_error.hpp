@@ -30,7 +30,7 @@ struct ComparedMotion {
 
 /// Displacements and velocities at the samples of the window.
 struct Trajectory {
-  Status status = Status::ok;
+  MotionEnd status = MotionEnd::ok;
   Eigen::MatrixXd q, v;  ///< [n, samples]
   double seconds = 0.0;  ///< of run time
 };
@@ -40,7 +40,7 @@ Trajectory trajectory(const Model& full, const ReductionBasis& basis, const Comp
 
 /// How far a model is from the full one (Kappagantu 3.36, 3.37, whose norms are not printed: ours are of sums over the samples).
 struct ReductionError {
-  Status status = Status::ok;
+  MotionEnd status = MotionEnd::ok;
   double motion = 0.0;       ///< ΔX = √(Σ|q − q̂|² + |v − v̂|²)/√(Σ|q|² + |v|²)
   double energy = 0.0;       ///< ΔE = |ΣÊ/ΣE − 1|, E = ½vᵀMv + ½qᵀKq
   Eigen::VectorXd observed;  ///< [forms] largest |difference|

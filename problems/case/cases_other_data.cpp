@@ -39,7 +39,7 @@ Case iterative() {
 
 std::vector<Case> cases_of_other_data() {
   return {
-      modal_errors("H1", "A1 with consistent errors: FRFs regenerated from wrong modes (§6.10)", false),
+      modal_errors("H1", "A1 with consistent errors: FRFs synthesised from wrong modes (§6.10)", false),
       modal_errors("H2", "H1 without the lines at resonances (§6.10)", true),
       inaccessible_joint("H3", "only H_nn of the assembly, direct solution (Table 6.20)", "direct",
                          {.start_hz = 400.0, .step_hz = 20.0, .lines = 31}),

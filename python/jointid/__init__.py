@@ -14,6 +14,7 @@ from __future__ import annotations
 from ._coupling import couple, decouple, virtual_points
 from ._joint import bound, check, compare, identify, plan, study
 from ._jointid import __version__
+from ._phasors import phasors
 from ._tasks import (
     equivalent,
     frf,
@@ -57,6 +58,7 @@ __all__ = [
     "loading_curve",
     "modalfit",
     "oscillate",
+    "phasors",
     "plan",
     "pod",
     "problems",

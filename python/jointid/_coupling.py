@@ -9,7 +9,7 @@ from typing import Any
 from . import _jointid
 from ._joint import frequency_table, is_scene
 from ._run import run_scene
-from ._scene import Scene, as_list
+from ._scene import Scene, as_list, paths_of
 from .dof import Dof
 from .errors import InputError
 from .files import read
@@ -85,7 +85,17 @@ def decouple(assembly: PathOrSet, part: PathOrSet, interface: Sequence[str], **o
     Returns
     -------
     FrfResult
-        ``result.frfs()``: the DOFs of the assembly.
+        ``result.frfs()``: the DOFs of the assembly. Warns (UnusableWarning) where the conditions depend on each other.
+
+    Not for a joint between the parts: what is left holds it, and identify() takes it apart. Errors grow where the part hardly moves
+    on its own or outweighs the rest; ``uncertainty=True`` with variances in the sets tells how much.
+
+    >>> import numpy as np, jointid
+    >>> f = np.linspace(10.0, 20.0, 3)
+    >>> mass = lambda m, name: jointid.FrfSet(-1 / (m * (2 * np.pi * f) ** 2).reshape(-1, 1, 1), f, ["1:+X"], name=name)
+    >>> left = jointid.decouple(mass(3.0, "both"), mass(2.0, "fixture"), ["1:+X"]).frfs()
+    >>> bool(np.allclose(left["1:+X", "1:+X"], mass(1.0, "alone")["1:+X", "1:+X"]))
+    True
     """
     whole, taken = (each if isinstance(each, FrfSet) else read(each) for each in (assembly, part))
     if whole.name == taken.name:
@@ -113,11 +123,22 @@ def virtual_points(frfs: PathOrSet, points: Any, *, nodes: Mapping[Any, Sequence
         ``{"name": "VP1", "position": [0, 0, 0], "sensors": ["11:+X", ...], "impacts": ["31:+X", ...]}``; lengths in m.
     nodes : {node: (x, y, z)}, optional
         Positions, before those of the set.
+
+    >>> import numpy as np, jointid
+    >>> places = {1: (0.1, 0, 0), 2: (-0.1, 0, 0), 3: (0, 0.1, 0)}
+    >>> dofs = [f"{node}:+{axis}" for node in places for axis in "XYZ"]
+    >>> of_node = lambda x, y, z: [[1, 0, 0, 0, z, -y], [0, 1, 0, -z, 0, x], [0, 0, 1, y, -x, 0]]
+    >>> move = np.vstack([of_node(*place) for place in places.values()])  # of a rigid body of 2 kg and 0.01 kg m² about its middle
+    >>> at_middle = -np.diag([1 / 2] * 3 + [1 / 0.01] * 3) / (2 * np.pi * 10.0) ** 2
+    >>> measured = jointid.FrfSet((move @ at_middle @ move.T)[None], [10.0], dofs, nodes=places)
+    >>> point = jointid.virtual_points(measured, {"name": "VP1", "position": [0, 0, 0], "sensors": dofs, "impacts": dofs})
+    >>> point.responses[3], bool(np.allclose(point.frfs[0], at_middle))
+    ('VP1:+RX', True)
     """
     table: dict[str, Any] = {"virtual_points": [points] if isinstance(points, Mapping) else list(points)}
     if nodes is not None:
         table["nodes"] = {str(node): list(place) for node, place in nodes.items()}
     scene = Scene(table)
-    path = scene.add(frfs) if isinstance(frfs, FrfSet) else os.fspath(frfs)
+    path = scene.add(frfs) if isinstance(frfs, FrfSet) else paths_of(frfs, "frfs")[0]
     with scene.errors():
         return FrfSet._of(_jointid.virtual_points(scene.text, scene.file, path))

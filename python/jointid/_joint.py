@@ -12,7 +12,7 @@ from typing import Any
 
 from . import _jointid
 from ._run import run_scene, with_options
-from ._scene import Scene, as_list, pair_of
+from ._scene import Scene, as_list, pair_of, whole_number
 from .dof import Dof
 from .errors import InputError
 from .results import Result, Solution
@@ -134,6 +134,10 @@ def identify(substructures: Any = None, assembly: Any = None, joint: Any = None,
     InputError
         As the command does, with place, value and remedy; for sets the place is their name.
 
+    KeyboardInterrupt
+        By Ctrl-C, within 2 s, or where `progress` raises it. Its attribute `partial` is the best Solution so far (``not_converged``),
+        or None. All commands do so.
+
     Warns
     -----
     DoubtfulWarning, UnusableWarning
@@ -169,7 +173,13 @@ def check(substructures: Any = None, assembly: Any = None, joint: Any = None, *,
 def plan(substructures: Any = None, assembly: Any = None, joint: Any = None, *, method: str | None = None,
          equations: Sequence[str] | None = None, weighting: str | None = None, delta: float | None = None,
          identify: Mapping[str, Any] | None = None, threads: int = 0, progress: Any = None, **sections: Any) -> Result:
-    """What identify() would read, compute and leave out, without doing it: ``jointid plan``. Arguments as of identify()."""
+    """What identify() would read, compute and leave out, without doing it: ``jointid plan``. Arguments as of identify().
+
+    >>> import jointid, tempfile
+    >>> plan = jointid.plan(jointid.write_problem("A1", tempfile.mkdtemp(), clean=True))
+    >>> plan["method"], len(plan["frequency_hz"])
+    ('one', 31)
+    """
     scene = _joint_scene(substructures, assembly, joint, method, equations, weighting, delta, identify, sections)
     return run_scene(scene, "plan", _jointid.plan, threads=threads, progress=progress)
 
@@ -185,6 +195,12 @@ def bound(substructures: Any = None, assembly: Any = None, joint: Any = None, *,
     Parameters
     ----------
     candidates : DOFs of the sets that count as not measured yet: what would each of them bring?
+
+    >>> import jointid, tempfile
+    >>> scene = jointid.write_problem("A1", tempfile.mkdtemp(), clean=True)
+    >>> bound = jointid.bound(scene=scene, noise={"model": "gaussian", "level": 0.02})["bound"]
+    >>> bound["unknowns"][0]["name"], 0 < bound["unknowns"][0]["relative"] < 0.05
+    ('K(1,1)', True)
     """
     scene = _joint_scene(substructures, assembly, joint, method, equations, weighting, delta, identify, sections)
     return run_scene(scene, "bound", _jointid.bound, [str(Dof(dof)) for dof in candidates], threads=threads, progress=progress)
@@ -210,6 +226,11 @@ def study(substructures: Any = None, assembly: Any = None, joint: Any = None, *,
         All trials, HDF5 (CSV of friction laws). Without one they are gone with the result.
     resume : bool
         Continue what an interrupted study with the same `out` left.
+
+    >>> import jointid, tempfile
+    >>> found = jointid.study(jointid.write_problem("A1", tempfile.mkdtemp(), clean=True), trials=20, method="one")
+    >>> found["trials"]["ok"], len(found["unknowns"])
+    (20, 20)
     """
     scene = _joint_scene(substructures, assembly, joint, method, equations, weighting, delta, identify, sections)
     folder = tempfile.mkdtemp(prefix="jointid-") if out is None else None
@@ -217,21 +238,13 @@ def study(substructures: Any = None, assembly: Any = None, joint: Any = None, *,
     try:
         result = run_scene(scene, "study", _jointid.study, whole_number(trials, "trials"), whole_number(seed, "seed"), path, bool(resume),
                       threads=threads, progress=progress)
-    except BaseException:
+    except BaseException as error:
         if folder is not None:
             shutil.rmtree(folder, ignore_errors=True)
+        elif isinstance(error, KeyboardInterrupt) and os.path.exists(f"{path}.partial"):
+            error.args = (f"interrupted; {path}.partial keeps the trials so far, the same call with resume=True goes on",)
         raise
     return _kept(result, folder)
-
-
-def whole_number(value: Any, place: str) -> int:
-    try:
-        number = value.__index__()
-    except AttributeError:
-        raise InputError(f"{value!r} is no whole number", place=place, remedy="give e.g. 1000") from None
-    if not 0 <= number < 2**64 or isinstance(value, bool):
-        raise InputError(f"{value!r} is no number from 0 to 2^64", place=place, remedy="give e.g. 1000")
-    return number
 
 
 def compare(substructures: Any = None, assembly: Any = None, joint: Any = None, *, trials: int = 200, seed: int = 1,
@@ -247,6 +260,12 @@ def compare(substructures: Any = None, assembly: Any = None, joint: Any = None, 
     ----------
     methods, equation_sets, weightings, deltas, solvers, regenerate
         Every combination of these; those of the scene where a list is not given.
+
+    >>> import jointid, tempfile
+    >>> scene = jointid.write_problem("A1", tempfile.mkdtemp(), clean=True)
+    >>> ways = jointid.compare(scene, trials=3, methods=["one", "two"], weightings=["WA"])["combinations"]
+    >>> [way["method"] for way in ways]
+    ['one', 'two']
     """
     scene = _joint_scene(substructures, assembly, joint, None, None, None, None, identify, sections)
     task = with_options(_jointid.CompareTask(), {

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import difflib
 import os
+import re
 import sys
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from typing import Any
 
 from ._progress import watcher
@@ -26,12 +28,26 @@ def warn_of(result: Result, what: str) -> None:
         warnings.warn(f"{what}: doubtful: {result.message}", DoubtfulWarning, stacklevel=level + 1)
 
 
+@contextmanager
+def stopped(names: Any, command: str, kind: type[Result]) -> Iterator[None]:
+    """Ctrl-C hands over what there is so far. The exception is a plain KeyboardInterrupt: of one of another class Python would
+    exit with 1, where a shell expects an end by SIGINT."""
+    try:
+        yield
+    except KeyboardInterrupt as error:
+        outcome = getattr(error, "partial", None)
+        partial = kind(outcome, names, command) if outcome is not None else None
+        error.partial = partial  # type: ignore[attr-defined]
+        error.args = error.args or ("interrupted" if partial is None else "interrupted; `partial` of this exception is what there is",)
+        raise
+
+
 def run_scene(scene: Scene, command: str, function: Callable, *options: Any, threads: int = 0, progress: Any = None,
-         kind: type[Result] = Result) -> Any:
-    if not isinstance(threads, int) or isinstance(threads, bool) or threads < 0:
+              kind: type[Result] = Result) -> Any:
+    if not hasattr(threads, "__index__") or isinstance(threads, bool) or threads < 0:
         raise InputError(f"{threads!r} is no number of threads", place="threads", remedy="give 0 for all cores, or how many")
-    with watcher(progress) as watch, scene.errors():
-        outcome = function(scene.text, scene.file, threads, watch, *options)
+    with stopped(scene, command, kind), watcher(progress) as watch, scene.errors():
+        outcome = function(scene.text, scene.file, int(threads), watch, *options)
     result = kind(outcome, scene, command)
     warn_of(result, scene.file if scene.is_file else command)
     return result
@@ -65,6 +81,9 @@ def _plain(value: Any) -> Any:
     return value
 
 
+_OPTION = re.compile(r"--([a-z][a-z-]*)(?: [A-Z]+\b)?")  # "--rate HZ"
+
+
 class NoScene:
     """Stands for a scene where a command has none; `names` by paths that nobody but this package knows."""
 
@@ -77,12 +96,22 @@ class NoScene:
             text = text.replace(path, name)
         return self._scene.named(text)
 
-    def errors(self) -> Any:
-        return self._scene.errors()
+    @contextmanager
+    def errors(self) -> Iterator[None]:
+        """Errors with names for paths that nobody knows, and arguments for options of the command."""
+        try:
+            with self._scene.errors():
+                yield
+        except InputError as error:
+            made = {part: self._in_words(getattr(error, part)) for part in ("problem", "file", "place", "remedy", "what")}
+            raise InputError(made.pop("problem"), kind=error.kind, **made) from None
+
+    def _in_words(self, text: str) -> str:
+        return _OPTION.sub(lambda option: option[1].replace("-", "_") + "=", self.named(text))
 
 
 def run_task(names: NoScene, command: str, progress: Any, run: Callable, kind: type[Result] = Result) -> Any:
-    with watcher(progress) as watch, names.errors():
+    with stopped(names, command, kind), watcher(progress) as watch, names.errors():
         outcome = run(watch)
     result = kind(outcome, names, command)
     warn_of(result, command)

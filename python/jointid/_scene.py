@@ -207,18 +207,40 @@ def pair_of(value: Any, place: str) -> tuple[float, float]:
     return low, high
 
 
+def whole_number(value: Any, place: str) -> int:
+    try:
+        number = value.__index__()
+    except AttributeError:
+        raise InputError(f"{value!r} is no whole number", place=place, remedy="give e.g. 1000") from None
+    if not 0 <= number < 2**64 or isinstance(value, bool):
+        raise InputError(f"{value!r} is no number from 0 to 2^64", place=place, remedy="give e.g. 1000")
+    return number
+
+
+def short(value: Any) -> str:
+    """Of any argument for a message: what it is, on one line."""
+    text = repr(value)
+    return text if len(text) < 60 and "\n" not in text else f"an object of type {type(value).__name__}"
+
+
 def paths_of(value: Any, place: str) -> list[str]:
     """One path or several as text."""
     try:
-        return [os.fspath(each) for each in ([value] if isinstance(value, (str, os.PathLike)) else value)]
+        paths = [os.fspath(each) for each in ([value] if isinstance(value, (str, os.PathLike)) else value)]
+        if not hasattr(value, "read") and all(isinstance(path, str) for path in paths):
+            return paths
+        raise TypeError
     except TypeError:
-        raise InputError(f"{value!r} is no path", place=place, remedy="give the path of a file, or a list of them") from None
+        raise InputError(f"{short(value)} is no path", place=place, remedy="give the path of a file, or a list of them") from None
 
 
 def as_list(value: Any) -> list:
     """One set or path as a list of one."""
     if isinstance(value, (str, os.PathLike, _frf_set())):
         return [value]
-    if isinstance(value, Iterable) and not isinstance(value, dict):
+    if hasattr(value, "dtype") or hasattr(value, "read"):
+        raise InputError(f"{short(value)} is neither a path nor a set of FRFs", place="data",
+                         remedy="jointid.FrfSet(array, frequency, dofs) makes a set")
+    if isinstance(value, Iterable) and not isinstance(value, Mapping):
         return list(value)
-    raise InputError(f"{value!r} is neither a path nor a set of FRFs", place="data", remedy="give paths and FrfSets, or a list of them")
+    raise InputError(f"{short(value)} is neither a path nor a set of FRFs", place="data", remedy="give paths and FrfSets, or a list of them")

@@ -12,20 +12,43 @@ import numpy as np
 
 from . import _jointid
 from ._run import NoScene, run_scene, run_task, with_options
-from ._scene import Scene, as_list, paths_of
+from ._scene import Scene, as_list, paths_of, whole_number
 from .errors import InputError
 from .files import open_options
-from .frf_set import FrfSet
+from .frf_set import FrfSet, real_numbers
 from .results import FrfResult, Result
 
 
 def equivalent(scene: Any, *, threads: int = 0, progress: Any = None) -> Result:
-    """Stiffness and damping of a friction joint against its relative displacement: ``jointid equivalent``; a path or dict."""
+    """Stiffness and damping of a friction joint against its relative displacement: ``jointid equivalent``; a path or dict.
+
+    >>> import jointid, tempfile
+    >>> levels = jointid.equivalent(jointid.write_problem("rig2", tempfile.mkdtemp()))["levels"]
+    >>> len(levels)
+    8
+    """
     return run_scene(Scene(scene), "equivalent", _jointid.equivalent, threads=threads, progress=progress)
 
 
 def friction_laws(scene: Any, *, threads: int = 0, progress: Any = None) -> Result:
-    """Friction laws of joints from vibration at several force levels: ``jointid solve`` of scenes with ``[[joint.friction]]``."""
+    """Friction laws of joints from vibration at several force levels: ``jointid solve`` of scenes with ``[[joint.friction]]``.
+
+    A path, or a dict in which sets stand for files: FrfSets for ``data.parts``, phasors() for responses and forces of
+    ``data.levels``.
+
+    >>> import jointid, numpy as np
+    >>> f, omega = np.array([95.0, 100.0, 105.0]), 2 * np.pi * np.array([95.0, 100.0, 105.0])
+    >>> part = jointid.FrfSet(-1 / (0.5 * omega**2).reshape(-1, 1, 1), f, ["1:+Y"], name="mass")  # 0.5 kg, free
+    >>> def level(newton):  # on a spring that does not slip, 2e5 N/m
+    ...     motion = newton / (2e5 - 0.5 * omega**2).reshape(-1, 1)
+    ...     return {"responses": jointid.phasors(motion, f, ["1:+Y"], name=f"{newton} N"), "amplitude": newton,
+    ...             "force_dofs": ["1:+Y"], "name": f"{newton} N"}
+    >>> found = jointid.friction_laws({
+    ...     "data": {"parts": [part], "levels": [level(1.0), level(2.0)]}, "frequency": {"range": [95.0, 105.0]},
+    ...     "joint": {"friction": [{"name": "joint", "dofs": ["1:+Y"], "law": "spring"}]}, "errors": {"relative": 0.01}})
+    >>> round(found["joints"][0]["stiffness"]["value"])
+    200000
+    """
     return run_scene(Scene(scene), "friction_laws", _jointid.solve, threads=threads, progress=progress)
 
 
@@ -33,13 +56,26 @@ def response(scene: Any, *, compare: bool = False, threads: int = 0, progress: A
     """Periodic response of structures with friction joints: ``jointid response``; a path or dict.
 
     `compare`: error against run time of all ways to it instead, ``--compare``.
+
+    >>> import jointid, numpy as np
+    >>> result = jointid.response({
+    ...     "structure": {"mass": np.eye(2), "stiffness": [[300.0, -100.0], [-100.0, 100.0]], "damping": 0.5 * np.eye(2)},
+    ...     "joints": [{"dofs": [1, 2], "law": "ren", "parameters": {"a": 0.004, "b": 1.5, "k": 150.0}}],
+    ...     "force": {"dof": 1, "amplitudes": [1.0]}, "frequency": {"range": [1.0, 2.0], "points": 5}, "response": {"dofs": [1]}})
+    >>> result.status
+    'ok'
     """
     function = _jointid.response_ways if compare else _jointid.response
     return run_scene(Scene(scene), "response", function, threads=threads, progress=progress)
 
 
 def oscillate(scene: Any, *, threads: int = 0, progress: Any = None) -> Result:
-    """Exact stick–slip motion, orbits, exponents, reduced models: ``jointid oscillate``; a path or dict."""
+    """Exact stick–slip motion, orbits, exponents, reduced models: ``jointid oscillate``; a path or dict.
+
+    >>> import jointid, tempfile
+    >>> jointid.oscillate(jointid.write_problem("chain-10-orbit", tempfile.mkdtemp())).status
+    'ok'
+    """
     return run_scene(Scene(scene), "oscillate", _jointid.oscillate, threads=threads, progress=progress)
 
 
@@ -61,9 +97,17 @@ def modalfit(frfs: Any, *, range: tuple[float, float] | None = None, modes: int 
     -------
     FrfResult
         ``result["modes"]`` and the rest of the command's JSON; ``result.frfs()`` are the regenerated FRFs.
+
+    >>> import jointid, numpy as np
+    >>> f = np.arange(30.0, 50.0, 0.1)
+    >>> ratio = f / 40.0
+    >>> frfs = jointid.FrfSet((1e-6 / (1 - ratio**2 + 0.02j * ratio)).reshape(-1, 1, 1), f, ["1:+Z"], name="beam")
+    >>> mode = jointid.modalfit(frfs)["modes"][0]
+    >>> round(mode["frequency_hz"], 6), round(mode["damping"], 6)
+    (40.0, 0.01)
     """
     scene = Scene({})
-    files = [scene.add(each) if isinstance(each, FrfSet) else os.fspath(each) for each in as_list(frfs)]
+    files = [scene.add(each) if isinstance(each, FrfSet) else paths_of(each, "frfs")[0] for each in as_list(frfs)]
     task = with_options(_jointid.ModalTask(), {"range": range, "modes": modes, "poles": poles, "real": real, "damping": damping},
                          "modalfit")
     options = open_options(quantity, unit, None, None, None, None)
@@ -102,14 +146,24 @@ def _curves(curves: Any) -> list[tuple[str, np.ndarray, np.ndarray]] | None:
     """Name, displacement, force of curves in memory; None of files."""
     if isinstance(curves, Mapping):
         named = list(curves.items())
+    elif hasattr(curves, "columns"):
+        raise InputError("a table has no order of displacement and force", place="curves", kind="data",
+                         remedy='give (table["displacement"], table["force"])')
     elif not isinstance(curves, (list, tuple, np.ndarray)) or all(isinstance(each, (str, os.PathLike)) for each in curves):
         return None
     elif len(curves) == 2 and np.ndim(curves[0]) == 1 and np.ndim(curves[1]) == 1:
         named = [("curve", curves)]
     else:
         named = [(f"curve {k + 1}", curve) for k, curve in enumerate(curves)]
-    return [(str(name), np.ascontiguousarray(displacement, dtype=float), np.ascontiguousarray(force, dtype=float))
-            for name, (displacement, force) in named]
+    return [(str(name), *_two_columns(curve, str(name))) for name, curve in named]
+
+
+def _two_columns(curve: Any, name: str) -> tuple[np.ndarray, np.ndarray]:
+    try:
+        displacement, force = curve
+    except (TypeError, ValueError):
+        raise InputError(f"{name} is no pair of arrays", place="curves", remedy="give (displacement, force)", kind="data") from None
+    return real_numbers(displacement, f"displacement of {name}"), real_numbers(force, f"force of {name}")
 
 
 def frf(files: Any, *, progress: Any = None, **options: Any) -> FrfResult:
@@ -125,6 +179,15 @@ def frf(files: Any, *, progress: Any = None, **options: Any) -> FrfResult:
     -------
     FrfResult
         ``result.frfs()`` are the FRFs.
+
+    >>> import jointid, numpy as np
+    >>> t = np.arange(1000) / 1000.0
+    >>> def hit(size):  # force of a hammer, N, and acceleration of a mode at 80 Hz, m/s²
+    ...     force = size * np.exp(-0.5 * ((t - 0.02) / 0.0008) ** 2)
+    ...     return np.column_stack([force, np.convolve(force, np.exp(-8 * t) * np.sin(2 * np.pi * 80 * t))[:1000]])
+    >>> frfs = jointid.frf([hit(1.0), hit(1.2)], channel=["1=1:+Z N", "2=4:+Z m/s^2"], rate=1000.0).frfs()
+    >>> float(frfs.frequency[np.nanargmax(abs(frfs["4:+Z", "1:+Z"]))])
+    80.0
     """
     for name in ("channel", "reference"):
         if isinstance(options.get(name), str):
@@ -146,7 +209,7 @@ def _record_files(records: Any) -> Iterator[tuple[list[str], dict[str, str]]]:
         for path, array in zip(paths, arrays):
             if array.ndim != 2:
                 raise InputError(f"its shape is {array.shape}", place="files", remedy="the axes are [sample, channel]", kind="data")
-            np.save(path, np.ascontiguousarray(array, dtype=float))
+            np.save(path, real_numbers(array, f"record {path[-5]}"))
         yield paths, {path: f"record {k + 1}" for k, path in enumerate(paths)}
 
 
@@ -156,7 +219,7 @@ def pod(record: Any, *, names: Sequence[str] | None = None, units: Sequence[str]
 
     Parameters
     ----------
-    record : path or paths, or an array [sample, channel]
+    record : path or paths, or an array [sample, channel], or a DataFrame of channels
         Rows with NaN are missing samples.
     names, units : of the channels of an array
     options : channels (of files), mass, stiffness, compare (files), keep_mean
@@ -168,8 +231,11 @@ def pod(record: Any, *, names: Sequence[str] | None = None, units: Sequence[str]
     0.5
     """
     task = with_options(_jointid.PodTask(), options, "pod")
+    if hasattr(record, "columns"):
+        names = [str(column) for column in record.columns] if names is None else names
+        record = np.asarray(record)
     if isinstance(record, np.ndarray):
-        array = np.ascontiguousarray(record, dtype=float)
+        array = real_numbers(record, "record")
         if array.ndim != 2 or array.shape[1] == 0:
             raise InputError(f"its shape is {array.shape}", place="record", remedy="the axes are [sample, channel]", kind="data")
         channels = [str(k + 1) for k in np.arange(array.shape[1])] if names is None else list(names)
@@ -183,7 +249,11 @@ def pod(record: Any, *, names: Sequence[str] | None = None, units: Sequence[str]
 
 
 def problems() -> dict[str, str]:
-    """Names and descriptions of the built-in problems, whose answers are known: ``jointid problem list``."""
+    """Names and descriptions of the built-in problems, whose answers are known: ``jointid problem list``.
+
+    >>> problems()["A1"]
+    'reference: two beams joined by a beam element without mass, 31 lines (§6.6.2)'
+    """
     return _jointid.problems()
 
 
@@ -193,5 +263,9 @@ def write_problem(name: str, directory: str | os.PathLike, *, format: str = "h5"
     Returns the path of the scene (of loading curves and modal sets of the file).
 
     `format`: "h5" or "uff"; `seed`: of the noise; `clean`: no noise.
+
+    >>> import os, tempfile
+    >>> os.path.basename(write_problem("A1", tempfile.mkdtemp(), format="uff"))
+    'A1.toml'
     """
-    return _jointid.write_problem(name, os.fspath(directory), format, seed, clean)
+    return _jointid.write_problem(str(name), os.fspath(directory), str(format), whole_number(seed, "seed"), bool(clean))

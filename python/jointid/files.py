@@ -11,7 +11,7 @@ from . import _jointid
 from ._progress import watcher
 from ._scene import paths_of
 from .errors import DataWarning, InputError
-from .frf_set import FrfSet, dofs_of
+from .frf_set import FrfSet, at_zero, dofs_of
 
 __all__ = ["read", "write"]
 
@@ -41,7 +41,8 @@ def read(path: str | os.PathLike | Sequence[str | os.PathLike], *, quantity: str
     Returns
     -------
     FrfSet
-        In the quantity of the file, SI units, NaN where not measured.
+        In the quantity of the file, SI units, NaN where not measured. So is a line at 0 Hz of mobilities and accelerances, which
+        fix no receptance there: a DataWarning says so.
 
     Raises
     ------
@@ -62,11 +63,14 @@ def read(path: str | os.PathLike | Sequence[str | os.PathLike], *, quantity: str
         parts = _jointid.read(paths, options, watch)
     for doubt in parts["doubts"]:
         warnings.warn(f"{parts['name']}: {doubt}", DataWarning, stacklevel=2)
-    return FrfSet._of(parts)
+    frfs = FrfSet._of(parts)
+    if frfs.quantity != "receptance" and frfs.frequency[0] == 0.0:
+        warnings.warn(at_zero(frfs.name, frfs.quantity, "receptance"), DataWarning, stacklevel=2)
+    return frfs
 
 
 def write(path: str | os.PathLike, frfs: FrfSet, format: str = "") -> None:
-    """Writes FRFs in the format of the name's ending, or of `format`: h5 (with errors), uff, mat, csv, npz.
+    """Writes FRFs in the format of the name's ending, or of `format`: h5 (with errors), uff, mat, csv.
 
     The file is written under another name first, so that it is whole or not there.
 
@@ -74,6 +78,12 @@ def write(path: str | os.PathLike, frfs: FrfSet, format: str = "") -> None:
     ------
     InputError
         For an ending that says nothing, a set that is none, and a folder that is not there.
+
+    >>> import numpy as np, os, tempfile
+    >>> file = os.path.join(tempfile.mkdtemp(), "beam.csv")
+    >>> write(file, FrfSet(np.full((3, 1, 1), 2e-6 + 0j), [10.0, 11.0, 12.0], ["1:+Z"]))
+    >>> os.path.exists(file)
+    True
     """
     if not isinstance(frfs, FrfSet):
         hint = " (the path comes first)" if isinstance(path, FrfSet) else ""

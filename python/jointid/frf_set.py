@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from . import _jointid
+from ._arithmetic import scaled, summed
 from ._scene import pair_of
 from .dof import Dof
-from .errors import InputError
+from .errors import DataWarning, InputError
 
 __all__ = ["FrfSet"]
 
@@ -25,12 +27,19 @@ def _refuse(place: str, problem: str, remedy: str) -> InputError:
 
 def _numbers(value: Any, dtype: type, place: str) -> np.ndarray:
     """As a contiguous array of float64 or complex128: the array itself where it is one."""
+    if isinstance(value, np.ma.MaskedArray):  # what is masked was not measured
+        value = value.astype(dtype).filled(np.nan)
     array = np.asarray(value)
     valid = "biufc" if dtype is complex else "biuf"
     if array.dtype.kind not in valid:
         raise _refuse(place, f"an array of {array.dtype} holds no {'complex' if dtype is complex else 'real'} numbers",
-                      f"give {place}.astype({dtype.__name__})")
+                      f"convert it to numbers of {dtype.__name__}")
     return np.ascontiguousarray(array, dtype=dtype)
+
+
+def real_numbers(value: Any, place: str) -> np.ndarray:
+    """As a contiguous array of float64."""
+    return _numbers(value, float, place)
 
 
 def _shaped(value: Any, dtype: type, shape: tuple, place: str) -> np.ndarray | None:
@@ -52,6 +61,40 @@ def dofs_of(names: Iterable[str] | str, place: str) -> tuple[Dof, ...]:
     except TypeError:
         raise _refuse(place, f"{names!r} is no list of DOFs", 'give e.g. ["4:+Y", "4:+RZ"]') from None
     return dofs
+
+
+def at_zero(name: str, quantity: str, target: str) -> str:
+    return (f"{name}: at 0 Hz the {quantity} fixes no {target}: that line counts as not measured (NaN); "
+            "leave it out by sel(band=(lowest, highest))")
+
+
+def _positions(nodes: Any) -> dict[int, tuple[float, float, float]]:
+    """Of a mapping, or of a table whose index are the nodes and whose three columns the coordinates."""
+    if nodes is None:
+        return {}
+    if hasattr(nodes, "itertuples"):
+        nodes = {row[0]: row[1:] for row in nodes.itertuples()}
+    try:
+        found: dict[int, Any] = {int(node): tuple(float(x) for x in place) for node, place in nodes.items()}
+    except (AttributeError, TypeError, ValueError):
+        raise _refuse("nodes", "they are no positions of node numbers", "give {4: (0.1, 0.0, 0.25)}, in m") from None
+    wrong = next((node for node, place in found.items() if len(place) != 3), None)
+    if wrong is not None:
+        raise _refuse("nodes", f"node {wrong} has {len(found[wrong])} coordinates", "give x, y and z in m")
+    return found
+
+
+def _number(value: Any, place: str) -> float:
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise _refuse(place, f"{value!r} is no number", "give e.g. 5") from None
+
+
+def _word(value: Any) -> str:
+    if isinstance(value, str):
+        return _jointid.quantity_word(value)
+    raise _refuse("quantity", f"{value!r} is no text", "write receptance, mobility or accelerance")
 
 
 def _precision(array: Any) -> float:
@@ -79,7 +122,10 @@ class FrfSet:
     coherence : array, [line, response, reference], optional, with `averages`, the number of averages.
     covariance : array, complex, [line, pair, reference], optional
         E[e_r e_s*] of the errors of one line and reference for s ≤ r, pairs row by row of the lower triangle.
-    nodes : {node: (x, y, z)}, optional
+    covariance_factor : array, complex, [line, response, column, reference], optional, in place of `covariance`
+        L of the covariances L Lᴴ + diag(d), as a few hits with many sensors give it: a fraction of the memory of the pairs.
+        `covariance_diagonal`, [line, response, reference], is d.
+    nodes : {node: (x, y, z)}, or a DataFrame with the nodes as index and three columns, optional
         Positions in m.
     name : str
         What messages and reports call the set.
@@ -100,15 +146,15 @@ class FrfSet:
 
     def __init__(self, frfs: Any, frequency: Any, responses: Iterable[str], references: Iterable[str] | None = None, *,
                  quantity: str = "receptance", unit: str | None = None, variance: Any = None, coherence: Any = None,
-                 averages: float = 0.0, covariance: Any = None, nodes: Mapping[int, Sequence[float]] | None = None,
-                 name: str = "arrays") -> None:
+                 averages: float = 0.0, covariance: Any = None, covariance_factor: Any = None, covariance_diagonal: Any = None,
+                 nodes: Mapping[int, Sequence[float]] | None = None, name: str = "arrays") -> None:
         self.name = str(name)
         self.responses = dofs_of(responses, "responses")
         self.references = self.responses if references is None else dofs_of(references, "references")
-        self.quantity = _jointid.quantity_of_unit(unit) if unit is not None else _jointid.quantity_word(quantity)
+        self.quantity = _jointid.quantity_of_unit(unit) if unit is not None else _word(quantity)
         self.frequency = _numbers(frequency, float, "frequency").reshape(-1)
-        self.averages = float(averages)
-        self.nodes = {int(node): tuple(float(x) for x in place) for node, place in (nodes or {}).items()}
+        self.averages = _number(averages, "averages")
+        self.nodes = _positions(nodes)
         self._axes: dict = {}
         self._repeats = 0
         self._precision = _precision(frfs)
@@ -117,6 +163,7 @@ class FrfSet:
         if factor != 1.0:
             self.frfs = self.frfs * factor
         self._set_errors(variance, coherence, covariance, factor)
+        self._set_factor(covariance_factor, covariance_diagonal, factor)
         self.reference_correlation: np.ndarray | None = None
         self._validate()
 
@@ -148,10 +195,25 @@ class FrfSet:
         self.variance = _shaped(variance, complex, shape, "variance")
         self.coherence = _shaped(coherence, float, shape, "coherence")
         pairs = len(self.responses) * (len(self.responses) + 1) // 2
-        self.covariance = _shaped(covariance, complex, (shape[0], pairs, shape[2]), "covariance")
+        self._covariance = _shaped(covariance, complex, (shape[0], pairs, shape[2]), "covariance")
         if factor != 1.0:
-            self.variance = None if self.variance is None else self.variance * factor**2
-            self.covariance = None if self.covariance is None else self.covariance * factor**2
+            self.variance = self._times(self.variance, factor**2)
+            self._covariance = self._times(self._covariance, factor**2)
+
+    def _set_factor(self, rows: Any, diagonal: Any, factor: float) -> None:
+        lines, responses, references = self.frfs.shape
+        if rows is not None:
+            array = np.asarray(rows)
+            if array.ndim != 4:
+                raise _refuse("covariance_factor", f"it has {array.ndim} axes, not 4", "the axes are [line, response, column, reference]")
+            rows = _shaped(rows, complex, (lines, responses, array.shape[2], references), "covariance_factor")
+        self.covariance_factor: np.ndarray | None = self._times(rows, factor) if factor != 1.0 else rows
+        diagonal = _shaped(diagonal, float, self.frfs.shape, "covariance_diagonal")
+        self.covariance_diagonal: np.ndarray | None = self._times(diagonal, factor**2) if factor != 1.0 else diagonal
+
+    @staticmethod
+    def _times(array: np.ndarray | None, factor: Any) -> np.ndarray | None:
+        return None if array is None else array * factor
 
     def _validate(self) -> None:
         _jointid.MemoryFile(self._parts())
@@ -169,7 +231,8 @@ class FrfSet:
         self._axes, self._repeats, self._precision = parts["axes"], parts["repeats"], parts["precision"]
         self.frequency, self.frfs = np.asarray(parts["frequency"]), np.asarray(parts["frfs"])
         self.variance, self.coherence = array("variance"), array("coherence")
-        self.covariance, self.reference_correlation = array("covariance"), array("reference_correlation")
+        self._covariance, self.reference_correlation = array("covariance"), array("reference_correlation")
+        self.covariance_factor, self.covariance_diagonal = array("factor"), array("factor_diagonal")
         return self
 
     def _parts(self) -> dict[str, Any]:
@@ -179,7 +242,8 @@ class FrfSet:
                 "references": list(self.references), "quantity": self.quantity, "averages": self.averages,
                 "precision": self._precision, "repeats": self._repeats, "nodes": self.nodes, "axes": self._axes,
                 "frfs": array(self.frfs, complex), "variance": array(self.variance, complex),
-                "coherence": array(self.coherence, float), "covariance": array(self.covariance, complex),
+                "coherence": array(self.coherence, float), "covariance": array(self._covariance, complex),
+                "factor": array(self.covariance_factor, complex), "factor_diagonal": array(self.covariance_diagonal, float),
                 "reference_correlation": array(self.reference_correlation, complex)}
 
     def _like(self, **changes: Any) -> "FrfSet":
@@ -194,6 +258,24 @@ class FrfSet:
     def unit(self) -> str:
         """Unit of translational FRFs."""
         return _jointid.quantity_unit(self.quantity)
+
+    @property
+    def covariance(self) -> np.ndarray | None:
+        """E[e_r e_s*], [line, pair, reference], or None; formed of `covariance_factor` at each call where the set has that."""
+        if self.covariance_factor is None:
+            return self._covariance
+        rows, columns = np.tril_indices(len(self.responses))
+        lines, _, references = self.shape
+        pairs = np.empty((lines, len(rows), references), complex)
+        for k, (r, s) in enumerate(zip(rows, columns)):
+            pairs[:, k] = np.einsum("lkc,lkc->lc", self.covariance_factor[:, r], self.covariance_factor[:, s].conj())
+            if r == s and self.covariance_diagonal is not None:
+                pairs[:, k] += self.covariance_diagonal[:, r]
+        return pairs
+
+    @covariance.setter
+    def covariance(self, pairs: np.ndarray | None) -> None:
+        self._covariance, self.covariance_factor, self.covariance_diagonal = pairs, None, None
 
     @property
     def dofs(self) -> tuple[Dof, ...]:
@@ -216,7 +298,9 @@ class FrfSet:
         lines, rows, columns = self.shape
         text = (f"{self.name}: {self.quantity} ({self.unit}), {count(lines, 'line')} from {self.frequency[0]:g} to "
                 f"{self.frequency[-1]:g} Hz, {count(rows, 'response')} × {count(columns, 'reference')}")
-        extras = [word for word in ("variance", "coherence", "covariance") if getattr(self, word) is not None]
+        known = {"variance": self.variance, "coherence": self.coherence,
+                 "covariance": self._covariance if self.covariance_factor is None else self.covariance_factor}
+        extras = [word for word, array in known.items() if array is not None]
         return text + (", with " + " and ".join(extras) if extras else "")
 
     def __eq__(self, other: object) -> bool:
@@ -226,7 +310,13 @@ class FrfSet:
                                                           np.array_equal(a, b, equal_nan=True))
         return (self.responses == other.responses and self.references == other.references and self.quantity == other.quantity
                 and same(self.frequency, other.frequency) and same(self.frfs, other.frfs) and same(self.variance, other.variance)
-                and same(self.coherence, other.coherence) and same(self.covariance, other.covariance))
+                and same(self.coherence, other.coherence) and self._same_covariance(other, same))
+
+    def _same_covariance(self, other: "FrfSet", same: Any) -> bool:
+        if (self.covariance_factor is None) != (other.covariance_factor is None):
+            return same(self.covariance, other.covariance)
+        return (same(self._covariance, other._covariance) and same(self.covariance_factor, other.covariance_factor)
+                and same(self.covariance_diagonal, other.covariance_diagonal))
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -240,14 +330,60 @@ class FrfSet:
         raise InputError(f"{self.name} has no {which} {dof}", place=which, kind="data", remedy="it has " + ", ".join(dofs[:12])
                          + (" …" if len(dofs) > 12 else ""))
 
-    def __getitem__(self, key: tuple[str, str]) -> np.ndarray:
-        """One FRF over the lines, of (response, reference), with the signs of the DOFs asked for."""
-        if not (isinstance(key, tuple) and len(key) == 2):
-            raise InputError(f"{key!r} is no pair of DOFs", place="frfs[...]", remedy='write frfs["4:+Y", "1:+Y"], or frfs.sel(...)')
-        row, sign = self._place(self.responses, key[0], "response")
-        column, other = self._place(self.references, key[1], "reference")
-        frf = self.frfs[:, row, column]
-        return frf if sign * other == 1 else -frf
+    def __getitem__(self, key: Any) -> np.ndarray:
+        """``frfs["4:+Y", "1:+Y"]``: one FRF over the lines, with the signs of the DOFs asked for. ``frfs[f, out, in]``: as
+        ``frfs.frfs[f, out, in]``, a view, in which DOFs may stand for places of responses and references.
+
+        >>> import numpy as np
+        >>> frfs = FrfSet(np.arange(12.0).reshape(3, 2, 2), [1.0, 2.0, 3.0], ["1:+X", "2:+X"])
+        >>> frfs["2:+X", "1:-X"].real.tolist(), frfs[0, "2:+X", :].real.tolist(), frfs[2, 1, 0].real
+        ([-2.0, -6.0, -10.0], [2.0, 3.0], 10.0)
+        """
+        if isinstance(key, tuple) and len(key) == 2 and all(isinstance(each, str) for each in key):
+            key = (slice(None), *key)
+        if not (isinstance(key, tuple) and len(key) == 3):
+            raise InputError(f"{key!r} is no pair of DOFs", place="frfs[...]",
+                             remedy='write frfs["4:+Y", "1:+Y"], frfs[line, response, reference] or frfs.sel(...)')
+        line, response, reference = key
+        sign = 1
+        if isinstance(response, str):
+            response, own = self._place(self.responses, response, "response")
+            sign *= own
+        if isinstance(reference, str):
+            reference, own = self._place(self.references, reference, "reference")
+            sign *= own
+        try:
+            found = self.frfs[line, response, reference]
+        except (IndexError, TypeError) as error:
+            raise InputError(f"{key!r}: {error}", place="frfs[...]", kind="data",
+                             remedy="it has {} lines, {} responses, {} references".format(*self.shape)) from None
+        return found if sign == 1 else -found
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> np.ndarray:
+        """``numpy.asarray(frfs)`` is ``frfs.frfs``."""
+        array = self.frfs if dtype is None else self.frfs.astype(dtype, copy=False)
+        return array.copy() if copy else array
+
+    __array_priority__ = 1000  # a number of NumPy times a set is a set
+    __array_ufunc__ = None
+
+    def __mul__(self, factor: Any) -> "FrfSet":
+        return scaled(self, factor)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, divisor: Any) -> "FrfSet":
+        return scaled(self, 1.0 / np.asarray(divisor)) if np.asarray(divisor).dtype.kind in "biufc" else NotImplemented
+
+    def __neg__(self) -> "FrfSet":
+        return scaled(self, -1.0)
+
+    def __add__(self, other: "FrfSet") -> "FrfSet":
+        """Of the same lines and DOFs. Errors are taken as independent: variances add."""
+        return summed(self, other, 1.0)
+
+    def __sub__(self, other: "FrfSet") -> "FrfSet":
+        return summed(self, other, -1.0)
 
     def sel(self, responses: Iterable[str] | None = None, references: Iterable[str] | None = None, *,
             band: tuple[float, float] | None = None, node: int | Iterable[int] | None = None) -> "FrfSet":
@@ -268,7 +404,7 @@ class FrfSet:
         """
         out = self
         if node is not None:
-            nodes = {node} if isinstance(node, int) else set(node)
+            nodes = {int(each) for each in np.atleast_1d(node)} if np.asarray(node).dtype.kind in "iu" else set(node)  # type: ignore
             responses = [dof for dof in out.responses if dof.node in nodes] if responses is None else responses
             references = [dof for dof in out.references if dof.node in nodes] if references is None else references
         if responses is not None or references is not None:
@@ -287,18 +423,23 @@ class FrfSet:
         part = lambda array: None if array is None else np.ascontiguousarray(array[at])  # noqa: E731
         pair = lambda r, s: max(r, s) * (max(r, s) + 1) // 2 + min(r, s)  # noqa: E731
         covariance = None
-        if self.covariance is not None:
+        if self._covariance is not None:
             covariance = np.empty((len(self), len(rows) * (len(rows) + 1) // 2, len(columns)), complex)
             for i, r in enumerate(rows):
                 for k, s in enumerate(rows[: i + 1]):
-                    value = self.covariance[:, pair(r, s), :][:, list(columns)]
+                    value = self._covariance[:, pair(r, s), :][:, list(columns)]
                     covariance[:, pair(i, k), :] = (value if r >= s else value.conj()) * row_signs[i] * row_signs[k]
         correlation = None
         if self.reference_correlation is not None:
             correlation = np.ascontiguousarray(self.reference_correlation[np.ix_(range(len(self)), columns, columns)]
                                                * np.multiply.outer(column_signs, column_signs))
+        factor = self.covariance_factor
+        if factor is not None:
+            factor = np.ascontiguousarray(factor[np.ix_(range(len(self)), rows, range(factor.shape[2]), columns)]
+                                          * np.reshape(row_signs, (-1, 1, 1)))
         new = self._like(responses=rows_of, references=columns_of, frfs=part(self.frfs) * signs, variance=part(self.variance),
-                         coherence=part(self.coherence), covariance=covariance, reference_correlation=correlation)
+                         coherence=part(self.coherence), _covariance=covariance, covariance_factor=factor,
+                         covariance_diagonal=part(self.covariance_diagonal), reference_correlation=correlation)
         new._validate()
         return new
 
@@ -310,7 +451,8 @@ class FrfSet:
                              remedy=f"the lines go from {self.frequency[0]:g} to {self.frequency[-1]:g} Hz")
         part = lambda array: None if array is None else array[first:last]  # noqa: E731
         return self._like(**{key: part(getattr(self, key)) for key in
-                             ("frequency", "frfs", "variance", "coherence", "covariance", "reference_correlation")})
+                             ("frequency", "frfs", "variance", "coherence", "_covariance", "covariance_factor", "covariance_diagonal",
+                              "reference_correlation")})
 
     def copy(self) -> "FrfSet":
         """With arrays of its own."""
@@ -320,26 +462,32 @@ class FrfSet:
     # Quantities and units.
 
     def to(self, quantity: str) -> "FrfSet":
-        """The same as receptance, mobility or accelerance: times powers of iω. Lines at 0 Hz become NaN where iω divides.
+        """The same as receptance, mobility or accelerance: times powers of iω.
+
+        At 0 Hz an accelerance fixes no mobility, and neither fixes a receptance: the line becomes NaN, not measured, with a
+        DataWarning.
 
         >>> import numpy as np
         >>> FrfSet(np.ones((1, 1, 1)), [1 / (2 * np.pi)], ["1:+X"]).to("mobility").frfs[0, 0, 0]
         1j
         """
-        quantity = _jointid.quantity_word(quantity)
+        quantity = _word(quantity)
         order = {"receptance": 0, "mobility": 1, "accelerance": 2}
         power = order[quantity] - order[self.quantity]
         if power == 0:
             return self
         omega = 2.0 * np.pi * self.frequency
+        if power < 0 and omega[0] == 0.0 and not np.isnan(self.frfs[0]).all():
+            warnings.warn(at_zero(self.name, self.quantity, quantity), DataWarning, stacklevel=2)
         with np.errstate(divide="ignore", invalid="ignore"):
             size = np.where((omega == 0.0) & (power < 0), np.nan, omega ** float(power)).reshape(-1, 1, 1)
         turn = [1, 1j, -1, -1j][power % 4]
         swapped = self.variance is not None and power % 2
         variance = None if self.variance is None else (self.variance.imag + 1j * self.variance.real if swapped else self.variance)
         return self._like(quantity=quantity, frfs=self.frfs * (size * turn),
-                          variance=None if variance is None else variance * size**2,
-                          covariance=None if self.covariance is None else self.covariance * size**2)
+                          variance=self._times(variance, size**2), _covariance=self._times(self._covariance, size**2),
+                          covariance_factor=self._times(self.covariance_factor, size[..., None]),
+                          covariance_diagonal=self._times(self.covariance_diagonal, size**2))
 
     def values_in(self, unit: str) -> np.ndarray:
         """The numbers in another unit, of another quantity too: ``frfs.values_in("g/N")``; a copy. Of translations alone."""

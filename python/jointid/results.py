@@ -266,7 +266,9 @@ class Solution(Result):
         >>> solution.dynamic_stiffness([100.0, 200.0]).shape
         (2, 4, 4)
         """
-        frequency = np.atleast_1d(np.asarray(frequency, dtype=float))
+        from .frf_set import real_numbers
+
+        frequency = np.atleast_1d(real_numbers(frequency, "frequency"))
         out = np.full((len(frequency), len(self.dofs), len(self.dofs)), np.nan, dtype=complex)
         for band, matrices in self.bands:
             inside = np.ones(len(frequency), bool) if band is None else (frequency >= band[0]) & (frequency <= band[1])

@@ -141,7 +141,8 @@ std::string fault_of(const Record& record, const Blow& blow, const HammerOptions
   }
   if (!blow.peak) return {};
   const auto second = second_blow(record, blow, options.second_peak);
-  return second ? fmt::format("second blow {:.3g} ms {} the first", 1e3 * std::abs(*second), *second > 0.0 ? "after" : "before")
+  return second ? fmt::format("double impact: {:.3g} ms {} the first hit", 1e3 * std::abs(*second),
+                              *second > 0.0 ? "after" : "before")
                 : std::string();
 }
 

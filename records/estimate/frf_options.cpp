@@ -35,7 +35,7 @@ void validate(const FrfOptions& options) {
     refuse_option("overlap", fmt::format("{:g} is not from 0 to below 1", options.segments->overlap), "give e.g. 0.5");
   }
   if (options.force_window_s || options.decay_time_s)
-    refuse_option("windows", "force and exponential windows are for blows", "leave them out for segments");
+    refuse_option("windows", "force and exponential windows are for hits of a hammer", "leave them out for segments");
 }
 
 }  // namespace jointid::records

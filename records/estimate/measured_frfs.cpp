@@ -110,7 +110,7 @@ class Run {
     throw InputError({ErrorKind::usage,
                       {},
                       {},
-                      "several forces at once are told apart by H1, with variances of the residuals",
+                      "only H1 separates several forces at once, with variances of the residuals",
                       "leave --estimator and --variances out"});
   }
 
@@ -125,7 +125,7 @@ class Run {
                         record.file,
                         {},
                         "the force is at " + dof.name() + ", before at " + made_.averages[c].reference.name(),
-                        "give one sign; a blow from the other side has negative numbers"});
+                        "give one sign; a hit from the other side has negative numbers"});
     }
     return frf::npos;
   }
@@ -173,7 +173,7 @@ class Run {
       throw InputError({ErrorKind::data,
                         records_[0].file,
                         {},
-                        "no blow was found",
+                        "no hit was found",
                         "give a lower --trigger, or check which channel is the force"});
     for (Averages& of : made_.averages) {
       if (of.kept == 0) {
@@ -181,7 +181,7 @@ class Run {
             {ErrorKind::data,
              records_[0].file,
              {},
-             fmt::format("all {} stretches with the force at {} are rejected: {}", of.found, of.reference.name(), first_reason()),
+             fmt::format("all {} segments with the force at {} are rejected: {}", of.found, of.reference.name(), first_reason()),
              "measure again, or average them all the same with --keep-faulty"});
       }
       of.effective = options_.segments ? frf::effective_averages(static_cast<int>(of.kept), options_.segments->overlap,

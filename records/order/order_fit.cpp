@@ -111,9 +111,9 @@ double variance_of(const Eigen::VectorXd& samples) { return (samples.array() - s
 void require_enough(const Record& record, const OrderStretch& stretch, int orders) {
   if (stretch.periods() < fewest_periods - 1e-6) {
     fail(record,
-         fmt::format("{:.3g} s at {:.6g} Hz are {:.1f} periods, too few to tell phasors and their errors", stretch.length_s,
+         fmt::format("{:.3g} s at {:.6g} Hz are {:.1f} periods, too few for phasors and their errors", stretch.length_s,
                      hertz(stretch.omega), stretch.periods()),
-         fmt::format("record {:.0f} periods at least, or shorten settle", fewest_periods));
+         fmt::format("record {:.0f} periods at least, or shorten `settle`", fewest_periods));
   }
   const double highest = orders * hertz(stretch.omega + 0.5 * std::abs(stretch.rate) * stretch.length_s);
   if (highest > highest_share * record.rate_hz) {

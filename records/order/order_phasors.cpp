@@ -80,7 +80,7 @@ void require_steady(const Record& record, const OrderFit& fit) {
     fail(record, place_of(record.channels[c]),
          fmt::format("there is no steady state: its amplitude of {:.4g} changes by {:+.2g} % from end to end", size,
                      100.0 * change / size),
-         "leave out what is not steady by settle (s), or record longer");
+         "leave out the unsteady beginning by `settle` (s), or record longer");
   }
 }
 
@@ -171,7 +171,7 @@ OrderPhasors steady_phasors(const Record& record, const OrderOptions& options) {
   if (options.frequency_hz && std::abs(hz / *options.frequency_hz - 1.0) > most_off)
     fail(record, place_of(record.channels[force]),
          fmt::format("its frequency is {:.7g} Hz, not {:.7g} Hz", hz, *options.frequency_hz),
-         "mend lines, or the rate of the record");
+         "correct `lines`, or the rate of the record");
   require_steady(record, moving);
   return phasors_of(stretch, fit_orders(record, stretch, options.harmonics, 0));
 }

@@ -48,10 +48,12 @@ PhaseTrack::PhaseTrack(const Record& record, std::size_t channel, double settle_
   if (first + 2 < record.samples()) crossings_ = upward_crossings(record.channels[channel].samples, first, record.rate_hz);
   if (crossings_.size() >= fewest_crossings) return;
   const double length = static_cast<double>(record.samples()) / record.rate_hz;
-  throw InputError({ErrorKind::data, record.file, record.channels[channel].name,
-                    fmt::format("{:.3g} s, of which {:.3g} s settle, have {} upward zero crossings: no frequency can be told",
-                                length, settle_s, crossings_.size()),
-                    "record 8 periods at least, or shorten settle; is it the force of a sine?"});
+  throw InputError(
+      {ErrorKind::data, record.file, record.channels[channel].name,
+       fmt::format(
+           "{:.3g} s, of which `settle` leaves out {:.3g} s, have {} upward zero crossings: too few to find the frequency",
+           length, settle_s, crossings_.size()),
+       "record 8 periods at least, or shorten `settle`; is it the force of a sine?"});
 }
 
 double PhaseTrack::mean_hz(std::size_t from, int periods) const {

@@ -14,8 +14,6 @@ class PhaseTrack {
   /// last cycle's peak, so that noise makes none. Throws InputError (data) where there are less than 8.
   PhaseTrack(const Record& record, std::size_t channel, double settle_s);
 
-  const std::vector<double>& crossings_s() const { return crossings_; }
-
   /// One stretch of whole periods over all of it, with the mean frequency (α = 0).
   OrderStretch whole() const;
 

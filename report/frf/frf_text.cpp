@@ -17,7 +17,7 @@ std::string coherence_number(double value) { return std::isfinite(value) ? fmt::
 }  // namespace
 
 Table stretches_table(const tasks::FrfRun& run) {
-  Table table({{run.options.segments ? "segment" : "blow"},
+  Table table({{run.options.segments ? "segment" : "hit"},
                {"file", Align::left},
                {"from s"},
                {run.options.segments ? "rms force N" : "peak force N"},

@@ -11,7 +11,7 @@ namespace jointid::report {
 
 std::string direct_page(const laws::LawScene& scene, const laws::DirectIdentification& found) {
   ReportPage page(scene.title.empty() ? "Friction joints without a law" : scene.title, "jointid equivalent");
-  page.status(status_banner(std::string(word(found.status)), found.message));
+  page.status(status_banner(name(found.status), found.message));
   page.section("Summary");
   Facts facts{
       {{"force levels", fmt::format("{}", scene.levels.size())}, {"measured states", fmt::format("{}", found.steps.size())}}};

@@ -72,16 +72,16 @@ std::string direct_text(const laws::LawScene& scene, const laws::DirectIdentific
   std::string text = (scene.title.empty() ? "" : scene.title + "\n") + states_text(scene, found.data) +
                      consistency_text(found.consistency) + "\n";
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
-    text += fmt::format("{}: stiffness and damping without a law, {} of {} states tell them to 30 %\n",
+    text += fmt::format("{}: stiffness and damping without a law, {} of {} states determine them to 30 %\n",
                         scene.joints[j].beside.name, found.known[j], found.steps.size());
     text += direct_table(found.steps, j).text() + "\n";
   }
   for (const std::string& note : found.notes) text += "note: " + note + "\n";
-  return text + "status: " + std::string(word(found.status)) + (found.message.empty() ? "" : ": " + found.message) + "\n";
+  return text + "status: " + name(found.status) + (found.message.empty() ? "" : ": " + found.message) + "\n";
 }
 
 std::string direct_json(const laws::LawScene& scene, const laws::DirectIdentification& found) {
-  Json out = {{"status", word(found.status)},
+  Json out = {{"status", name(found.status)},
               {"message", found.message},
               {"joints", Json::array()},
               {"states", Json::array()},

@@ -59,7 +59,7 @@ Table worth_table(const laws::LawScene& scene, const LawBound& bound) {
       cells.push_back(j < of.joints.size() ? share(of.joints[j].stiffness) : "–");
       cells.push_back(j < of.joints.size() ? share(of.joints[j].limit) : "–");
     }
-    cells.emplace_back(of.status == response::LawFitStatus::converged ? "" : response::word(of.status));
+    cells.emplace_back(of.status == response::LawFitEnd::converged ? "" : response::word(of.status));
     table.add(cells);
   };
   if (bound.measured > 0) add("the measured levels alone", bound.present);
@@ -79,8 +79,8 @@ std::string law_bound_text(const laws::LawScene& scene, const LawBound& bound) {
     text += scene.joints[j].beside.name + ": " + bound.laws[j] + "\n" + joint_table(bound.all.joints[j]).text() + "\n";
   }
   if (!bound.worth.empty()) {
-    text += std::string(bound.measured > 0 ? "which level to measure next, the best first"
-                                           : "what each level is worth, the one missed most first") +
+    text += std::string(bound.measured > 0 ? "which force level to measure next, the best first"
+                                           : "what each force level adds, the most important first") +
             "\n" + worth_table(scene, bound).text() + "\n";
   }
   for (const std::string& what : bound.all.unseen) text += "note: " + what + "\n";

@@ -80,7 +80,7 @@ Json drifts(const laws::LawScene& scene, const LawIdentification& found) {
 }  // namespace
 
 std::string law_json(const laws::LawScene& scene, const LawIdentification& found) {
-  Json out = {{"status", word(found.status)},
+  Json out = {{"status", name(found.status)},
               {"message", found.message},
               {"laws", found.laws()},
               {"not_told_apart", found.not_told_apart},

@@ -14,7 +14,7 @@ namespace {
 void add_summary(const laws::LawScene& scene, const laws::LawIdentification& found, ReportPage& page) {
   page.section("Summary");
   page.add(Facts{{{"laws", laws::laws_text(found.laws())},
-                  {"not told apart from", found.not_told_apart.empty() ? "–" : comma_list(found.not_told_apart)},
+                  {"not separated from", found.not_told_apart.empty() ? "–" : comma_list(found.not_told_apart)},
                   {"force levels", fmt::format("{}", scene.levels.size())},
                   {"measured states", fmt::format("{}", found.data.states.size())},
                   {"χ² of degrees of freedom", fmt::format("{:.5g} of {}", found.fit().chi_square, found.fit().freedom)}}});
@@ -25,7 +25,7 @@ void add_summary(const laws::LawScene& scene, const laws::LawIdentification& fou
 
 std::string law_page(const laws::LawScene& scene, const laws::LawIdentification& found) {
   ReportPage page(scene.title.empty() ? "Friction laws from vibration" : scene.title, "jointid solve");
-  page.status(status_banner(std::string(word(found.status)), found.message));
+  page.status(status_banner(name(found.status), found.message));
   add_summary(scene, found, page);
   page.section("Joints");
   for (std::size_t j = 0; j < found.fit().joints.size(); ++j)

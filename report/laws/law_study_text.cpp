@@ -52,8 +52,9 @@ std::string law_study_summary(const laws::LawStudy& study) {
   text += "status: " + counts(study.statuses) + "\n";
   if (!study.chosen.empty()) {
     text += "laws chosen: " + counts(study.chosen) + "\n";
-    text += fmt::format("the true laws are chosen in {} of {}, others are as good in {}, the true ones are ruled out in {}\n",
-                        study.right, study.usable, study.undecided, study.missed);
+    text += fmt::format(
+        "model selection: the true laws in {} of {} trials, others equally good in {}, the true ones ruled out in {}\n",
+        study.right, study.usable, study.undecided, study.missed);
   }
   return text + fmt::format("χ² over its freedom {}, data that contradict each other in {} trials\n",
                             study.usable > 0 ? fmt::format("{:.3f}", study.chi_square) : "–", study.contradicting);

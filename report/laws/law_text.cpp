@@ -34,7 +34,7 @@ std::string harmonics_text(const std::vector<int>& numbers) {
 std::string choice_text(const LawIdentification& found) {
   std::string text = "law: " + laws::laws_text(found.laws());
   if (!found.not_told_apart.empty()) {
-    text += "; the data cannot tell it from " + comma_list(found.not_told_apart);
+    text += "; the data do not separate it from " + comma_list(found.not_told_apart);
   }
   return text + "\n";
 }
@@ -121,7 +121,7 @@ std::string law_text(const laws::LawScene& scene, const LawIdentification& found
     text += scene.joints[j].beside.name + ": stiffness and damping without a law\n" + direct_table(found, j).text() + "\n";
   }
   for (const std::string& note : found.notes) text += "note: " + note + "\n";
-  return text + "status: " + std::string(word(found.status)) + (found.message.empty() ? "" : ": " + found.message) + "\n";
+  return text + "status: " + name(found.status) + (found.message.empty() ? "" : ": " + found.message) + "\n";
 }
 
 std::string law_csv(const laws::LawScene& scene, const LawIdentification& found) {

@@ -52,7 +52,7 @@ Json equivalent(const CurveFit& curve) {
 Json fit_json(const tasks::LoadingCurveResult& result, const Fit& fit) {
   Json out = {{"law", fit.law},
               {"title", fit.title},
-              {"status", friction::name(fit.status)},
+              {"status", name(fit.status)},
               {"message", fit.message},
               {"minimiser", fit.minimiser},
               {"iterations", fit.iterations},
@@ -91,7 +91,7 @@ std::vector<std::string> csv_row(const Fit& fit, const CurveFit& curve, const Fi
           each.ci95 ? csv_number((*each.ci95)[1]) : "",
           friction::name(each.knowledge),
           csv_number(fit.aic),
-          friction::name(fit.status)};
+          name(fit.status)};
 }
 
 void add_rows(const Fit& fit, const CurveFit& curve, std::string& text) {
@@ -107,7 +107,7 @@ void add_rows(const Fit& fit, const CurveFit& curve, std::string& text) {
 std::string loading_curve_json(const tasks::LoadingCurveResult& result) {
   const Fit& best = result.fits.front();
   Json json = {
-      {"status", friction::name(best.status)}, {"message", best.message}, {"best_law", best.law}, {"notes", result.data.notes}};
+      {"status", name(best.status)}, {"message", best.message}, {"best_law", best.law}, {"notes", result.data.notes}};
   json["curves"] = Json::array();
   for (const friction::Curve& curve : result.data.curves) json["curves"].push_back(curve_json(curve));
   json["fits"] = Json::array();
@@ -120,7 +120,7 @@ std::string loading_curve_json(const tasks::LoadingCurveResult& result) {
         Json& loop = json["loops"].emplace_back(curve_fit(fit.curves[0]));
         loop["law"] = fit.law;
         loop["aic"] = value(fit.aic);
-        loop["status"] = friction::name(fit.status);
+        loop["status"] = name(fit.status);
       }
     }
   }

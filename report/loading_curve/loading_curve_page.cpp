@@ -31,7 +31,7 @@ void add_summary(const tasks::LoadingCurveResult& result, ReportPage& page) {
 /// The status of the best law, and what the curves cannot tell of it.
 StatusBanner loading_banner(const tasks::LoadingCurveResult& result) {
   const friction::Fit& best = result.fits.front();
-  if (!tasks::some_usable(result)) return status_banner(friction::name(best.status), best.message);
+  if (!tasks::some_usable(result)) return status_banner(name(best.status), best.message);
   std::vector<std::string> findings;
   for (const std::string& finding : best.findings) findings.push_back(best.law + ": " + finding);
   return status_banner("ok", fmt::format("Best law by AIC: {}, {}.", best.law, best.title), std::move(findings));

@@ -47,7 +47,7 @@ Table laws_table(const tasks::LoadingCurveResult& result) {
     }
     const CurveFit& first = fit.curves.front();
     const bool several = tasks::different(result, fit).size() > 1;
-    const std::string note = fit.status == friction::FitStatus::usable ? (several ? "first curve" : remark(first.limit)) : fit.message;
+    const std::string note = fit.status == Status::ok ? (several ? "first curve" : remark(first.limit)) : fit.message;
     table.add({fit.law, fmt::format("{:.1f}", fit.aic), fmt::format("{:.1f}", fit.aic - result.fits.front().aic),
                fmt::format("{:.4g}", fit.residual_std), fmt::format("{:.3e}", fit.objective), fmt::format("{}", fit.unknowns),
                number(first.stiffness.value), number(first.limit.value), note});

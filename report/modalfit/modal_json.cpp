@@ -59,7 +59,7 @@ Json stabilisation(const tasks::ModalRun& run) {
 
 std::string modal_json(const tasks::ModalRun& run) {
   const tasks::Shapes all = tasks::shapes(run);
-  Json json = {{"status", modalfit::name(run.fit.status)}, {"message", run.fit.message}, {"notes", notes(run)}};
+  Json json = {{"status", name(run.fit.status)}, {"message", run.fit.message}, {"notes", notes(run)}};
   json["model"] = {{"damping", modalfit::name(run.fit.kind.damping)}, {"real_modes", run.fit.kind.real_modes}};
   json["range_hz"] = {run.band.frequency_hz.front(), run.band.frequency_hz.back()};
   json["dofs"] = frf::names(all.dofs);

@@ -71,9 +71,9 @@ std::vector<std::string> modalfit_remarks(const tasks::ModalRun& run) {
 std::string modal_page(const tasks::ModalRun& run) {
   ReportPage page(run.files, "jointid modalfit");
   const HeatMap errors = error_overview(run);
-  page.status(status_banner(modalfit::name(run.fit.status), run.fit.message, modalfit_remarks(run)));
+  page.status(status_banner(name(run.fit.status), run.fit.message, modalfit_remarks(run)));
   page.section("Summary");
-  Facts facts{{{"status", modalfit::name(run.fit.status)},
+  Facts facts{{{"status", name(run.fit.status)},
                {"model", model_text(run.fit.kind)},
                {"FRFs", fmt::format("{} × {}, {} lines", run.band.responses, run.band.references, run.band.lines())},
                {"noise", run.fit.known_noise ? "of the files" : "estimated from neighbouring lines"},

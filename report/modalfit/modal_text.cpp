@@ -107,7 +107,7 @@ std::string edge_note(const tasks::ModalRun& run) {
     const double f = mode.pole.frequency_hz;
     if (mode.inside && (f < axis[few] || f > axis[axis.size() - 1 - few])) modes += fmt::format("{}{:.6g}", modes.empty() ? "" : ", ", f);
   }
-  return modes.empty() ? modes : "At the edge of the range, where few lines tell a mode from what lies beyond: " + modes + " Hz.";
+  return modes.empty() ? modes : "At the edge of the range, where few lines separate a mode from those beyond: " + modes + " Hz.";
 }
 
 /// Frequencies on which single FRFs disagree.
@@ -148,7 +148,7 @@ std::string flank_note(const tasks::ModalRun& run) {
 std::vector<std::string> notes(const tasks::ModalRun& run) {
   std::vector<std::string> out;
   if (!run.fit.message.empty()) out.push_back(run.fit.message);
-  if (!run.fit.known_noise) out.push_back("The files say nothing of their noise: it was estimated from neighbouring lines.");
+  if (!run.fit.known_noise) out.push_back("The files state no noise: it was estimated from neighbouring lines.");
   out.insert(out.end(), run.fit.remarks.begin(), run.fit.remarks.end());
   for (const std::string& note : {scatter_note(run), flank_note(run)}) {
     if (!note.empty()) out.push_back(note);
@@ -160,7 +160,8 @@ std::vector<std::string> notes(const tasks::ModalRun& run) {
     out.push_back(misfit_note(run, std::sqrt(misfit)));
   }
   if (modalfit::overall(told(run)).rms_db_away > harm_db) {
-    out.push_back("The model is more than 1 dB off away from antiresonances: regenerated FRFs would harm rather than help.");
+    out.push_back(
+        "The model is more than 1 dB off away from antiresonances: synthesised FRFs would be worse than the measured ones.");
   }
   return out;
 }
@@ -169,7 +170,7 @@ std::string modal_text(const tasks::ModalRun& run) {
   const auto& axis = run.band.frequency_hz;
   std::string text = fmt::format("{}: {} × {} FRFs, {} lines, {:.6g} to {:.6g} Hz; {}\n\n", run.files, run.band.responses,
                                  run.band.references, axis.size(), axis.front(), axis.back(), model_text(run.fit.kind));
-  if (run.fit.status != modalfit::FitStatus::ok) text += fmt::format("{}: {}\n\n", modalfit::name(run.fit.status), run.fit.message);
+  if (run.fit.status != Status::ok) text += fmt::format("{}: {}\n\n", name(run.fit.status), run.fit.message);
   text += modes_table(run).text() + "\n";
   text += "  fit of each FRF:  " + synthesis_text(run.of_fit) + "\n";
   if (run.symmetric) text += "  symmetric model:  " + synthesis_text(run.of_model) + "\n";

@@ -89,7 +89,7 @@ Table reduction_table(const tasks::ReductionTable& reduction) {
     table.add({word(row.basis), fmt::format("{}", row.order), fmt::format("{:.3g}", 100.0 * row.error.motion),
                fmt::format("{:.3g}", 100.0 * row.error.energy), fmt::format("{:.3g}", scale * row.error.observed(0)),
                fmt::format("{:.2f}", 1e3 * row.error.seconds),
-               row.error.status == oscillation::Status::ok ? "" : word(row.error.status)});
+               row.error.status == oscillation::MotionEnd::ok ? "" : word(row.error.status)});
   }
   return table;
 }

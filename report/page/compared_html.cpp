@@ -10,11 +10,11 @@ struct Mark {
   const char *kind, *sign, *words;
 };
 
-Mark mark_of(Verdict verdict) {
+Mark mark_of(InRange verdict) {
   switch (verdict) {
-    case Verdict::inside: return {"inside", "✓", "inside"};
-    case Verdict::outside: return {"outside", "✗", "outside"};
-    case Verdict::doubtful: break;
+    case InRange::inside: return {"inside", "✓", "inside"};
+    case InRange::outside: return {"outside", "✗", "outside"};
+    case InRange::doubtful: break;
   }
   return {"unsure", "?", "doubtful print"};
 }

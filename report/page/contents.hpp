@@ -64,12 +64,13 @@ struct HeatMap {
   HeatUnit unit = HeatUnit::decibel;
 };
 
-enum class Verdict { inside, outside, doubtful };
+/// Where a published number lies beside the range of trials; doubtful: its print is.
+enum class InRange { inside, outside, doubtful };
 
 /// A published number, what trials give for it, and whether it lies in their range.
 struct ComparedCell {
   std::string published, ours, low, high;
-  Verdict verdict = Verdict::inside;
+  InRange verdict = InRange::inside;
 };
 
 /// A published table beside ours; rows may be shorter than the titles.

@@ -69,7 +69,7 @@ Choice choice(const tasks::RegeneratedFrf& frf, const Values& frequency_hz, std:
   Choice out{entry_name(frf), {magnitude, phase}};
   Values differences = level_differences(curves[0], curves[1], kept);
   if (!has_any(differences)) return out;
-  difference.title = "Regenerated over measured";
+  difference.title = "Synthesised over measured";
   difference.y = {"dB", false};
   difference.level = 0.0;
   difference.deviation = least_deviation_db;

@@ -94,7 +94,7 @@ void add_stability(const tasks::ResponseResult& run, std::vector<std::string>& r
   }
   if (!any_known) return;
   remarks.push_back(fmt::format(
-      "where nothing else is said, the responses are stable; exact orbits differ from them by at most {:.2g} of the motion",
+      "unless stated otherwise, the responses are stable; exact orbits differ from them by at most {:.2g} of the motion",
       difference));
   if (!free.empty()) {
     remarks.push_back(fmt::format(
@@ -120,7 +120,7 @@ void add_further_problems(const tasks::ResponseScene& scene, const tasks::Respon
     if (!motion.complete) {
       remarks.push_back(fmt::format("{}: {}; the motion ends at {:.6g} s", run_of.name,
                                     scene.transient->method == response::TransientMethod::exact
-                                        ? "events come closer to each other than numbers can tell, or the motion runs away"
+                                        ? "events are closer than rounding resolves, or the motion diverges"
                                         : "the motion grows beyond all numbers",
                                     motion.times.back()));
     }
@@ -138,8 +138,8 @@ void add_narrow_peak(const tasks::LevelResponse& level, std::vector<std::string>
   const double width = 2.0 * level.peak_mode->ratio * hertz(level.peak_mode->omega), at = level.peak->omega;
   if (width >= level.line_spacing_hz || at == level.points.front().omega || at == level.points.back().omega) return;
   remarks.push_back(
-      fmt::format("{:.6g} N: the peak at {:.6g} Hz is {:.2g} Hz wide where the lines of the files stand {:.2g} Hz apart: how "
-                  "high it is between them is not known; `modal_model = true` goes between lines",
+      fmt::format("{:.6g} N: the peak at {:.6g} Hz is {:.2g} Hz wide but the lines of the files are {:.2g} Hz apart: its height "
+                  "between them is not known; `modal_model = true` goes between lines",
                   level.level, hertz(at), width, level.line_spacing_hz));
 }
 

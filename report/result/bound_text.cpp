@@ -34,20 +34,20 @@ std::string changes_text(const char* title, std::vector<tasks::BoundChange> chan
 }  // namespace
 
 std::string bound_text(const tasks::BoundReport& report) {
-  if (report.unknowns.empty()) return "\nINTERRUPTED: the bound was not worked out\n";
+  if (report.unknowns.empty()) return "\nINTERRUPTED: the bound was not computed\n";
   Table unknowns({{"name", Align::left}, {"assumed"}, {"std error"}, {"unit", Align::left}, {"relative"}});
   for (const tasks::UnknownBound& unknown : report.unknowns) {
     const bool fixed = std::isfinite(unknown.bound);
     unknowns.add({unknown.name, number(unknown.value), fixed ? fmt::format("{:.3g}", unknown.bound) : "not fixed", unknown.unit,
                   fixed ? percent(unknown.relative) : ""});
   }
-  const std::string cut = report.interrupted ? "\nINTERRUPTED: not all changes of the data were looked at\n" : "";
+  const std::string cut = report.interrupted ? "\nINTERRUPTED: not all changes of the data were examined\n" : "";
   const std::string lines =
       report.lines_looked_at < report.lines
           ? fmt::format("changes of the data: by {} of the {} lines, spread over all\n", report.lines_looked_at, report.lines)
           : "";
   return cut + "\nsmallest standard errors (Cramér–Rao bound) with " + fmt::format("{}", fmt::join(report.variances, ", ")) +
-         "\n" + unknowns.text() + "\nweakest combinations, in parts of the assumed values\n" +
+         "\n" + unknowns.text() + "\nleast determined combinations, relative to the assumed values\n" +
          weakest_table(report.weakest).text() + lines + changes_text("without a coordinate", report.without_coordinate, report) +
          changes_text("without a part of the lines", report.without_lines, report) +
          changes_text("with more data", report.with_more, report);

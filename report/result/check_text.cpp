@@ -63,7 +63,7 @@ std::string virtual_points_text(const std::vector<virtualpoint::Consistency>& po
                  over_lines(side->overall, point.frequency_hz), over_lines(point.rigidity, point.frequency_hz)});
     }
   }
-  return "\nconsistency of virtual points (1: the interface moves as its coordinates say)\n\n" + table.text();
+  return "\nconsistency of virtual points (1: the virtual point explains the channels fully)\n\n" + table.text();
 }
 
 std::string notes_text(const std::vector<std::string>& notes) {
@@ -115,7 +115,7 @@ std::string check_text(const ident::CheckResult& result) {
     table.add({number, ident::name(suspect.kind), suspect.file.empty() ? "–" : suspect.file,
                suspect.dofs.empty() ? "–" : dofs_text(suspect), in_percent_of_one(suspect.confidence)});
     details += "\n" + number + ". " + suspect.evidence + "\n";
-    details += suspect.remedy.empty() ? "   measure it again\n" : "   to mend it:\n" + indented(suspect.remedy);
+    details += suspect.remedy.empty() ? "   remedy: measure again\n" : "   correction:\n" + indented(suspect.remedy);
   }
   return text + "\n" + table.text() + details + rest;
 }

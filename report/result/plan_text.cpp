@@ -100,7 +100,7 @@ std::string plan_text(const ident::Plan& plan) {
   table.add({"other references", dof_list(plan.coordinates.references)});
   table.add({"lines", lines_text(plan.lines)});
   table.add({"unknowns", unknowns_text(plan)});
-  table.add({"assembly FRFs", !plan.predicted_responses.empty() ? "regenerated and compared" : "not regenerated"});
+  table.add({"assembly FRFs", !plan.predicted_responses.empty() ? "synthesised and compared" : "not synthesised"});
   return (plan.scene.title.empty() ? "" : plan.scene.title + "\n") + table.text() +
          phrases("constraints", ident::constraint_phrases(plan)) + cost_text(plan.cost) +
          known_noise_text(ident::variance_sources(plan)) + phrases("left out", plan.left_out) +

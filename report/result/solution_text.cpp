@@ -110,7 +110,7 @@ std::string unknowns_text(const ident::Solution& solution) {
   }
   const bool none = !estimates && !errors && solution.used.method == ident::Method::newton;
   return "\nunknowns\n" + table.text() + (estimates ? estimate_note(solution) : "") +
-         (none ? "  no errors: they are those of a joint that settled and is fixed by the data\n" : "");
+         (none ? "  no errors: only a joint that converged and that the data determine has them\n" : "");
 }
 
 std::string fit_text(const ident::Solution& solution) {
@@ -125,17 +125,17 @@ std::string fit_text(const ident::Solution& solution) {
   if (fit.iterations > 0) table.add({"iterations", fmt::format("{}", fit.iterations)});
   if (fit.chi_square) {
     table.add({"χ² / degrees of freedom", chi_square_text(*fit.chi_square)});
-    table.add({"outlying lines", fmt::format("{}", fit.chi_square->outlying_lines)});
+    table.add({"outlier lines", fmt::format("{}", fit.chi_square->outlying_lines)});
   }
-  if (fit.misfit) table.add({"residuals over what noise explains", fmt::format("{:.3g}", std::sqrt(*fit.misfit))});
+  if (fit.misfit) table.add({"residuals over their expected noise", fmt::format("{:.3g}", std::sqrt(*fit.misfit))});
   table.add({"assembly FRF error, dB", number_or_dash(fit.asm_frf_error)});
   return "\nfit\n" + table.text();
 }
 
 std::string verdict(const ident::MinimumSearch& search) {
-  if (search.minima.empty()) return "no start settled";
+  if (search.minima.empty()) return "no start converged";
   if (search.equally_good == 1) return "unique among the minima found";
-  return fmt::format("{} minima fit equally well: the data do not say which is the joint", search.equally_good);
+  return fmt::format("{} minima fit equally well: the data do not determine which is the joint", search.equally_good);
 }
 
 /// Minima of several starts, best first; those that fit equally well with their unknowns.

@@ -61,23 +61,23 @@ void add_summary(const ident::Solution& solution, ReportPage& page) {
   const ident::RunTime& time = solution.runtime_s;
   page.section("Summary");
   Facts facts{{{"status", words(ident::name(solution.status))},
-                  {"method", ident::name(solution.used.method)},
-                  {"equations", equations_text(solution.used.equations)},
-                  {"weighting", weighting_text(solution.used.method, solution.used.weighting)},
-                  {"delta", delta_text(solution.used.method, solution.used.delta)},
-                  {"solver", solution.used.solver},
-                  {"frequency lines", fmt::format("{}", fit.lines)},
-                  {"equations used", fmt::format("{}", fit.equations_used)},
-                  {"equations dropped", fmt::format("{}", fit.equations_dropped)},
-                  {"rank", fmt::format("{} of {}", fit.rank, solution.unknowns.size())},
-                  {"condition", fit.chi_square ? "–" : number(fit.condition)},
-                  {"digits that rounding alone leaves", fit.digits ? rounding_digits(solution) : "–"},
-                  {"residuals over what noise explains", fit.misfit ? fmt::format("{:.3g}", std::sqrt(*fit.misfit)) : "–"},
-                  {"iterations", fit.iterations > 0 ? fmt::format("{}", fit.iterations) : "–"},
-                  {"χ² / degrees of freedom", fit.chi_square ? chi_square_text(*fit.chi_square) : "–"},
-                  {"outlying lines", fit.chi_square ? fmt::format("{}", fit.chi_square->outlying_lines) : "–"},
-                  {"assembly FRF error", fit.asm_frf_error ? number(*fit.asm_frf_error) + " dB" : "–"},
-                  {"run time", duration(time.total)}}};
+               {"method", ident::name(solution.used.method)},
+               {"equations", equations_text(solution.used.equations)},
+               {"weighting", weighting_text(solution.used.method, solution.used.weighting)},
+               {"delta", delta_text(solution.used.method, solution.used.delta)},
+               {"solver", solution.used.solver},
+               {"frequency lines", fmt::format("{}", fit.lines)},
+               {"equations used", fmt::format("{}", fit.equations_used)},
+               {"equations dropped", fmt::format("{}", fit.equations_dropped)},
+               {"rank", fmt::format("{} of {}", fit.rank, solution.unknowns.size())},
+               {"condition", fit.chi_square ? "–" : number(fit.condition)},
+               {"digits that rounding alone leaves", fit.digits ? rounding_digits(solution) : "–"},
+               {"residuals over what noise explains", fit.misfit ? fmt::format("{:.3g}", std::sqrt(*fit.misfit)) : "–"},
+               {"iterations", fit.iterations > 0 ? fmt::format("{}", fit.iterations) : "–"},
+               {"χ² / degrees of freedom", fit.chi_square ? chi_square_text(*fit.chi_square) : "–"},
+               {"outlier lines", fit.chi_square ? fmt::format("{}", fit.chi_square->outlying_lines) : "–"},
+               {"assembly FRF error", fit.asm_frf_error ? number(*fit.asm_frf_error) + " dB" : "–"},
+               {"run time", duration(time.total)}}};
   for (const auto& [phase, seconds] : ident::run_time_phases) {
     if (time.*seconds > 0.0) facts.rows.push_back({fmt::format("run time, {}", phase), duration(time.*seconds)});
   }
@@ -127,7 +127,7 @@ void add_identifiability(const ident::Solution& solution, ReportPage& page) {
   page.section("Identifiability");
   for (const ident::Finding& finding : solution.identifiability->findings) page.add(Text{finding.text});
   page.add(Facts{visibility_rows(solution)});
-  page.add(weakest_table(solution.identifiability->weakest), "Weakest combinations, in parts of the estimates");
+  page.add(weakest_table(solution.identifiability->weakest), "Least determined combinations, relative to the estimates");
 }
 
 void add_systematic(const ident::Solution& solution, ReportPage& page) {
@@ -136,7 +136,7 @@ void add_systematic(const ident::Solution& solution, ReportPage& page) {
   page.add(systematic_table(solution.systematic), "Estimated with the joint");
   if (!solution.identifiability) return;
   page.add(calibration_table(solution.identifiability->calibration),
-           "What of the variance would go if these were known exactly, all of them and one alone");
+           "Share of the variance that exact knowledge of these would remove: of all together, of the most important one");
 }
 
 void add_matrices(const ident::Plan& plan, const ident::Solution& solution, const Display& display, ReportPage& page) {
@@ -197,8 +197,11 @@ void add_frf_errors(const tasks::EntryErrors& errors, ReportPage& page) {
                               errors.all_responses, errors.references.size(), errors.all_references)});
   }
   page.add(worst_frfs(map), "Worst first", {most_worst, "the map has all of them"});
-  page.add(Text{fmt::format("rms over all {} lines that both systems have. A row or column that stands out points to its sensor or its "
-                            "excitation.", errors.lines), true});
+  page.add(
+      Text{fmt::format("rms over all {} lines that both systems have. A conspicuous row points to its sensor, a column to its "
+                       "excitation.",
+                       errors.lines),
+           true});
   add_noise_map(errors, page);
 }
 
@@ -225,7 +228,7 @@ void add_worst(const tasks::EntryErrors& errors, const PlotGroup& overlay, Repor
 void add_frfs(const tasks::SolutionDetails& details, const PlotGroup& overlay, ReportPage& page) {
   const auto& [errors, regenerated, all_used, quality] = details;
   if (overlay.choices.empty()) return;
-  page.section("Assembly: measured and regenerated from the identified joint");
+  page.section("Assembly: measured, and synthesised from the identified joint");
   page.add(overlay);
   page.add(Text{"In brackets behind a name: rms difference of the magnitudes over all lines.", true});
   if (!all_used) page.add(Text{"Shaded: from the first to the last line that the joint was identified from.", true});

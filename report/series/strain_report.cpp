@@ -40,7 +40,7 @@ std::vector<std::string> strain_remarks(const tasks::StrainResult& report) {
   if (report.task.shapes == report.task.gauges.size())
     out.emplace_back("as many shapes as gauges: nothing shows a gauge with a wrong sign, gain or place");
   if (report.map.condition > bad_condition)
-    out.push_back(fmt::format("condition {}: the gauges hardly tell the shapes apart; spread them, or take fewer shapes",
+    out.push_back(fmt::format("condition {}: the gauges hardly separate the shapes; spread them, or take fewer shapes",
                               number(report.map.condition)));
   return out;
 }

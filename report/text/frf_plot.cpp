@@ -62,7 +62,7 @@ class Canvas {
 std::string frf_plot(const tasks::Regenerated& regenerated, const tasks::RegeneratedFrf& frf, const std::string& unit) {
   const auto [low, high] = limits(frf);
   const std::string title = fmt::format("assembly FRF {} / {}", frf.entry.response.name(), frf.entry.reference.name());
-  if (!std::isfinite(low)) return "\n" + title + ": nothing to show, not measured or not regenerated\n";
+  if (!std::isfinite(low)) return "\n" + title + ": nothing to show, not measured or not synthesised\n";
   Canvas canvas(low, high);
   const std::vector<double>& axis = regenerated.frequency_hz;
   const double span = std::max(axis.back() - axis.front(), std::numeric_limits<double>::min());
@@ -72,7 +72,7 @@ std::string frf_plot(const tasks::Regenerated& regenerated, const tasks::Regener
     canvas.mark(column, decibel(frf.measured[line]), measured_mark);
     canvas.mark(column, decibel(frf.predicted[line]), predicted_mark);
   }
-  std::string out = fmt::format("\n{}, dB re 1 {}: {} measured, {} regenerated, {} both\n", title, unit, measured_mark,
+  std::string out = fmt::format("\n{}, dB re 1 {}: {} measured, {} synthesised, {} both\n", title, unit, measured_mark,
                                 predicted_mark, both_mark);
   out += canvas.text();
   out += fmt::format("{:8}+{:-<{}}\n{:9}{:<{}g}{:>10g} Hz\n", "", "", width, "", axis.front(), width - 13, axis.back());

@@ -26,7 +26,7 @@ std::string interval_words(ident::IntervalKind kind) {
 }
 
 Table weakest_table(const std::vector<ident::WeakCombination>& weakest) {
-  Table table({{"fixed worst", Align::left}, {"to"}, {"of these fixed best", Align::left}, {"to"}, {"correlation"}});
+  Table table({{"least determined", Align::left}, {"to"}, {"best determined of these", Align::left}, {"to"}, {"correlation"}});
   for (const ident::WeakCombination& weak : weakest) {
     table.add({ident::text(weak.worst), percent(weak.worst.deviation), weak.best ? ident::text(*weak.best) : "",
                weak.best ? percent(weak.best->deviation) : "",
@@ -41,7 +41,7 @@ std::vector<std::pair<std::string, std::string>> visibility_rows(const ident::So
   return {{"standard errors and intervals", interval_words(solution.intervals)},
           {"largest relative standard error", errors ? percent(found.largest_relative_error) : "–"},
           {"median of |H_sub - H_asm| over its error", times(found.joint.effect)},
-          {"work of the combination fixed worst, assembled over free parts", times(found.joint.deformation)}};
+          {"work of the least determined combination, assembled over free parts", times(found.joint.deformation)}};
 }
 
 std::string identifiability_text(const ident::Solution& solution) {
@@ -50,7 +50,8 @@ std::string identifiability_text(const ident::Solution& solution) {
   for (const auto& [name, value] : visibility_rows(solution)) facts.add({name, value});
   std::string text = "\nidentifiability\n" + facts.text();
   if (!solution.identifiability->weakest.empty()) {
-    text += "\nweakest combinations, in parts of the estimates\n" + weakest_table(solution.identifiability->weakest).text();
+    text +=
+        "\nleast determined combinations, relative to the estimates\n" + weakest_table(solution.identifiability->weakest).text();
   }
   for (const ident::Finding& finding : solution.identifiability->findings) text += "\n" + finding.text + "\n";
   return text;

@@ -33,7 +33,8 @@ std::string systematic_text(const ident::Solution& solution) {
   if (solution.systematic.empty()) return "";
   std::string text = "\nestimated with the joint\n" + systematic_table(solution.systematic).text();
   if (!solution.identifiability || solution.identifiability->calibration.empty()) return text;
-  return text + "\nwhat of the variance would go if these were known exactly, all of them and one alone\n" +
+  return text +
+         "\nshare of the variance that exact knowledge of these would remove: of all together, of the most important one\n" +
          calibration_table(solution.identifiability->calibration).text();
 }
 

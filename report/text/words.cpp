@@ -34,7 +34,7 @@ bool is_set_aside(const ident::ChiSquare& chi_square) {
 std::string chi_square_text(const ident::ChiSquare& chi_square) {
   const auto [value, freedom] = std::pair(chi_square.value, chi_square.degrees_of_freedom);
   const std::string aside =
-      chi_square.outlying_lines == 0 ? "" : fmt::format(", {} outlying lines set aside", chi_square.outlying_lines);
+      chi_square.outlying_lines == 0 ? "" : fmt::format(", {} outlier lines set aside", chi_square.outlying_lines);
   return fmt::format("{:.4g} / {:g} = {:.4g}{}", value, freedom, value / freedom, is_set_aside(chi_square) ? aside : "");
 }
 

@@ -100,7 +100,7 @@ class Comparison {
     PeriodicOrbit orbit;
     WayResult& result = add("exact", [&](WayResult& out) {
       orbit = find_orbit(problem_);
-      out.found = orbit.status == OrbitStatus::closed;
+      out.found = orbit.closed;
       out.periods = orbit.periods;
       out.steps = orbit.newton_steps;
     });

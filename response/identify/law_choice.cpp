@@ -217,7 +217,7 @@ LawFit last_fit(const std::shared_ptr<const Receptance>& structure, const std::v
   if (is_minimum(first.status)) further.from = first.end;
   LawFit fit = fit_laws(structure, states, unknowns_of(joints_of(first), constraints), further);
   if (is_minimum(fit.status) || !is_minimum(first.status)) return fit;
-  first.status = LawFitStatus::harmonics_not_enough;
+  first.status = LawFitEnd::harmonics_not_enough;
   return first;
 }
 

@@ -21,10 +21,10 @@ constexpr double negligible = 0.3;  ///< deviations that a kink may leave
 
 constexpr double finest = 1e-6;  ///< deviations: unknown receptances make the steps shrink by a factor alone
 
-LawFitStatus status_of(const minimise::GaussNewtonResult& result) {
-  if (!result.defined) return LawFitStatus::no_response;
-  if (!result.converged) return LawFitStatus::not_converged;
-  return result.kink > negligible ? LawFitStatus::at_kink : LawFitStatus::converged;
+LawFitEnd status_of(const minimise::GaussNewtonResult& result) {
+  if (!result.defined) return LawFitEnd::no_response;
+  if (!result.converged) return LawFitEnd::not_converged;
+  return result.kink > negligible ? LawFitEnd::at_kink : LawFitEnd::converged;
 }
 
 /// Joints with values and deviations, from the numbers of a minimum.
@@ -136,20 +136,20 @@ LawFit numbers_of(const Receptance& structure, const std::vector<MeasuredState>&
   LawFit out;
   out.numbers = measured_numbers(states) + unknowns.priors();
   out.freedom = out.numbers - unknowns.size();
-  if (out.freedom <= 0) out.status = LawFitStatus::too_few_data;
+  if (out.freedom <= 0) out.status = LawFitEnd::too_few_data;
   return out;
 }
 
 }  // namespace
 
-std::string_view word(LawFitStatus status) {
+std::string_view word(LawFitEnd status) {
   constexpr std::string_view words[] = {"converged",    "not_converged",        "no_response",
                                         "too_few_data", "harmonics_not_enough", "at_kink"};
   return words[static_cast<std::size_t>(status)];
 }
 
-bool is_minimum(LawFitStatus status) {
-  return status == LawFitStatus::converged || status == LawFitStatus::harmonics_not_enough || status == LawFitStatus::at_kink;
+bool is_minimum(LawFitEnd status) {
+  return status == LawFitEnd::converged || status == LawFitEnd::harmonics_not_enough || status == LawFitEnd::at_kink;
 }
 
 std::vector<Joint> joints_of(const LawFit& fit) {
@@ -163,7 +163,7 @@ double chi_square_of_one(const LawFit& fit) { return fit.chi_square / static_cas
 LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states,
                 const LawUnknowns& unknowns, const LawFitOptions& options) {
   LawFit out = numbers_of(*structure, states, unknowns);
-  if (out.status == LawFitStatus::too_few_data) return out;
+  if (out.status == LawFitEnd::too_few_data) return out;
   const HarmonicsToAdd add(*structure, states, options.largest);
   const bool adds = options.harmonics.empty();
   const bool nuisance = options.receptance_errors && knows_errors(*structure, states);
@@ -183,12 +183,12 @@ LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<M
     numbers = fit.result.unknowns;
     out.rounds.push_back({adds ? largest : 0, unknowns.values(numbers), fit.result.at.residual.squaredNorm(), moved});
     if (!fit.result.converged || !adds || (out.rounds.size() > 1 && moved < options.settled)) break;
-    if (add.after(largest) == 0) out.status = LawFitStatus::harmonics_not_enough;
+    if (add.after(largest) == 0) out.status = LawFitEnd::harmonics_not_enough;
   }
   if (adds && fit.result.converged) {  // the last round ended roughly
     fit = fits.next(harmonics, fit, nuisance ? finest : 0.0);
     out.steps += fit.result.steps;
-    if (out.status != LawFitStatus::harmonics_not_enough || !fit.result.converged) out.status = status_of(fit.result);
+    if (out.status != LawFitEnd::harmonics_not_enough || !fit.result.converged) out.status = status_of(fit.result);
   }
   out.end = std::make_shared<const FitOfHarmonics>(fit);
   describe_fit(unknowns, std::move(fit), out);
@@ -199,13 +199,13 @@ LawFit bound_of_laws(std::shared_ptr<const Receptance> structure, const std::vec
                      const std::vector<int>& harmonics) {
   constexpr double exact = 1e-4;  // χ² of states that are those of the model
   LawFit out = numbers_of(*structure, states, unknowns);
-  if (out.status == LawFitStatus::too_few_data) return out;
+  if (out.status == LawFitEnd::too_few_data) return out;
   const bool nuisance = knows_errors(*structure, states);
   const HarmonicsFits fits(structure, states, unknowns, {.nuisance = nuisance});
   FitOfHarmonics fit = fits.at(harmonics, unknowns.start());
   out.status = status_of(fit.result);
   describe_fit(unknowns, std::move(fit), out);
-  if (out.chi_square > exact) out.status = LawFitStatus::not_converged;
+  if (out.chi_square > exact) out.status = LawFitEnd::not_converged;
   return out;
 }
 

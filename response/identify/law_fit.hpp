@@ -23,7 +23,8 @@ struct LawFitOptions {
   minimise::GaussNewtonOptions steps{};
 };
 
-enum class LawFitStatus {
+/// How a fit ended; what it is worth is the Status of an identification.
+enum class LawFitEnd {
   converged,
   not_converged,         ///< Gauss–Newton ended without a minimum: the numbers are those of its last step
   no_response,           ///< harmonic balance has no solution for the law that the fit starts with
@@ -31,9 +32,9 @@ enum class LawFitStatus {
   harmonics_not_enough,  ///< a minimum, but the last harmonics that could be added still moved it
   at_kink  ///< one where χ² bends sharply (a loop of one state's motion appears or vanishes): up to a deviation off
 };
-std::string_view word(LawFitStatus status);
+std::string_view word(LawFitEnd status);
 /// Whether the numbers are those of a minimum.
-bool is_minimum(LawFitStatus status);
+bool is_minimum(LawFitEnd status);
 
 /// One fit with the harmonics of the model up to `largest`.
 struct HarmonicsRound {
@@ -53,7 +54,7 @@ struct FittedJoint {
 };
 
 struct LawFit {
-  LawFitStatus status = LawFitStatus::converged;
+  LawFitEnd status = LawFitEnd::converged;
   std::vector<FittedJoint> joints;
   Eigen::VectorXd values;                 ///< of the unknown parameters, in the order of LawUnknowns
   Eigen::MatrixXd covariance;             ///< of the values, along what the states see

@@ -134,7 +134,7 @@ void PeriodMap::collect_image() {
 bool PeriodMap::run(bool with_derivative) {
   place(with_derivative ? state_.size() : 0);
   const std::size_t before = march_.events();
-  if (march_.march(period_) != MarchStatus::reached) return false;
+  if (!march_.march(period_)) return false;
   events_ = march_.events() - before;
   remember_turns();
   collect_image();

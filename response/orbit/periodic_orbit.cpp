@@ -111,10 +111,7 @@ PeriodicOrbit find_from(PeriodMap& map, int to_march, const OrbitOptions& option
     ++orbit.periods;
     if (!map.run(to_march == 0)) {
       const bool by_itself = !moved && to_march > 0;
-      if (by_itself || orbit.periods >= options.most_periods) {
-        orbit.status = OrbitStatus::stalled;
-        return orbit;
-      }
+      if (by_itself || orbit.periods >= options.most_periods) return orbit;
       if (moved) map.abandon_move();
       settle();
       continue;
@@ -130,7 +127,7 @@ PeriodicOrbit find_from(PeriodMap& map, int to_march, const OrbitOptions& option
       continue;
     }
     if (now <= options.closure || (now <= 1e4 * options.closure && now > 0.1 * last)) {
-      orbit.status = OrbitStatus::closed;
+      orbit.closed = true;
       break;
     }
     if (orbit.periods >= options.most_periods) break;

@@ -8,12 +8,6 @@
 
 namespace jointid::response {
 
-enum class OrbitStatus {
-  closed,      ///< a period leads back to its beginning
-  not_closed,  ///< Newton's method did not settle
-  stalled      ///< time marching ended early (MarchStatus)
-};
-
 struct OrbitOptions {
   int first_periods = 3;   ///< marched from rest before Newton's method begins
   int most_periods = 500;  ///< in all
@@ -27,7 +21,7 @@ struct OrbitOptions {
 /// saltation (response.md §2, §7). Bilinear joints have their force as state, the memory of the others goes with their motion.
 /// Residual force that the motion leaves free is chosen as none: the joint's largest |q| lies on its virgin curve.
 struct PeriodicOrbit {
-  OrbitStatus status = OrbitStatus::not_closed;
+  bool closed = false;   ///< a period leads back to its beginning; else Newton's method did not settle, or time marching ended early
   double closure = 0.0;  ///< reached
   int periods = 0;       ///< marched in all
   int newton_steps = 0;

@@ -32,8 +32,8 @@ SolutionStability stability(const MatrixAssembly& assembly, const Excitation& fo
   const OrbitStart start = start_of(assembly, x, solution);
   SolutionStability found;
   found.orbit = find_orbit(problem, start, options);
-  if (found.orbit.status != OrbitStatus::closed) found.orbit = find_orbit(problem, options);
-  if (found.orbit.status != OrbitStatus::closed) return found;
+  if (!found.orbit.closed) found.orbit = find_orbit(problem, options);
+  if (!found.orbit.closed) return found;
   found.difference = (found.orbit.x - start.x).cwiseAbs().maxCoeff() / x.cwiseAbs().rowwise().sum().maxCoeff();
   const std::vector<std::size_t> joints = friction_joints(assembly.joints);
   for (std::size_t i = 0; i < joints.size(); ++i) {

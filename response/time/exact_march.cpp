@@ -80,17 +80,17 @@ Instant ExactMarch::motion() const {
   return {time_, z_.head(n), z_.segment(n, n), z_.segment(2 * n, structure_.joints())};
 }
 
-MarchStatus ExactMarch::march(double until, const std::function<void(const MarchStep&)>& see) {
+bool ExactMarch::march(double until, const std::function<void(const MarchStep&)>& see) {
   const double least = (until - time_) / flow().longest_step();
-  if (least > most_steps) return MarchStatus::stalled;
+  if (least > most_steps) return false;
   const std::size_t last = steps_ + static_cast<std::size_t>(spare_steps + 20.0 * std::max(least, 0.0));
   while (time_ < until) {
-    if (steps_ >= last) return MarchStatus::stalled;
+    if (steps_ >= last) return false;
     const double change = force_.next_change(time_), limit = std::min(until, change);
-    if (!step(limit, see)) return MarchStatus::stalled;
+    if (!step(limit, see)) return false;
     if (time_ == change) z_.tail(force_.load().cols()) = force_.state(time_);
   }
-  return MarchStatus::reached;
+  return true;
 }
 
 /// The length of the step: up to the limit, the first event, or as far as the forces are polynomials.

@@ -28,12 +28,6 @@ struct MarchStep {
   Instant motion(double sigma) const;
 };
 
-/// Why a march ended.
-enum class MarchStatus {
-  reached,  ///< the time asked for
-  stalled   ///< events or steps came closer to each other than numbers can tell, were too many, or the motion ran away
-};
-
 /// Steps of one call of march() beyond which it does not begin: joints or springs stiffer than any that takes part in the motion.
 inline constexpr double most_steps = 1e6;
 
@@ -57,8 +51,9 @@ class ExactMarch {
   /// Another state at `time`. Bilinear joints have the forces `f`, those of the others follow from their memory.
   void place(double time, const Eigen::VectorXd& x, const Eigen::VectorXd& v, const Eigen::VectorXd& f);
 
-  /// On to `until` (s). `see` is called for every step.
-  MarchStatus march(double until, const std::function<void(const MarchStep&)>& see = {});
+  /// On to `until` (s). `see` is called for every step. False where it ended before: events or steps came closer to each other than
+  /// numbers can tell, were too many, or the motion ran away.
+  bool march(double until, const std::function<void(const MarchStep&)>& see = {});
 
   Instant motion() const;
   double time() const { return time_; }

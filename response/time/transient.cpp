@@ -73,7 +73,7 @@ Transient march_transient(const JointedStructure& structure, const ForceHistory&
     case TransientMethod::exact: {
       ExactMarch march(structure, force);
       teller.march(march.motion(), [&](double time) {
-        if (march.march(time) != MarchStatus::reached) return false;
+        if (!march.march(time)) return false;
         teller.tell(march.motion());
         return true;
       });

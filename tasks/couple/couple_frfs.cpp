@@ -78,18 +78,15 @@ std::vector<ComplexValues> read_values(frf::FrfSource& source, const std::vector
                       [&](const frf::Block& block, ComplexValues& values) { source.read(block, values); });
 }
 
-}  // namespace
-
-std::vector<PredictedFrf> read_predicted(const CoupleResult& result, std::size_t most) {
-  const auto source = frf::open_hdf5(result.result.path);
-  const frf::FrfHeader& header = source->header();
+std::vector<PredictedFrf> predicted(frf::FrfSource& source, frf::FrfSource* all_conditions, std::size_t most) {
+  const frf::FrfHeader& header = source.header();
   const std::vector<Entry> entries = choose(header, most);
-  std::vector<ComplexValues> values = read_values(*source, entries), variances, with_all;
+  std::vector<ComplexValues> values = read_values(source, entries), variances, with_all;
   if (header.noise == frf::NoiseRecord::variance) {
     variances =
-        read_entries(header, entries, [&](const frf::Block& block, ComplexValues& to) { source->read_variance(block, to); });
+        read_entries(header, entries, [&](const frf::Block& block, ComplexValues& to) { source.read_variance(block, to); });
   }
-  if (result.with_all) with_all = read_values(*frf::open_hdf5(result.with_all->path), entries);
+  if (all_conditions != nullptr) with_all = read_values(*all_conditions, entries);
   std::vector<PredictedFrf> out;
   for (std::size_t e = 0; e < entries.size(); ++e) {
     out.push_back({header.response[entries[e][0]], header.reference[entries[e][1]], std::move(values[e]), {}, {}, {}});
@@ -97,6 +94,24 @@ std::vector<PredictedFrf> read_predicted(const CoupleResult& result, std::size_t
     if (!with_all.empty()) out.back().with_all = std::move(with_all[e]);
   }
   return out;
+}
+
+/// A set that outlives the source.
+std::unique_ptr<frf::FrfSource> source_on(const frf::FrfSet& set) {
+  return frf::from_shared(std::shared_ptr<const frf::FrfSet>(std::shared_ptr<void>(), &set));
+}
+
+}  // namespace
+
+std::vector<PredictedFrf> read_predicted(const CoupleResult& result, std::size_t most) {
+  const auto all = result.with_all ? frf::open_hdf5(result.with_all->path) : nullptr;
+  return predicted(*frf::open_hdf5(result.result.path), all.get(), most);
+}
+
+std::vector<PredictedFrf> predicted_of(const CoupledSets& coupled, std::size_t most) {
+  if (coupled.frfs.header.lines() == 0) return {};
+  const auto all = coupled.with_all ? source_on(*coupled.with_all) : nullptr;
+  return predicted(*source_on(coupled.frfs), all.get(), most);
 }
 
 void compare_with(frf::FrfSource& measured, const std::vector<double>& frequency_hz, std::vector<PredictedFrf>& frfs) {

@@ -20,6 +20,9 @@ struct PredictedFrf {
 /// Reads back up to `most` FRFs of what coupling wrote, point FRFs first. Throws InputError for files that are gone.
 std::vector<PredictedFrf> read_predicted(const CoupleResult& result, std::size_t most);
 
+/// The same of sets in memory; none where no line was coupled.
+std::vector<PredictedFrf> predicted_of(const CoupledSets& coupled, std::size_t most);
+
 /// Puts beside the predicted FRFs what was measured of the same coordinates, on lines that agree to a millionth of the frequency.
 void compare_with(frf::FrfSource& measured, const std::vector<double>& frequency_hz, std::vector<PredictedFrf>& frfs);
 

@@ -35,7 +35,7 @@ records::FrfOptions estimate_options(const FrfTask& task) {
   options.hammer.block_s = task.block_s;
   if (!task.shaker) return options;
   if (!task.block_s)
-    throw InputError({ErrorKind::usage, {}, "--shaker", "says no length of the segments", "give --block SECONDS"});
+    throw InputError({ErrorKind::usage, {}, "--shaker", "states no length of the segments", "give --block SECONDS"});
   options.segments = task.segments;
   options.segments->block_s = *task.block_s;
   return options;

@@ -51,7 +51,9 @@ void share_all(const std::string& law, friction::FitOptions& options) {
 
 class Fitting {
  public:
-  Fitting(const LoadingCurveTask& task, const FittingWatch& watch) : task_(task), options_(options(task)), watch_(watch) {}
+  Fitting(const LoadingCurveTask& task, const FittingWatch& watch) : task_(task), options_(options(task)), watch_(watch) {
+    options_.interrupted = watch.interrupted;
+  }
 
   LoadingCurveResult run(LoadingCurveResult result) {
     const bool several_loops = result.data.loops && result.data.curves.size() > 1;
@@ -72,7 +74,7 @@ class Fitting {
  private:
   static void best_first(std::vector<Fit>& fits) {
     std::ranges::stable_sort(fits, {},
-                             [](const Fit& fit) { return std::pair(fit.status != friction::FitStatus::usable, fit.aic); });
+                             [](const Fit& fit) { return std::pair(fit.status != Status::ok, fit.aic); });
   }
 
   void begin(const std::string& stage) const {

@@ -29,7 +29,7 @@ double energy_error(const friction::CurveFit& fit) {
 }
 
 bool some_usable(const LoadingCurveResult& result) {
-  return std::ranges::any_of(result.fits, [](const friction::Fit& fit) { return fit.status == friction::FitStatus::usable; });
+  return std::ranges::any_of(result.fits, [](const friction::Fit& fit) { return fit.status == Status::ok; });
 }
 
 }  // namespace jointid::tasks

@@ -90,7 +90,7 @@ void require_room(const frf::FrfHeader& header) {
 /// A fit that was stopped with modes of its own is worth writing.
 void mark_interrupted(modalfit::ModalFit& fit) {
   if (fit.modes.empty()) throw Interrupted();
-  fit.status = modalfit::FitStatus::not_converged;
+  fit.status = Status::not_converged;
   fit.message = "Interrupted: the modes are those found so far.";
 }
 
@@ -102,11 +102,13 @@ ModalRun run_modal(const std::string& name, const frf::FrfSet& set, const modalf
   run.files = name;
   run.header = set.header;
   run.band = modalfit::make_band(set, options.range_hz);
+  if (options.abandoned) run.band.watch = [abandoned = options.abandoned] { stop_if(abandoned); };
   run.fit = modalfit::fit(run.band, run.header, options);
   if (options.interrupted && options.interrupted()) mark_interrupted(run.fit);
   synthesise(run);
-  if (run.fit.status == modalfit::FitStatus::poor_fit && !modalfit::doubt_phase(run.fit, run.band))
+  if (run.fit.status == Status::poor_fit && !modalfit::doubt_phase(run.fit, run.band))
     modalfit::explain(run.fit, run.band, options);
+  run.band.watch = {};  // of this run alone
   run.fit_s = seconds_since(start);
   return run;
 }

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "scene/document.hpp"
 #include "scene/text.hpp"
 #include "tasks/oscillate/oscillate_sections.hpp"
 #include "tasks/response/scene_values.hpp"
@@ -141,14 +142,11 @@ std::vector<ident::NamedFile> files_of(const OscillateScene& scene) {
 }
 
 OscillateScene parse_oscillate_scene(const std::string& text, const ident::Path& file) {
-  const scene::Value document = scene::parse_toml(text, file);
-  const std::string name = file.string();
-  const scene::Item root(document, name, {}, {});
-  const scene::Table table =
-      root.table({"title", "system", "friction", "start", "motion", "orbit", "exponents", "sweep", "reduction"});
+  const scene::Document document(text, file, {"system", "friction", "start", "motion", "orbit", "exponents", "sweep", "reduction"});
+  const scene::Table& table = document.table();
   OscillateScene scene;
   scene.file = file;
-  if (const auto title = table.find("title")) scene.title = title->text();
+  scene.title = document.title();
   read_system(table.require("system"), scene);
   scene.system.friction = read_friction(table.require("friction"));
   table.require("system").here([&] { contact_system(model_of(scene.system)); });

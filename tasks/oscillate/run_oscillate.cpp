@@ -18,10 +18,10 @@ using oscillation::ContactSystem;
 using oscillation::Model;
 using oscillation::PeriodicOrbit;
 using oscillation::ReductionBasis;
-using oscillation::Status;
+using oscillation::MotionEnd;
 
 std::optional<SeenModes> modes_of(const SampledMotion& motion) {
-  if (motion.status != Status::ok) return std::nullopt;
+  if (motion.status != MotionEnd::ok) return std::nullopt;
   const series::Samples seen = motion.samples.middleCols(1, at(motion.seen));
   if ((seen.rowwise() - seen.row(0)).cwiseAbs().maxCoeff() == 0.0) return std::nullopt;
   return SeenModes{series::pod(seen), series::square_fractions(seen)};
@@ -57,7 +57,7 @@ class Oscillating {
     run_.motion = std::make_shared<const SampledMotion>(sampled_motion(scene_, system_, share, control_.interrupted));
     run_.modes = modes_of(*run_.motion);
     keep();
-    if (run_.motion->status != Status::ok) return std::move(run_);
+    if (run_.motion->status != MotionEnd::ok) return std::move(run_);
     if (scene_.orbit) step("periodic orbit", [&] { find_orbit(); });
     if (scene_.exponents) step("exponents", [&] { find_exponents(); });
     if (scene_.sweep) step("sweep", [&] { sweep(); });

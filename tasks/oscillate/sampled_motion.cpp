@@ -46,7 +46,7 @@ class Sampler {
     motion.on_event = [this](const Event& event) { take(event); };
   }
 
-  SampledMotion finish(const StickSlip& motion, oscillation::Status status) {
+  SampledMotion finish(const StickSlip& motion, oscillation::MotionEnd status) {
     out_.status = status;
     out_.samples.conservativeResize(at(next_), Eigen::NoChange);
     out_.q.conservativeResize(Eigen::NoChange, at(next_));
@@ -110,9 +110,9 @@ SampledMotion sampled_motion(const OscillateScene& scene, const ContactSystem& s
     return interrupted && interrupted();
   };
   Sampler sampler(scene, system);
-  oscillation::Status status = motion.advance(scene.motion.transient);
+  oscillation::MotionEnd status = motion.advance(scene.motion.transient);
   sampler.watch(motion);
-  if (status == oscillation::Status::ok) status = motion.advance(end);
+  if (status == oscillation::MotionEnd::ok) status = motion.advance(end);
   return sampler.finish(motion, status);
 }
 

@@ -16,7 +16,7 @@ struct SampledColumn {
 
 /// The motion of the window. Columns: time, what is seen, its velocities, V_r, f, N, and the judged form.
 struct SampledMotion {
-  oscillation::Status status = oscillation::Status::ok;
+  oscillation::MotionEnd status = oscillation::MotionEnd::ok;
   std::size_t seen = 0;  ///< displacements
   std::vector<SampledColumn> columns;
   RowMatrixXd samples;  ///< [samples, columns]

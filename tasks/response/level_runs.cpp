@@ -72,7 +72,7 @@ PointStability stability_of(const response::HarmonicBalance& balance, const Prep
   PointStability told;
   if (!solution.converged) return told;
   const response::SolutionStability found = response::stability(*prepared.marched, balance.force(), solution);
-  told.known = found.orbit.status == response::OrbitStatus::closed;
+  told.known = found.orbit.closed;
   if (!told.known) return told;
   told.stable = found.orbit.stable;
   told.difference = found.difference;

@@ -35,7 +35,7 @@ frf::FrfSet on_lines(const frf::FrfSet& measured, const std::vector<double>& lin
     header.frequency_hz = lines;
     return symmetric ? modalfit::regenerate(model, header) : modalfit::regenerate(found, header, range);
   };
-  if (found.status == modalfit::FitStatus::no_modes) {
+  if (found.status == Status::no_modes) {
     fail(measured.header.file, "the part has no modal model: " + found.message,
          "leave modal_model out: the lines of the files count");
   }

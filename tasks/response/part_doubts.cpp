@@ -158,7 +158,7 @@ std::optional<std::string> not_passive(const SquarePart& part) {
   const std::vector<double> lines = active_lines_hz(part, [](const Eigen::MatrixXcd& h, double) { return h; });
   if (lines.empty()) return std::nullopt;
   const double all = static_cast<double>(part.lines.size());
-  std::string cause = "late channels or exchanged labels do that, or noise";
+  std::string cause = "channels with a time delay, exchanged labels or noise can do that";
   if (static_cast<double>(lines.size()) > few_lines * all) {
     for (const auto& [change, words] : changes(part)) {
       const double left = static_cast<double>(active_lines_hz(part, change).size());

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "ident/scene/scene_sections.hpp"
+#include "scene/document.hpp"
 #include "scene/text.hpp"
 #include "tasks/response/response_sections.hpp"
 #include "tasks/response/scene_values.hpp"
@@ -26,7 +27,7 @@ response::Excitation read_components(const scene::Item& item) {
   response::Excitation force = {{}, Eigen::MatrixXcd(at(parts.size()), 1)};
   for (const auto& [harmonic, share] : parts) {
     if (!force.harmonics.empty() && force.harmonics.back() == harmonic)
-      item.fail("harmonic " + std::to_string(harmonic) + " stands there twice");
+      item.fail("harmonic " + std::to_string(harmonic) + " occurs twice");
     force.amplitudes(at(force.harmonics.size()), 0) = share;
     force.harmonics.push_back(harmonic);
   }
@@ -96,18 +97,16 @@ void read_response(const scene::Item& item, ResponseScene& scene) {
 }  // namespace
 
 ResponseScene parse_response_scene(const std::string& text, const ident::Path& file) {
-  const scene::Value document = scene::parse_toml(text, file);
-  const std::string file_name = file.string();
-  const scene::Item root(document, file_name, {}, {});
-  const scene::Table table =
-      root.table({"title", "data", "structure", "joints", "force", "frequency", "response", "curves", "equivalent", "transient"});
+  const scene::Document document(
+      text, file, {"data", "structure", "joints", "force", "frequency", "response", "curves", "equivalent", "transient"});
+  const scene::Table& table = document.table();
   ResponseScene scene;
   scene.file = file;
-  if (const auto title = table.find("title")) scene.title = title->text();
+  scene.title = document.title();
   const auto data = table.find("data"), structure = table.find("structure");
   if (data.has_value() == structure.has_value()) {
     throw InputError({.kind = ErrorKind::usage,
-                      .file = file_name,
+                      .file = file.string(),
                       .place = "",
                       .problem = data ? "there are both [data] and [structure]" : "there is no structure",
                       .remedy = "give [data] parts (FRFs) or [structure] mass and stiffness (matrices)"});
@@ -131,7 +130,7 @@ ResponseScene parse_response_scene(const std::string& text, const ident::Path& f
     read_frequencies(frequency ? *frequency : table.require("frequency"), scene);
   read_response(table.require("response"), scene);
   if (const auto curves = table.find("curves")) {
-    if (!force) curves->fail("there is no [force]", "say where it acts");
+    if (!force) curves->fail("there is no [force]", "state where it acts");
     for (const scene::Item& curve : curves->list_not_empty()) scene.curves.push_back(read_curve(curve, scene));
   }
   if (const auto equivalent = table.find("equivalent")) scene.equivalent = read_equivalent(*equivalent, scene);

@@ -13,7 +13,7 @@ namespace {
 
 records::SeriesRecord read_contact(const ContactTask& task) {
   if (task.normal.empty() == (task.load == 0.0))
-    throw InputError({ErrorKind::usage, "", "--normal", "or --load says the normal load, one of them",
+    throw InputError({ErrorKind::usage, "", "--normal", "or give the normal load by --load: one of the two",
                       "give a column, or a constant load in N"});
   records::SeriesOptions options{{task.velocity, task.force}, task.rate_hz, 0};
   if (!task.normal.empty()) options.channels.push_back(task.normal);

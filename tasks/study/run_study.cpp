@@ -38,11 +38,11 @@ std::string study_doubt(const study::StudyStatistics& statistics) {
     text += (text.empty() ? "" : "; ") + name +
             fmt::format(" is off by {:.0f} % rms over the trials", 100.0 * matrix.rms_over_trials);
   }
-  if (!text.empty()) return text + ": one solution does not tell it";
+  if (!text.empty()) return text + ": one solution does not determine it";
   const auto scatters = [](const study::UnknownStatistics& unknown) { return unknown.std_deviation > std::abs(unknown.mean); };
   const auto count = static_cast<std::size_t>(std::ranges::count_if(statistics.unknowns, scatters));
   if (2 * count <= statistics.unknowns.size()) return "";
-  return fmt::format("{} of {} unknowns scatter by more than their mean: one solution does not tell them", count,
+  return fmt::format("{} of {} unknowns scatter by more than their mean: one solution does not determine them", count,
                      statistics.unknowns.size());
 }
 

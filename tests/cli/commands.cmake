@@ -202,7 +202,7 @@ command_test(modalfit_regenerated CODE 0 OUT "responses +4: .*references +4: .*n
 command_test(modalfit_empty_range CODE 3 ERR "range: 0 lines are in it" AFTER modal_data ARGS modalfit pair/modes-pair.h5 --range 200:300)
 command_test(modalfit_wrong_range CODE 2 ERR "--range: '95' is not LOW:HIGH" AFTER modal_data ARGS modalfit pair/modes-pair.h5 --range 95)
 command_test(modalfit_wrong_damping CODE 2 ERR "did you mean hysteretic" AFTER modal_data ARGS modalfit pair/modes-pair.h5 --damping histeretic)
-command_test(modalfit_no_modes CODE 4 ERR "No mode stands out" AFTER modal_data ARGS modalfit pair/modes-pair.h5 --range 104:110)
+command_test(modalfit_no_modes CODE 4 ERR "No mode exceeds the noise" AFTER modal_data ARGS modalfit pair/modes-pair.h5 --range 104:110)
 command_test(modalfit_absent CODE 3 ERR "absent.h5" ARGS modalfit absent.h5)
 command_test(compare_regenerated CODE 0 OUT "one, regenerated substructures" AFTER study_data
   ARGS compare a1/A1.toml --regenerate none,substructures --trials 2)
@@ -232,6 +232,6 @@ command_test(laws_compared_by_methods CODE 2 ERR "--methods: the scene is one of
 command_test(laws_plot CODE 2 ERR "there is no FRF of an assembly" AFTER law_files ARGS solve law_files/sdof-iwan.toml --plot 1:+Y/1:+Y)
 
 command_test(flange_written CODE 0 OUT "next: jointid solve" MAKES flange_files ARGS problem write flange-turned flange)
-command_test(flange_checked CODE 0 OUT "direction .*13:\\+Y.*to mend it:.*directions = .*consistency of virtual points.*12 sensors" AFTER flange_files
+command_test(flange_checked CODE 0 OUT "direction .*13:\\+Y.*correction:.*directions = .*consistency of virtual points.*12 sensors" AFTER flange_files
   ARGS check flange/flange-turned.toml)
 command_test(flange_checked_json CODE 0 OUT "\"rigidity\"" AFTER flange_files ARGS check flange/flange-turned.toml --json -)

@@ -45,7 +45,7 @@ TEST(StudyVerdict, AMatrixThatIsOffByMoreThanItselfIsSaid) {
   EXPECT_EQ(tasks::study_doubt(statistics), "");
   statistics.quality[1].rms_over_trials = 3.0;
   EXPECT_EQ(tasks::study_doubt(statistics),
-            "hysteretic damping is off by 300 % rms over the trials: one solution does not tell it");
+            "hysteretic damping is off by 300 % rms over the trials: one solution does not determine it");
 }
 
 TEST(StudyVerdict, WithoutATruthTheScatterTells) {
@@ -62,7 +62,7 @@ TEST(StudyVerdict, WithoutATruthTheScatterTells) {
 
 TEST(ChiSquareText, SaysHowManyLinesAreSetAside) {
   ident::ChiSquare chi{.value = 90.0, .degrees_of_freedom = 100.0, .outlying_lines = 1, .by_line = {1.0, 0.9, 1.1, 500.0, NAN}};
-  EXPECT_EQ(report::chi_square_text(chi), "90 / 100 = 0.9, 1 outlying lines set aside");
+  EXPECT_EQ(report::chi_square_text(chi), "90 / 100 = 0.9, 1 outlier lines set aside");
   chi.outlying_lines = 2;  // of four: too many to be set aside
   EXPECT_EQ(report::chi_square_text(chi), "90 / 100 = 0.9");
   chi.outlying_lines = 0;

@@ -86,7 +86,7 @@ TEST_F(AnalyserFile, DofsMayBeGivenWhereTheLabelsSayNothing) {
   const FrfSet set = read(exported("0-Z:0-Z", "(m/s\xB2)(N)", row), given);
   EXPECT_EQ(set.header.response, given.response);
   EXPECT_EQ(set.header.reference, given.reference);
-  EXPECT_THAT(error(exported("Ch 1:Ch 2", "(m/s\xB2)(N)", row)), HasSubstr("does not tell the DOFs of FRF 1 ('Ch 1:Ch 2'); give them"));
+  EXPECT_THAT(error(exported("Ch 1:Ch 2", "(m/s\xB2)(N)", row)), HasSubstr("does not state the DOFs of FRF 1 ('Ch 1:Ch 2'); give them"));
   EXPECT_THAT(error(exported("1+Z:4Z", "(m)(N)", row), of_dofs(dofs({"1:+X", "2:+X"}), dofs({"1:+X"}))),
               HasSubstr("holds 1 FRFs, and 2 responses and 1 references were given"));
 }

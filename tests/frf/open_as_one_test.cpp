@@ -92,6 +92,26 @@ TEST(MemoryFile, IsOpenedByItsPathAsReceptance) {
   EXPECT_DOUBLE_EQ(set.variance[3].imag(), std::norm(factor) * 1.0);
 }
 
+/// L Lᴴ + diag(d) of one column, whatever the quantity: c = 1/(iω) scales it by |c|².
+TEST(MemoryFile, HasCovariancesAsAFactor) {
+  const KeptArrays kept;
+  const std::vector<Complex> rows = {1.0, {0.0, 2.0}, 3.0, 4.0};
+  const std::vector<double> diagonal = {0.5, 0.25, 0.0, 1.0};
+  kept.arrays->rank = 1;
+  kept.arrays->factor = rows;
+  kept.arrays->factor_diagonal = diagonal;
+  const FrfSet set = load_with_covariance(*from_arrays(kept.arrays));
+  EXPECT_EQ(set.factor.rank, 1U);
+  EXPECT_TRUE(set.covariance.empty());
+  const std::vector<Complex> pairs = covariance_pairs(set);
+  const double scale = std::norm(to_receptance(Quantity::mobility, 10.0));
+  EXPECT_NEAR(pairs[0].real(), scale * 1.5, 1e-14 * scale);
+  EXPECT_NEAR(std::abs(pairs[1] - scale * Complex(0.0, 2.0)), 0.0, 1e-14 * scale);
+  EXPECT_NEAR(pairs[2].real(), scale * 4.25, 1e-14 * scale);
+  kept.arrays->factor = std::span(rows).first(3);
+  EXPECT_THAT(refusal_of_arrays(kept.arrays), testing::HasSubstr("covariance_factor"));
+}
+
 TEST(MemoryFile, HandsOutWhatTheArraysHaveThen) {
   KeptArrays kept;
   const MemoryFile file(kept.arrays);

@@ -64,7 +64,7 @@ TEST(Units, ALabelOfTranslationsDoesNotScaleRotations) {
   header.reference = dofs({"1:+Y"});
   EXPECT_EQ(si_factor("m/N", header), 1.0);
   const std::string message = message_of([&] { si_factor("mm/N", header); });
-  EXPECT_NE(message.find("unit 'mm/N' does not tell how rotations are scaled"), std::string::npos) << message;
+  EXPECT_NE(message.find("unit 'mm/N' does not define the scale of rotations"), std::string::npos) << message;
   header.response = dofs({"1:+Y"});
   EXPECT_EQ(si_factor("mm/N", header), 1e-3);
 }

@@ -7,6 +7,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "base/control.hpp"
 #include "base/error.hpp"
 #include "friction/law/laws.hpp"
 #include "minimise/least_squares.hpp"
@@ -53,7 +54,7 @@ TEST(Fit, ExactCurvesGiveTheirParametersBack) {
   for (const Exact& each : exact_cases) {
     const auto element = make_element(each.law, each.values);
     const Fit found = fit_one(loading(*element, 6e-7, 60, 0.0, 1), each.law);
-    EXPECT_EQ(found.status, FitStatus::usable) << found.message;
+    EXPECT_EQ(found.status, Status::ok) << found.message;
     EXPECT_LT(found.objective, 1e-16) << each.law;
     for (std::size_t i = 0; i < each.values.size(); ++i) {
       EXPECT_NEAR(found.curves[0].parameters[i].value / each.values[i], 1.0, 1e-7) << each.law << i;
@@ -76,7 +77,7 @@ TEST(Fit, ThePatternSearchOfTheThesisFindsTheSameMinimum) {
     const Curve curve = loading(*make_element(each.law, each.values), 6e-7, 60, 0.01, 7);
     const Fit fast = fit_one(curve, each.law), thesis = fit_one(curve, each.law, {.minimiser = Minimiser::pattern});
     EXPECT_EQ(thesis.minimiser, "pattern");
-    EXPECT_EQ(thesis.status, FitStatus::usable);
+    EXPECT_EQ(thesis.status, Status::ok);
     EXPECT_NEAR(fast.weighted_sum / thesis.weighted_sum, 1.0, 1e-9) << each.law;
     for (std::size_t i = 0; i < each.values.size(); ++i) {
       EXPECT_NEAR(fast.curves[0].parameters[i].value / thesis.curves[0].parameters[i].value, 1.0, 1e-4) << each.law << i;
@@ -168,11 +169,29 @@ TEST(Fit, LoopsEnergiesAndEquivalentsLeadToTheSameElement) {
   }
   for (const Curve& curve : {loop, energy, equivalent}) {
     const Fit found = fit_one(curve, "ren");
-    EXPECT_EQ(found.status, FitStatus::usable);
+    EXPECT_EQ(found.status, Status::ok);
     for (std::size_t i = 0; i < 3; ++i) {
       EXPECT_NEAR(found.curves[0].parameters[i].value / ren[i], 1.0, 1e-5) << "kind " << static_cast<int>(curve.kind) << " parameter " << i;
     }
   }
+}
+
+/// In the middle of a minimisation, by every minimiser.
+TEST(Fit, EndsWhereItIsInterrupted) {
+  const std::vector<double> values = {3e-8, 3.1, 1e7};
+  const std::vector<Curve> curves = {loading(*make_element("ren", values), 1e-6, 60, 0.01, 3u)};
+  for (const Minimiser minimiser : {Minimiser::best, Minimiser::pattern}) {
+    int asked = 0;
+    const auto after = [&asked](int most) { return [&asked, most] { return ++asked > most; }; };
+    EXPECT_NO_THROW(fit(curves, family("ren"), {.minimiser = minimiser, .interrupted = after(1'000'000)}));
+    const int all = asked;
+    asked = 0;
+    EXPECT_THROW(fit(curves, family("ren"), {.minimiser = minimiser, .interrupted = after(5)}), Interrupted);
+    EXPECT_GT(all, 10);
+  }
+  int asked = 0;
+  const auto soon = [&asked] { return ++asked > 5; };
+  if (minimise::has_nlopt()) EXPECT_THROW(fit(curves, family("ren"), {.global = true, .interrupted = soon}), Interrupted);
 }
 
 TEST(Fit, CurvesWithOneShapeAndOneFrictionCoefficient) {
@@ -187,7 +206,7 @@ TEST(Fit, CurvesWithOneShapeAndOneFrictionCoefficient) {
   }
   const FitOptions options{.friction_coefficient = true, .shared = {"b"}};
   const Fit found = fit(curves, family("ren"), options);
-  EXPECT_EQ(found.status, FitStatus::usable);
+  EXPECT_EQ(found.status, Status::ok);
   EXPECT_THAT(found.names, testing::ElementsAre("mu", "b", "k of 490 N", "k of 981 N", "k of 1961 N"));
   const FittedValue& coefficient = *found.curves[0].friction_coefficient;
   EXPECT_NEAR(coefficient.value, mu, 3.5 * *coefficient.std_error);
@@ -229,7 +248,7 @@ TEST(Fit, ResidualsThatAreNotIndependentAreSaid) {
 
 TEST(Fit, TooFewPointsAreAStatus) {
   const Fit found = fit_one(loading(*make_element("ren", ren), 6e-7, 3, 0.0, 1), "ren");
-  EXPECT_EQ(found.status, FitStatus::too_few_points);
+  EXPECT_EQ(found.status, Status::too_few_points);
   EXPECT_THAT(found.message, HasSubstr("3 measured numbers cannot determine 3 unknowns"));
 }
 

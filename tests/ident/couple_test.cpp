@@ -50,6 +50,20 @@ TEST_F(Couple, WritesTheFrfsOfTheAssembly) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(result.result.resonances_hz[k], problem.assembly_modes.frequency_hz[k], 0.5);
 }
 
+/// One word for the structures of a scene serves every kind of it.
+TEST(CoupleScene, TakesSubstructuresAsAnotherWordForParts) {
+  const std::string rest = "[couple]\nground = [\"a.h5/1:+Y\"]\n";
+  const CoupleScene scene = parse_couple_scene("[data]\nsubstructures = [\"a.h5\", \"b.h5\"]\n" + rest, "scene.toml");
+  EXPECT_THAT(scene.names, ElementsAre("a.h5", "b.h5"));
+  ASSERT_EQ(scene.parts.size(), 2u);
+  try {
+    parse_couple_scene("[data]\nsubstructures = [\"a.h5\"]\nparts = [\"b.h5\"]\n" + rest, "scene.toml");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("there are parts, too"));
+  }
+}
+
 TEST_F(Couple, BoundsAreTheFrfsWithAndWithoutDependentConditions) {
   CoupleScene scene = written("coupling-C", false);
   scene.frequency.step_hz = 1.0;

@@ -4,8 +4,10 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
+#include "base/control.hpp"
 #include "base/error.hpp"
 #include "ident/identify.hpp"
 #include "ident/newton/iteration.hpp"
@@ -38,6 +40,14 @@ class UnreachableJoint : public testing::Test {
 
   Solution solve(const Scene& scene, problems::Measurement data) const {
     return ident::solve(*problems::plan(scene, std::move(data)), one_thread());
+  }
+  /// Interrupted after it asked so often; returns how often it asked.
+  int solve_until(const Scene& scene, int most) const {
+    std::atomic<int> asked = 0;
+    Control control = one_thread();
+    control.interrupted = [&asked, most] { return ++asked > most; };
+    ident::solve(*problems::plan(scene, {problem_.substructures, problem_.assembly}), control);
+    return asked;
   }
   Solution solve(const Scene& scene) const { return solve(scene, {problem_.substructures, problem_.assembly}); }
 
@@ -102,6 +112,14 @@ TEST(ResponseLine, ItsJacobianIsThatOfCentralDifferences) {
         EXPECT_NEAR(jacobian[row * 18 + t], (after[row] - before[row]) / 2e-5, 1e-6 * scale) << seed << ' ' << row << ' ' << t;
       }
     }
+  }
+}
+/// Within a step of any minimiser, of other libraries too.
+TEST_F(UnreachableJoint, EndsWhereItIsInterrupted) {
+  for (const Solver solver : {Solver::automatic, Solver::newton, Solver::ceres, Solver::nlopt_sbplx}) {
+    Scene scene = near(1.5);
+    scene.identify.solver = solver;
+    for (const int most : {3, 60, 100}) EXPECT_THROW(solve_until(scene, most), Interrupted) << most;
   }
 }
 

@@ -26,7 +26,7 @@ TEST(IdentifyLaws, FindsTheIwanJointOfAMass) {
   LawScene scene = written("sdof-iwan", folder, false);
   scene.joints[0].laws = {"shoukry", "iwan"};
   const LawIdentification found = identify_laws(scene);
-  EXPECT_EQ(word(found.status), "ok") << found.message;
+  EXPECT_EQ(name(found.status), "ok") << found.message;
   EXPECT_EQ(found.laws(), (std::vector<std::string>{"iwan"}));
   const response::FittedJoint& joint = found.fit().joints[0];
   EXPECT_LT(std::abs(joint.stiffness.value - 4e5), 4.0 * *joint.stiffness.std_error);
@@ -57,7 +57,7 @@ TEST(IdentifyLaws, FindsTheLawsOfAFrameWithoutNoise) {
   scene.joints[1].laws = {"ren"};
   scene.harmonics = {1, 3, 5, 7, 9, 11};
   const LawIdentification found = identify_laws(scene);
-  EXPECT_EQ(word(found.status), "ok") << found.message;
+  EXPECT_EQ(name(found.status), "ok") << found.message;
   EXPECT_LT(relative(found.fit().joints[0].stiffness.value, 1e6), 1e-6);
   EXPECT_LT(relative(found.fit().joints[1].stiffness.value, 1.5e6), 1e-6);
   EXPECT_LT(relative(found.fit().joints[0].limit.value, 4.0), 1e-6);

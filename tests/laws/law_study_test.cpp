@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 
 #include "base/control.hpp"
@@ -112,7 +113,7 @@ TEST_F(LawStudyScene, DoesNotDependOnTheThreads) {
 }
 
 TEST_F(LawStudyScene, EndsWhenItIsInterrupted) {
-  std::size_t done = 0;
+  std::atomic<std::size_t> done = 0;
   EXPECT_THROW(study_laws(scene_, {.trials = 1000,
                                    .seed = 1,
                                    .threads = 1,

@@ -62,7 +62,7 @@ TEST_F(DriftingLevel, IsTold) {
   EXPECT_EQ(found.drifts[0].level, 2u);
   EXPECT_EQ(found.drifts[0].freedom, 2);
   EXPECT_THAT(found.notes, testing::Contains(HasSubstr("15.0 N speaks for another joint")));
-  EXPECT_NE(found.status, LawStatus::ok);
+  EXPECT_NE(found.status, Status::ok);
 }
 
 /// χ² of chance: twenty measurements without drift, of 2 degrees each level has 2 in the mean, and none is told.
@@ -183,7 +183,7 @@ TEST(DirectIdentification, IsTheStepBeforeAFit) {
   LawScene scene = read_law_scene(problems::write(problems::make_law_problem("sdof-iwan"), folder, {}));
   scene.joints[0].laws = {"iwan"};
   const DirectIdentification found = identify_directly(scene);
-  EXPECT_EQ(word(found.status), "ok") << found.message;
+  EXPECT_EQ(name(found.status), "ok") << found.message;
   const LawIdentification solved = identify_laws(scene);
   ASSERT_EQ(found.steps.size(), solved.steps.size());
   for (std::size_t i = 0; i < found.steps.size(); ++i) EXPECT_EQ(found.steps[i].equivalent, solved.steps[i].equivalent);
@@ -196,7 +196,7 @@ TEST(DirectIdentification, SaysWhatNoStateTells) {
   LawScene scene = read_law_scene(problems::write(problems::make_law_problem("sdof-iwan"), folder, {.clean = true}));
   scene.errors->relative = 5.0;
   const DirectIdentification found = identify_directly(scene);
-  EXPECT_EQ(word(found.status), "doubtful");
+  EXPECT_EQ(name(found.status), "doubtful");
   EXPECT_EQ(found.known[0], 0u);
   EXPECT_THAT(found.message, HasSubstr("joint: no state tells its stiffness"));
 }

@@ -86,7 +86,7 @@ std::vector<Pole> inside(const ModalFit& fit) {
 }
 
 void expect_exact(const ModalFit& found, const Structure& of, std::size_t first = 0, std::size_t beyond = 0) {
-  ASSERT_EQ(found.status, FitStatus::ok) << found.message;
+  ASSERT_EQ(found.status, Status::ok) << found.message;
   const std::vector<Pole> poles = inside(found);
   ASSERT_EQ(poles.size() + first + beyond, of.frequency_hz.size()) << testing::PrintToString(found.remarks);
   for (std::size_t r = 0; r < poles.size(); ++r) {
@@ -154,7 +154,7 @@ TEST(Exact, DigitsOfSinglePrecisionAreTheFloor) {
   });
   set.header.precision = 0x1p-24;
   const ModalFit found = fit_of(set);
-  ASSERT_EQ(found.status, FitStatus::ok) << found.message;
+  ASSERT_EQ(found.status, Status::ok) << found.message;
   ASSERT_EQ(found.modes_inside(), 6u);
   for (std::size_t r = 0; r < 6; ++r) EXPECT_NEAR(found.modes[r].pole.frequency_hz / six().frequency_hz[r], 1.0, 1e-8);
 }
@@ -235,7 +235,7 @@ TEST(Looks, RealFrfsAreNeverOk) {
 TEST(Looks, AModelWithoutDampingIsDoubtful) {
   const Structure undamped = structure({7.08, 19.85, 28.68}, {0.0, 0.0, 0.0}, 3);
   const ModalFit found = fit_of(computed(undamped, {.responses = 3, .references = 3, .first_hz = 0.5, .last_hz = 50.0, .step_hz = 0.25}));
-  EXPECT_EQ(found.status, FitStatus::doubtful);
+  EXPECT_EQ(found.status, Status::doubtful);
   EXPECT_THAT(found.message, HasSubstr("without damping"));
   ASSERT_EQ(found.modes_inside(), 3u);
   for (std::size_t r = 0; r < 3; ++r) EXPECT_NEAR(inside(found)[r].frequency_hz / undamped.frequency_hz[r], 1.0, 1e-5);

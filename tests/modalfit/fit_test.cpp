@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <limits>
 
+#include "base/control.hpp"
 #include "base/error.hpp"
 #include "modalfit/poles/clusters.hpp"
 #include "modalfit/poles/selection.hpp"
@@ -27,7 +29,7 @@ TEST(Fit, FindsTheClosePairInEveryFamilyOfModels) {
   const frf::FrfSet set = pair_with_noise();
   for (const ModelKind& kind : {hysteretic_real, ModelKind{Damping::hysteretic, false}, ModelKind{Damping::viscous, true}, ModelKind{}}) {
     const ModalFit found = fitted(set, {.kind = kind});
-    ASSERT_EQ(found.status, FitStatus::ok) << found.message;
+    ASSERT_EQ(found.status, Status::ok) << found.message;
     ASSERT_EQ(found.modes.size(), 2u);
     const double damping = kind.damping == Damping::hysteretic ? 0.002 : 0.001;
     for (std::size_t r = 0; r < 2; ++r) {
@@ -62,7 +64,7 @@ TEST(Fit, KeepsTheMostSignificantWhenToldHowMany) {
 
 TEST(Fit, SaysSoWhereThereIsNoMode) {
   const ModalFit found = fitted(pair_with_noise(), {.kind = hysteretic_real, .range_hz = std::array{104.0, 110.0}});
-  EXPECT_EQ(found.status, FitStatus::no_modes);
+  EXPECT_EQ(found.status, Status::no_modes);
   EXPECT_TRUE(found.modes.empty());
   EXPECT_NE(found.message, "");
 }
@@ -99,6 +101,24 @@ TEST(Fit, PassesOverWhatWasNotMeasured) {
   EXPECT_EQ(found.residues.freedom[5], 0.0);
   EXPECT_GT(found.residues.freedom[0], 0.0);
   EXPECT_LT(found.residues.freedom[0], found.residues.freedom[1]);
+}
+
+/// A fit that nobody waits for ends between two FRFs, wherever it is.
+TEST(Fit, EndsWhereItIsAbandoned) {
+  const frf::FrfSet set = pair_with_noise();
+  std::atomic<int> looks = 0;
+  const auto looks_of = [&](int most) {
+    looks = 0;
+    Band band = make_band(set, std::nullopt);
+    band.watch = [&looks, most] {
+      if (++looks > most) throw Interrupted();
+    };
+    fit(band, set.header, {});
+    return looks.load();
+  };
+  const int all = looks_of(std::numeric_limits<int>::max());
+  EXPECT_GT(all, 50);
+  for (const int most : {0, all / 4, all / 2, all - 1}) EXPECT_THROW(looks_of(most), Interrupted) << most;
 }
 
 /// A unit change of the FRFs scales residues and leaves poles alone.

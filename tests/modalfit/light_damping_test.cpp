@@ -82,7 +82,7 @@ TEST(LightDamping, EveryModeIsFoundOnceInEveryRangeWithinItsDeviation) {
   const frf::FrfSet set = rig.measured();
   for (const std::array range : {std::array{100.0, 170.0}, std::array{105.0, 130.0}, std::array{140.0, 170.0}, std::array{111.0, 153.0}}) {
     const ModalFit found = fitted_in(set, range[0], range[1]);
-    EXPECT_EQ(found.status, FitStatus::ok) << found.message;
+    EXPECT_EQ(found.status, Status::ok) << found.message;
     const std::vector<double> exact = rig.inside(range[0], range[1]);
     const std::vector<Mode> modes = modes_in(found);
     ASSERT_EQ(modes.size(), exact.size()) << range[0] << ":" << range[1];
@@ -132,7 +132,7 @@ TEST(LightDamping, FewerModesThanAskedForIsDoubtful) {
   Rig rig;
   const ModalFit found = fitted_in(rig.measured(), 108.0, 116.0, 3);
   if (found.modes_inside() != 3) {
-    EXPECT_EQ(found.status, FitStatus::doubtful);
+    EXPECT_EQ(found.status, Status::doubtful);
     EXPECT_THAT(found.message, testing::HasSubstr("3 modes were asked for"));
   }
   EXPECT_TRUE(std::ranges::any_of(found.modes, [](const Mode& mode) { return std::abs(mode.pole.frequency_hz - 112.0) < 1e-3; }));
@@ -198,16 +198,16 @@ TEST(ResidualPeaks, ABadLineIsNone) {
 
 TEST(Judge, AModelFarFromTheFrfsIsAPoorFit) {
   ModalFit good, off, none;
-  none.status = FitStatus::no_modes;
+  none.status = Status::no_modes;
   judge(good, 0.3);
   judge(off, 5.6);
   judge(none, 5.6);
-  EXPECT_EQ(good.status, FitStatus::ok);
-  EXPECT_EQ(off.status, FitStatus::poor_fit);
+  EXPECT_EQ(good.status, Status::ok);
+  EXPECT_EQ(off.status, Status::poor_fit);
   EXPECT_THAT(off.message, testing::HasSubstr("5.6 dB"));
-  EXPECT_EQ(none.status, FitStatus::no_modes);
+  EXPECT_EQ(none.status, Status::no_modes);
   EXPECT_FALSE(is_usable(off.status));
-  EXPECT_TRUE(is_usable(FitStatus::doubtful));
+  EXPECT_TRUE(is_usable(Status::doubtful));
 }
 
 }  // namespace

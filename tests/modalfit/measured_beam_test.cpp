@@ -30,7 +30,7 @@ void expect_agreement(const frf::FrfSet& set, const std::vector<std::array<doubl
   for (const std::array<double, 2>& range : ranges) {
     Band band = make_band(set, range);
     const ModalFit found = fit(band, set.header, {});
-    EXPECT_EQ(found.status, FitStatus::ok) << found.message;
+    EXPECT_EQ(found.status, Status::ok) << found.message;
     EXPECT_EQ(found.modes_inside(),
               static_cast<std::size_t>(std::ranges::count_if(known, [&](double f) { return f > range[0] && f < range[1]; })));
     for (const Mode& mode : found.modes) {

@@ -27,7 +27,7 @@ TEST_F(MeasuredModes, SixResonancesOfAFreeBeam) {
   const frf::FrfSet set = frf::load(*frf::open(path));
   Band band = make_band(set, {});
   const ModalFit found = fit(band, set.header, {});
-  EXPECT_EQ(found.status, FitStatus::ok) << found.message;
+  EXPECT_EQ(found.status, Status::ok) << found.message;
   for (const double resonance : {52.0, 142.0, 279.0, 460.0, 687.0, 959.0}) {
     EXPECT_TRUE(std::ranges::any_of(found.modes, [&](const Mode& mode) { return std::abs(mode.pole.frequency_hz - resonance) < 0.6; }))
         << resonance;
@@ -69,7 +69,7 @@ TEST_F(MeasuredModes, OfALightlyDampedBeamAreFoundOnceInEveryRange) {
                                  std::array{960.0, 1000.0}}) {
     Band band = make_band(set, range);
     const ModalFit found = fit(band, set.header, {});
-    EXPECT_EQ(found.status, FitStatus::ok) << found.message;
+    EXPECT_EQ(found.status, Status::ok) << found.message;
     std::size_t expected = 0;
     for (const double f : known) {
       if (f < range[0] || f > range[1]) continue;

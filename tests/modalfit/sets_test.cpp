@@ -19,7 +19,7 @@ void expect_accurate(const std::string& name, std::uint64_t seeds, double most) 
     Band band = make_band(noisy, {});
     const ModalFit found = fit(band, noisy.header, {.kind = {Damping::hysteretic, true}});
     ASSERT_EQ(found.modes.size(), n) << name << " seed " << seed;
-    ASSERT_EQ(found.status, FitStatus::ok) << name << " seed " << seed;
+    ASSERT_EQ(found.status, Status::ok) << name << " seed " << seed;
     for (std::size_t r = 0; r < n; ++r) {
       const Mode& mode = found.modes[r];
       const double f = mode.pole.frequency_hz - set.modes.frequency_hz[r], d = mode.pole.damping - set.modes.loss_factor[r];

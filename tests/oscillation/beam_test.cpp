@@ -61,7 +61,7 @@ TEST(Beam, SteadyMotionMeetsTheGoldenValues) {
     const std::size_t cycles = expected["period_in_cycles"];
     const double cycle = 1.0 / beam.frequency_hz;
     StickSlip transient(system, at_rest(system));
-    ASSERT_EQ(transient.advance(600.0 * cycle), Status::ok);
+    ASSERT_EQ(transient.advance(600.0 * cycle), MotionEnd::ok);
     const PeriodicOrbit orbit = driven_orbit(system, transient.state(), transient.mode(), cycle, cycles);
     ASSERT_TRUE(orbit.converged) << orbit.residual;
     EXPECT_LT(orbit.residual, 1e-12);
@@ -109,7 +109,7 @@ TEST(Beam, ChaosMeetsTheGoldenInvariants) {
   const double cycle = 1.0 / beam.frequency_hz;
   const std::size_t cycles = 400;  // of the 1000 of the golden case
   const Exponents found = lyapunov_exponents(system, at_rest(system), {2, 100.0 * cycle, 400.0 * cycle, cycle});
-  EXPECT_EQ(found.status, Status::ok);
+  EXPECT_EQ(found.status, MotionEnd::ok);
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_TRUE(
         agree(found.exponent[k], found.standard_error[k], expected["lyapunov_per_s"][k], expected["lyapunov_std_error"][k], 0.0))

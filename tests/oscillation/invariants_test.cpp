@@ -97,8 +97,8 @@ RC_GTEST_PROP(Motion, KeepsItsLaws, ()) {
     }
     last = piece.at(piece.length);
   };
-  const Status status = motion.advance(each.until);
-  RC_ASSERT(status == Status::ok);
+  const MotionEnd status = motion.advance(each.until);
+  RC_ASSERT(status == MotionEnd::ok);
   RC_ASSERT(worst < 1e-10 * scale);
   RC_ASSERT(jump < 1e-12 * scale);
   const double change = energy(motion.state()) - energy(system.state(each.q, each.v));
@@ -112,9 +112,9 @@ RC_GTEST_PROP(Motion, GoesOnFromWhereItWasCut, ()) {
   const Eigen::VectorXd start = system.state(each.q, each.v);
   StickSlip whole(system, start), cut(system, start);
   const double at = uniform(0.5, 11.0);
-  RC_ASSERT(whole.advance(12.0) == Status::ok);
-  RC_ASSERT(cut.advance(at) == Status::ok);
-  RC_ASSERT(cut.advance(12.0) == Status::ok);
+  RC_ASSERT(whole.advance(12.0) == MotionEnd::ok);
+  RC_ASSERT(cut.advance(at) == MotionEnd::ok);
+  RC_ASSERT(cut.advance(12.0) == MotionEnd::ok);
   const Eigen::Index motion = 2 * system.degrees();
   const double difference = (whole.state() - cut.state()).head(motion).cwiseAbs().maxCoeff();
   RC_ASSERT(difference < 1e-6 * (1.0 + whole.state().head(motion).cwiseAbs().maxCoeff()));

@@ -155,7 +155,7 @@ TEST(Chaos, OfTheChainsMeetsTheGoldenInvariants) {
     const Eigen::VectorXd start = start_of(system, input);
     const auto golden_exponents = expected["lyapunov"].get<std::vector<double>>();
     const Exponents found = lyapunov_exponents(system, start, {golden_exponents.size(), input["transient"], 3000.0, 2.0});
-    EXPECT_EQ(found.status, Status::ok);
+    EXPECT_EQ(found.status, MotionEnd::ok);
     for (std::size_t k = 0; k < golden_exponents.size(); ++k) {
       EXPECT_TRUE(agree(found.exponent[k], found.standard_error[k], golden_exponents[k], expected["lyapunov_std_error"][k], 5e-4))
           << name << " " << k << ": " << found.exponent[k] << " ± " << found.standard_error[k];

@@ -83,7 +83,7 @@ TEST(Reduced, OnAsManyCoordinatesAsThereAreIsTheModelItself) {
     for (double& x : any.mean) x = 0.003 * normal(random);
     for (const ReductionBasis& basis : {normal_modes(full.mechanics, n), craig_bampton(full.mechanics, n), any}) {
       const ReductionError error = reduction_error(full, truth, trajectory(full, basis, motion), motion.observed);
-      EXPECT_EQ(error.status, Status::ok);
+      EXPECT_EQ(error.status, MotionEnd::ok);
       EXPECT_LT(error.motion, 1e-7) << rigid;
       EXPECT_LT(error.energy, 1e-7);
       EXPECT_LT(error.observed(0), 1e-8);

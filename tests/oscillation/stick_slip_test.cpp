@@ -29,7 +29,7 @@ TEST(OneMass, OnABeltMeetsItsClosedForm) {
     const double x = piece.at(*turn)(0);
     largest = std::max(largest, x), smallest = std::min(smallest, x);
   };
-  ASSERT_EQ(motion.advance(60.0), Status::ok);
+  ASSERT_EQ(motion.advance(60.0), MotionEnd::ok);
   ASSERT_GT(events.size(), 6u);
   std::size_t k = events[2].to == Mode::forward ? 2 : 3;
   ASSERT_EQ(events[k].to, Mode::forward);
@@ -49,14 +49,14 @@ TEST(StickSlip, ComesToAnEnd) {
   const Eigen::VectorXd start = system.state(Eigen::VectorXd::Zero(10), Eigen::VectorXd::Zero(10));
   StickSlip counted(system, start);
   counted.most_steps = 200;
-  EXPECT_EQ(counted.advance(1e9), Status::too_long);
+  EXPECT_EQ(counted.advance(1e9), MotionEnd::too_long);
   EXPECT_GT(counted.time(), 1.0);
-  EXPECT_EQ(counted.advance(2e9), Status::too_long);
+  EXPECT_EQ(counted.advance(2e9), MotionEnd::too_long);
   StickSlip enough(system, start);
-  EXPECT_EQ(enough.advance(counted.time()), Status::ok);
+  EXPECT_EQ(enough.advance(counted.time()), MotionEnd::ok);
   StickSlip late(system, start, std::nullopt, 1e18);
-  EXPECT_EQ(late.advance(1e18 + 1e6), Status::stalled);
-  EXPECT_STREQ(word(Status::too_long), "too_long");
+  EXPECT_EQ(late.advance(1e18 + 1e6), MotionEnd::stalled);
+  EXPECT_STREQ(word(MotionEnd::too_long), "too_long");
 }
 
 TEST(OneMass, WithAFallingLawMeetsTheGoldenEvents) {
@@ -84,7 +84,7 @@ TEST(OneMass, RingsDownToItsStop) {
   const Motion motion = integrate(
       system, system.state(Eigen::VectorXd::Constant(1, input["x0"]), Eigen::VectorXd::Constant(1, input["v0"])), 100.0);
   const auto points = golden["expected"]["turning_points"].get<std::vector<double>>();
-  ASSERT_EQ(motion.status, Status::ok);
+  ASSERT_EQ(motion.status, MotionEnd::ok);
   ASSERT_EQ(motion.events.back().to, Mode::stick);
   EXPECT_NEAR(motion.events.back().time, golden["expected"]["stop_time"], 1e-11);
   EXPECT_NEAR(motion.end(0), golden["expected"]["stop_position"], 1e-11);
@@ -129,7 +129,7 @@ TEST(OneMass, OnAnElasticSliderMeetsTheGoldenSteadyState) {
   const ContactSystem system(mechanics, {0.0, 0.0, w}, slider);
   const double cycle = 2.0 * std::numbers::pi / w;
   StickSlip transient(system, at_rest(system), Mode::stick);
-  ASSERT_EQ(transient.advance(300.0 * cycle), Status::ok);
+  ASSERT_EQ(transient.advance(300.0 * cycle), MotionEnd::ok);
   const PeriodicOrbit orbit = driven_orbit(system, transient.state(), transient.mode(), cycle, 1);
   ASSERT_TRUE(orbit.converged);
   EXPECT_LT(orbit.residual, 1e-12);
@@ -145,7 +145,7 @@ TEST(OneMass, OnAnElasticSliderMeetsTheGoldenSteadyState) {
   motion.on_event = [&](const Event& event) {
     if (event.to == Mode::stick) turns.push_back(event.time), largest = std::max(largest, event.state(0));
   };
-  ASSERT_EQ(motion.advance(cycle), Status::ok);
+  ASSERT_EQ(motion.advance(cycle), MotionEnd::ok);
   ASSERT_EQ(turns.size(), 2u);
   for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(turns[k], expected["turning_times"][k], 1e-9);
   EXPECT_NEAR(turns[0], 2.54318939402093223, 1e-12);
@@ -238,7 +238,7 @@ TEST(Tangents, ThroughEventsAreThoseOfDifferences) {
     orbit.tangents() = Eigen::MatrixXd::Identity(system.size(), motion);
     std::size_t events = 0;
     orbit.on_event = [&](const Event&) { ++events; };
-    ASSERT_EQ(orbit.advance(each.until), Status::ok);
+    ASSERT_EQ(orbit.advance(each.until), MotionEnd::ok);
     EXPECT_GE(events, 3u);
     for (Eigen::Index k = 0; k < motion; ++k) {
       Eigen::VectorXd up = start, down = start;

@@ -34,7 +34,7 @@ TEST(Sweep, IsTheSameForAnyThreads) {
   for (std::size_t k = 0; k < velocities.size(); ++k) {
     EXPECT_EQ(one[k].parameter, velocities[k]);
     EXPECT_EQ(one[k].values, four[k].values);
-    EXPECT_EQ(one[k].status, Status::ok);
+    EXPECT_EQ(one[k].status, MotionEnd::ok);
   }
   ASSERT_GE(one[2].values.size(), 10u);  // a stable orbit of one slip at V = 0.2
   for (const double value : one[2].values) EXPECT_NEAR(value, 1.6393580543696329, 1e-6);

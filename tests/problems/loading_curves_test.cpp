@@ -40,7 +40,7 @@ TEST(LoadingCurves, WithoutNoiseTheRowsAreFoundAgain) {
   for (const LoadingCurve& problem : loading_curves()) {
     const friction::Curve curve = make_curve(problem, 40, 0.0, 1);
     const friction::Fit found = friction::fit(std::span(&curve, 1), family(problem));
-    EXPECT_EQ(found.status, friction::FitStatus::usable) << problem.name;
+    EXPECT_EQ(found.status, Status::ok) << problem.name;
     for (std::size_t i = 0; i < problem.values.size(); ++i) {
       EXPECT_NEAR(found.curves[0].parameters[i].value / problem.values[i], 1.0, 1e-3) << problem.name << " parameter " << i;
     }
@@ -117,7 +117,7 @@ TEST_F(MeasuredLoops, BilinearStiffnessLimitAndEnergy) {
   std::vector<double> stiffness;
   for (const friction::Curve& curve : curves_) {
     const friction::Fit found = fit(curve, "bilinear", {.weighting = friction::Weighting::travel});
-    ASSERT_EQ(found.status, friction::FitStatus::usable);
+    ASSERT_EQ(found.status, Status::ok);
     const friction::CurveFit& one = found.curves[0];
     stiffness.push_back(one.stiffness.value);
     EXPECT_GE(one.limit.value, 2.28);

@@ -48,7 +48,7 @@ inline friction::Curve equivalents(const RigTwo& rig, Form form) {
 inline double limit_ratio(const RigTwo& rig, Form form) {
   const friction::Curve curve = equivalents(rig, form);
   const friction::Fit fit = friction::fit(std::span(&curve, 1), friction::family("ren"));
-  return fit.status == friction::FitStatus::usable ? fit.curves[0].limit.value / rig.limit : std::nan("");
+  return fit.status == Status::ok ? fit.curves[0].limit.value / rig.limit : std::nan("");
 }
 
 }  // namespace jointid::problems

@@ -2,6 +2,7 @@
 
 import ast
 import pathlib
+import runpy
 import subprocess
 import sys
 
@@ -11,13 +12,19 @@ GALLERY = sorted((pathlib.Path(__file__).parents[2] / "docs/gallery").glob("*.py
 
 
 @pytest.mark.parametrize("page", GALLERY, ids=lambda page: page.stem)
-def test_page(page, tmp_path):
-    question = ast.get_docstring(ast.parse(page.read_text(encoding="utf-8")))
+@pytest.mark.filterwarnings("ignore")
+def test_page(page, tmp_path, monkeypatch, capsys):
+    text = page.read_text(encoding="utf-8")
+    question = ast.get_docstring(ast.parse(text))
     assert "?" in question or ":" in question.splitlines()[0]
-    done = subprocess.run([sys.executable, "-W", "ignore", page], capture_output=True, text=True, timeout=30,
-                          cwd=tmp_path)
-    assert done.returncode == 0, done.stdout + done.stderr
-    assert done.stdout
+    if "multiprocessing" in text:  # whose processes begin with the page itself
+        done = subprocess.run([sys.executable, "-W", "ignore", page], capture_output=True, text=True, timeout=30, cwd=tmp_path)
+        assert done.returncode == 0, done.stdout + done.stderr
+        assert done.stdout
+        return
+    monkeypatch.chdir(tmp_path)
+    runpy.run_path(str(page), run_name="__main__")
+    assert capsys.readouterr().out
 
 
 def test_there_are_pages():

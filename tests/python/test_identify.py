@@ -48,8 +48,8 @@ def test_virtual_points_apply_to_sets(tmp_path):
     table = jointid._scene.Scene.table_of(scene)
     data = {key: [jointid.read(tmp_path / name) for name in table["data"][key]] for key in ("substructures", "assembly")}
     assert data["assembly"][0].quantity == "accelerance"
-    table["identify"] = {"method": "one"}
-    in_memory, of_files = jointid.identify({**table, "data": data}), jointid.identify(scene=scene, identify=None, method="one")
+    table["identify"], table["frequency"] = {"method": "one"}, {"range": [100.0, 400.0]}
+    in_memory, of_files = jointid.identify({**table, "data": data}), jointid.identify(scene=scene, frequency=(100, 400), method="one")
     assert "VP1:+RZ" in in_memory.dofs and in_memory.status == of_files.status
     np.testing.assert_allclose(in_memory.values, of_files.values, rtol=1e-9, atol=1e-9 * np.abs(of_files.values).max())
 

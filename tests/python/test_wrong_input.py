@@ -1,10 +1,15 @@
 """One clear error for each wrong argument, or its right use."""
 
+import io
 import os
 
 import jointid
 import numpy as np
 import pytest
+from conftest import needs
+from jointid.bridges import pyfbs, pyuff, sdynpy
+from jointid.bridges.pandas import from_pandas
+from jointid.bridges.xarray import from_xarray
 
 F = np.arange(1.0, 6.0)
 H = np.ones((5, 2, 2), complex) * 1e-6
@@ -41,6 +46,11 @@ WRONG = {
     "variance of another shape": (dict(variance=np.ones((5, 2))), "variance", "(5, 2)"),
     "variance of text": (dict(variance=np.full((5, 2, 2), "1")), "variance", "<U1"),
     "coherence of another shape": (dict(coherence=np.ones((2, 2, 5))), "coherence", "(2, 2, 5)"),
+    "averages that are none": (dict(averages="many"), "averages", "'many'"),
+    "a position of two numbers": (dict(nodes={1: (0.0, 0.0)}), "nodes", "2 coordinates"),
+    "positions of names": (dict(nodes={"a": (0, 0, 0)}), "nodes", "node numbers"),
+    "positions without nodes": (dict(nodes=[(0, 0, 0)]), "nodes", "node numbers"),
+    "a quantity that is no text": (dict(quantity=None), "quantity", "None"),
     "covariance of another shape": (dict(covariance=np.ones((5, 4, 2))), "covariance", "(5, 3, 2)"),
 }
 
@@ -67,6 +77,8 @@ RIGHT = {
     "turned round": H[::-1],
     "lists": H.tolist(),
     "big-endian": H.astype(">c16"),
+    "half precision": H.real.astype(np.float16),
+    "long double": H.astype(np.clongdouble),
     "a masked axis": np.broadcast_to(H[:, :1, :1], (5, 2, 2)),
 }
 
@@ -76,6 +88,25 @@ def test_right_arrays(name):
     frfs = made(RIGHT[name])
     assert frfs.frfs.dtype == np.complex128 and frfs.frfs.flags.c_contiguous
     np.testing.assert_allclose(frfs.frfs, np.asarray(RIGHT[name], complex), rtol=1e-15)
+
+
+def test_what_is_masked_was_not_measured():
+    frfs = made(np.ma.masked_array(H, mask=np.arange(20).reshape(5, 2, 2) == 3)).frfs
+    assert np.isnan(frfs.ravel()[3]) and np.isnan(frfs).sum() == 1
+
+
+def test_tables_and_series():
+    pandas = needs("pandas")
+    table = pandas.DataFrame({"x": [0.0, 1.0], "y": 0.0, "z": 0.5}, index=[1, 2])
+    of_table = made(frequency=pandas.Series(F), responses=pandas.Index(DOFS), nodes=table)
+    assert of_table == made() and of_table.nodes == {1: (0.0, 0.0, 0.5), 2: (1.0, 0.0, 0.5)}
+    assert of_table.sel(node=np.int64(2)).responses == ("2:+X",)
+
+
+def test_channels_of_a_table():
+    pandas = needs("pandas")
+    samples = np.random.default_rng(0).normal(size=(50, 2))
+    assert jointid.pod(pandas.DataFrame(samples, columns=["left", "right"])).text() == jointid.pod(samples, names=["left", "right"]).text()
 
 
 def test_read_only_arrays_are_used_as_they_are(tmp_path):
@@ -199,11 +230,37 @@ def test_missing_and_unknown_arguments(joint):
     (lambda: jointid.couple(3), "data"),
     (lambda: jointid.check(3), "identify"),
     (lambda: jointid.decouple(made(), made(), ["7:+X"]), "interface"),
+    (lambda: jointid.decouple(H, made(), ["1:+X"]), "path"),
+    (lambda: jointid.identify(H, H, {"dofs": DOFS, "stiffness": "full"}), "data"),
+    (lambda: jointid.modalfit(H), "data"),
+    (lambda: jointid.virtual_points(H, {}), "frfs"),
+    (lambda: jointid.read(io.BytesIO(b"1")), "path"),
+    (lambda: jointid.read(b"a.uff"), "path"),
+    (lambda: made().to(None), "quantity"),
+    (lambda: jointid.pod(np.ones((9, 2), complex)), "record"),
+    (lambda: jointid.pod(np.full((9, 2), "a")), "record"),
+    (lambda: jointid.loading_curve({"rig": (F, F, F)}), "curves"),
+    (lambda: jointid.loading_curve((["a"] * 5, ["b"] * 5)), "displacement of curve"),
+    (lambda: jointid.write_problem("A1", ".", seed=-1), "seed"),
+    (lambda: pyuff.from_pyuff(None), "datasets"),
+    (lambda: pyuff.from_pyuff([{"type": 58}]), "datasets"),
+    (lambda: sdynpy.from_sdynpy(H, quantity="accelerance"), "data"),
+    (lambda: pyfbs.from_pyfbs(F, H, {"Position_1": [0, 1]}, {}), "channels, impacts"),
+    (lambda: from_xarray(H), "array"),
+    (lambda: from_pandas(H), "table"),
 ], ids=lambda value: value if isinstance(value, str) else "")
 def test_arguments_of_another_kind(call, place):
     with pytest.raises(jointid.InputError) as caught:
         call()
     assert caught.value.place == place and caught.value.remedy
+
+
+def test_errors_of_arrays_name_arguments_and_no_files():
+    for call, texts in ((lambda: jointid.frf(np.ones((100, 2)), channel=["1=1:+Z N", "2=4:+Z m/s^2"]), ("record 1", "rate=")),
+                        (lambda: jointid.frf([np.ones((100, 2))] * 2, channel=["1=1:+Z N"], rate=1.0), ("record 1", "channel"))):
+        with pytest.raises(jointid.InputError) as caught:
+            call()
+        assert all(text in caught.value.what for text in texts) and "/tmp" not in caught.value.what and "--" not in caught.value.what
 
 
 def test_errors_pickle_and_are_value_errors():

@@ -64,8 +64,8 @@ TEST(Faults, OfAGoodBlowThereAreNone) {
 }
 
 TEST(Faults, ASecondBlowIsSeenBeforeAndAfterTheStrongest) {
-  EXPECT_EQ(fault(record_of(500, {{50, 50.0}, {80, 20.0}})), "second blow 28 ms after the first");
-  EXPECT_EQ(fault(record_of(500, {{50, 20.0}, {80, 50.0}})), "second blow 28 ms before the first");
+  EXPECT_EQ(fault(record_of(500, {{50, 50.0}, {80, 20.0}})), "double impact: 28 ms after the first hit");
+  EXPECT_EQ(fault(record_of(500, {{50, 20.0}, {80, 50.0}})), "double impact: 28 ms before the first hit");
 }
 
 TEST(Faults, AnOverloadIsAFlatTopOfAnyChannel) {
@@ -109,7 +109,7 @@ TEST(MeasuredFrfs, LeaveOutWhatIsRejectedAndSayWhy) {
   const MeasuredFrfs made = make_frfs(records, options);
   EXPECT_EQ(made.averages.at(0).kept, 2u);
   EXPECT_EQ(made.averages.at(0).found, 4u);
-  EXPECT_THAT(made.blows[1].rejected, HasSubstr("second blow"));
+  EXPECT_THAT(made.blows[1].rejected, HasSubstr("double impact"));
   EXPECT_EQ(made.blows[2].rejected, "by the user");
   EXPECT_EQ(made.set.header.noise, frf::NoiseRecord::variance);
   EXPECT_EQ(made.set.header.quantity, frf::Quantity::accelerance);
@@ -162,7 +162,7 @@ TEST(MeasuredFrfs, RecordsThatDoNotAgreeAreAnError) {
   EXPECT_THAT(message_of([&] {
                 make_frfs(std::vector{record_of(512, {{50, 50.0}, {90, 40.0}})}, {});
               }),
-              HasSubstr("all 1 stretches with the force at 1:+Z are rejected: second blow"));
+              HasSubstr("all 1 segments with the force at 1:+Z are rejected: double impact"));
 }
 
 TEST(MeasuredFrfs, OptionsOutOfRangeAreAnError) {
@@ -177,7 +177,7 @@ TEST(MeasuredFrfs, OptionsOutOfRangeAreAnError) {
   EXPECT_THAT(said([](FrfOptions& o) { o.segments = {.block_s = 0.1, .overlap = 1.0}; }),
               HasSubstr("overlap: 1 is not from 0 to below 1"));
   EXPECT_THAT(said([](FrfOptions& o) { o.segments = {.block_s = 10.0}; }), HasSubstr("10 s are 10000 samples; a has 512"));
-  EXPECT_THAT(said([](FrfOptions& o) { o.reject = {2}; }), HasSubstr("there is no stretch 2 of 1"));
+  EXPECT_THAT(said([](FrfOptions& o) { o.reject = {2}; }), HasSubstr("there is no segment 2 of 1"));
 }
 
 }  // namespace

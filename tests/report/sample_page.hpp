@@ -84,8 +84,8 @@ inline ReportPage sample_page() {
   page.add(table, "cut", {1, nasty});
   page.add(sample_heat_map());
   page.add(ComparedTable{{"K(1,1)", nasty},
-                         {{"A1", {{"1.006", "1.01", "0.9", "1.1", Verdict::inside}, {nasty, nasty, nasty, nasty, Verdict::outside}}},
-                          {nasty, {{"0.5", "–", "–", "–", Verdict::doubtful}}}}});
+                         {{"A1", {{"1.006", "1.01", "0.9", "1.1", InRange::inside}, {nasty, nasty, nasty, nasty, InRange::outside}}},
+                          {nasty, {{"0.5", "–", "–", "–", InRange::doubtful}}}}});
   page.add(MatrixTable{"stiffness K", {"4:+Y", "5:+Y"}, {{1e6, -1e6}, {-1e6, 1e6}}, {{1.1e6, -1e6}, {-1e6, 0.0}}});
   page.add(Bars{{{"K(1,1)", 1e6, "N/m", {{0.9e6, 1.1e6}}, 1.05e6, ""},
                  {"K(1,2)", -4e5, "N/m", {}, {}, nasty},

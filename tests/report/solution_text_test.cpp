@@ -59,7 +59,7 @@ TEST(SolutionText, OfALikelihoodHasItsOwnFiguresAndNoWeighting) {
   EXPECT_THAT(text, HasSubstr("likelihood, equations nn nj, solver gauss-helmert\n"));
   EXPECT_THAT(text, testing::ContainsRegex("iterations +9\n"));
   EXPECT_THAT(text, HasSubstr("812.2 / 800 = 1.015\n"));
-  EXPECT_THAT(text, testing::ContainsRegex("outlying lines +2\n"));
+  EXPECT_THAT(text, testing::ContainsRegex("outlier lines +2\n"));
   EXPECT_THAT(text, testing::AllOf(HasSubstr("a.uff  the law of [noise]\n"), HasSubstr("b.uff: too few lines\n")));
   EXPECT_THAT(text, Not(HasSubstr("condition")));
 }

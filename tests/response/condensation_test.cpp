@@ -27,7 +27,7 @@ TEST(Condensation, MeetsTheGoldenErrors) {
       PeriodicProblem problem{condense(whole, basis), one.at("omega"), {1}, {}};
       problem.amplitudes = basis.columns.transpose() * (Complex(0.0, -1.0) * VectorXd::Unit(18, 4));
       const PeriodicOrbit orbit = find_orbit(problem);
-      ASSERT_EQ(orbit.status, OrbitStatus::closed);
+      ASSERT_TRUE(orbit.closed);
       const OrbitFigures found = figures(problem, orbit, {1, 3});
       const Eigen::VectorXcd x5 = (basis.columns.row(4) * found.x).transpose(), q2 = found.q.row(1).transpose();
       EXPECT_LT(difference(x5, complex_vector(row.at("X5"))), 1e-9);

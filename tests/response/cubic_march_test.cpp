@@ -42,7 +42,7 @@ TEST(CubicMarch, FreeMotionHasThePeriodOfTheEllipticIntegral) {
     ExactMarch march(marched(oscillator(0.0, {.name = "spring", .cubic = beta})),
                      ForceHistory::periodic(1.0, {1}, Eigen::MatrixXcd::Zero(1, 1)));
     march.place(0.0, VectorXd::Constant(1, amplitude), VectorXd::Zero(1), VectorXd::Zero(1));
-    ASSERT_EQ(march.march(5.0 * period), MarchStatus::reached);
+    ASSERT_TRUE(march.march(5.0 * period));
     const Instant end = march.motion();
     EXPECT_NEAR(end.x[0] / amplitude, 1.0, 1e-11) << amplitude;
     EXPECT_LT(std::abs(end.v[0]), 1e-9 * amplitude * std::sqrt(hard)) << amplitude;
@@ -57,7 +57,7 @@ TEST(CubicMarch, OrbitsAreThoseOfManyHarmonics) {
     const HarmonicSolution solution = balanced(all, force, 0.8, 161);
     ASSERT_TRUE(solution.converged);
     const SolutionStability found = stability(all, force, solution);
-    ASSERT_EQ(found.orbit.status, OrbitStatus::closed);
+    ASSERT_TRUE(found.orbit.closed);
     EXPECT_LT(found.difference, joint.friction ? 1e-5 : 1e-10) << joint.name;
     const PeriodicProblem problem = periodic_problem(all, force, 0.8, 1.0);
     const OrbitFigures figures_of = figures(problem, found.orbit, {1, 3, 5});
@@ -79,7 +79,7 @@ TEST(CubicMarch, TheOrbitBetweenTurningPointsIsUnstable) {
     const OrbitStart start = {
         VectorXd::Constant(1, x.real()), VectorXd::Constant(1, -omega * x.imag()), VectorXd::Zero(1), {{}}};
     const PeriodicOrbit orbit = find_orbit(problem, start);
-    ASSERT_EQ(orbit.status, OrbitStatus::closed);
+    ASSERT_TRUE(orbit.closed);
     const double size = std::norm(figures(problem, orbit, {1}).x(0, 0));
     EXPECT_NEAR(size / square, 1.0, 0.1);
     ASSERT_EQ(orbit.multipliers.size(), 2);

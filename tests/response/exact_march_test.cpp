@@ -32,7 +32,7 @@ TEST(ExactMarch, MeetsTheGoldenTransients) {
     const auto& times = one.at("times");
     Eigen::MatrixXd x(times.size(), 3), v(times.size(), 3);
     for (std::size_t i = 0; i < times.size(); ++i) {
-      ASSERT_EQ(march.march(times[i]), MarchStatus::reached);
+      ASSERT_TRUE(march.march(times[i]));
       x.row(at(i)) = march.motion().x;
       v.row(at(i)) = march.motion().v;
     }
@@ -58,7 +58,7 @@ TEST(ExactMarch, MeetsTheTransientsOfTheThesis) {
       const Eigen::MatrixXd rows = matrix(expected.at(type == "B" ? "x5_x7_f2" : "x5_x7"));
       Eigen::MatrixXd found(rows.rows(), rows.cols());
       for (std::size_t i = 0; i < expected.at("times").size(); ++i) {
-        ASSERT_EQ(march.march(expected.at("times")[i]), MarchStatus::reached);
+        ASSERT_TRUE(march.march(expected.at("times")[i]));
         const Instant motion = march.motion();
         found(at(i), 0) = motion.x[4];
         found(at(i), 1) = motion.x[6];
@@ -70,7 +70,7 @@ TEST(ExactMarch, MeetsTheTransientsOfTheThesis) {
       ExactMarch again(structure, ForceHistory::periodic(one.at("omega"), {1}, amplitude));
       ASSERT_EQ(again.march(0.2, [&](const MarchStep& step) {
         for (int i = 0; i < 50; ++i) largest = std::max(largest, std::abs(step.motion(i / 50.0).x[4]));
-      }), MarchStatus::reached);
+      }));
       const double sampled = expected.at("x5_max_to_0p2s");  // at some times, so a little less
       EXPECT_GE(largest, sampled);
       EXPECT_LT(largest, sampled * (1.0 + 1e-4));
@@ -106,8 +106,8 @@ TEST(ExactMarch, FindsTheSameByCornersAndBySliders) {
     ExactMarch corners(three_masses({std::make_shared<friction::Parallel>(friction::Parts{one}),
                                      std::make_shared<friction::Parallel>(friction::Parts{two})}),
                        beating(p));
-    ASSERT_EQ(sliders.march(6.0), MarchStatus::reached);
-    ASSERT_EQ(corners.march(6.0), MarchStatus::reached);
+    ASSERT_TRUE(sliders.march(6.0));
+    ASSERT_TRUE(corners.march(6.0));
     EXPECT_LT(difference(corners.motion().x, sliders.motion().x), 1e-11);
     EXPECT_LT(difference(corners.motion().f, sliders.motion().f), 1e-11);
   }
@@ -117,8 +117,8 @@ RC_GTEST_PROP(ExactMarch, OfAnyLawsAgreesWithShorterSteps, ()) {
   const std::vector<std::shared_ptr<const friction::Element>> laws = {any_joint(), any_joint()};
   const ForceHistory force = beating(any_in(1.0, 30.0));
   ExactMarch march(three_masses(laws), force), finer(three_masses(laws), force, {.longest_step = 0.02, .mismatch = 1e-11});
-  RC_ASSERT(march.march(0.7) == MarchStatus::reached);
-  RC_ASSERT(finer.march(0.7) == MarchStatus::reached);
+  RC_ASSERT(march.march(0.7));
+  RC_ASSERT(finer.march(0.7));
   RC_ASSERT(difference(march.motion().x, finer.motion().x) < 1e-9);
   RC_ASSERT(difference(march.motion().f, finer.motion().f) < 1e-8);
 }
@@ -128,7 +128,7 @@ TEST(ExactMarch, OfAStructureWithoutJointsIsTheLinearMotion) {
   single.matrices = {matrix(2.0), matrix(0.0), matrix(8.0)};
   single.incidence.resize(1, 0);
   ExactMarch march(single, ForceHistory::periodic(1.0, {0}, Eigen::MatrixXcd::Constant(1, 1, 3.0)));
-  ASSERT_EQ(march.march(5.0), MarchStatus::reached);
+  ASSERT_TRUE(march.march(5.0));
   EXPECT_NEAR(march.motion().x[0], 3.0 / 8.0 * (1.0 - std::cos(10.0)), 1e-14);
 }
 
@@ -141,7 +141,7 @@ TEST(ExactMarch, TakesForcesFromSamples) {
   EXPECT_DOUBLE_EQ(ramp.value(1.0)[0], 0.5);
   EXPECT_DOUBLE_EQ(ramp.value(2.5)[0], 0.0);
   ExactMarch march(single, ramp);
-  ASSERT_EQ(march.march(1.9), MarchStatus::reached);
+  ASSERT_TRUE(march.march(1.9));
   const auto answer = [](double t) { return (t - std::sin(3.0 * t) / 3.0) / 9.0; };
   EXPECT_NEAR(march.motion().x[0], answer(1.4) - answer(0.4), 1e-15);
 }

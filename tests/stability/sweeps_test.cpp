@@ -11,7 +11,9 @@
 namespace jointid::stability {
 namespace {
 
-Measured measured(const ExtremeScene& scene, const std::string& solver) {
+using ident::Solver;
+
+Measured measured(const ExtremeScene& scene, Way solver) {
   const ExtremeProblem problem = make(scene);
   return measure(problem, solver, exact_estimate(problem));
 }
@@ -25,7 +27,7 @@ TEST(Stability, CompressedQrKeepsWhatTheConditionAllows) {
       ExtremeScene scene;
       scene.form = form;
       scene.joint_stiffness = stiffness;
-      const Measured row = measured(scene, "qr");
+      const Measured row = measured(scene, Solver::qr);
       EXPECT_GE(row.digits_kept, std::min(10.0, allowed(row))) << stiffness << ", condition " << row.condition;
     }
   }
@@ -33,7 +35,7 @@ TEST(Stability, CompressedQrKeepsWhatTheConditionAllows) {
 
 TEST(Stability, NormalEquationsLoseTwiceAsMany) {
   for (const double delta : {1e-4, 1e-5, 1e-6}) {
-    const Measured qr = measure(laeuchli(5, delta), "qr"), normal = measure(laeuchli(5, delta), "normal");
+    const Measured qr = measure(laeuchli(5, delta), Solver::qr), normal = measure(laeuchli(5, delta), Solver::normal);
     const double lost = std::log10(qr.condition);
     EXPECT_GE(qr.digits_kept, 15.0 - lost - 1.0);
     EXPECT_GE(16.0 - normal.digits_kept, 1.6 * lost) << "they lost " << 16.0 - normal.digits_kept << " at " << delta;
@@ -41,17 +43,17 @@ TEST(Stability, NormalEquationsLoseTwiceAsMany) {
 }
 
 TEST(Stability, EveryOrthogonalRouteAgreesOnHardRows) {
-  for (const char* solver : {"qr", "svd", "spqr"}) {
+  for (const Way solver : {Way(Solver::qr), Way(OwnWay::svd), Way(Solver::spqr)}) {
     for (const Rows& rows : {hilbert(8), laeuchli(5, 1e-8), weighted(60, 5, 1e4)}) {
       const Measured row = measure(rows, solver);
-      EXPECT_GE(row.digits_kept, std::min(15.0, allowed(row))) << solver << ", condition " << row.condition;
+      EXPECT_GE(row.digits_kept, std::min(15.0, allowed(row))) << name(solver) << ", condition " << row.condition;
     }
   }
 }
 
 TEST(Stability, RefinementGivesAllDigitsOfHardRows) {
   for (const Rows& rows : {hilbert(10), laeuchli(5, 1e-10), weighted(60, 5, 1e14)}) {
-    EXPECT_GE(measure(rows, "qr refined").digits_kept, 15.0);
+    EXPECT_GE(measure(rows, OwnWay::qr_refined).digits_kept, 15.0);
   }
 }
 
@@ -66,9 +68,9 @@ TEST(Stability, ExactIdentificationOfEveryMethodFindsTheTruth) {
       for (std::size_t j = 0; j < problem.truth.size(); ++j) {
         EXPECT_NEAR(exact.values[j] / problem.truth[j], 1.0, 1e-10) << ident::name(method);
       }
-      const Measured row = measure(problem, "qr", exact);
+      const Measured row = measure(problem, Solver::qr, exact);
       EXPECT_GE(row.digits_kept, 10.0) << ident::name(method);
-      EXPECT_EQ(row.verdict, Verdict::right);
+      EXPECT_EQ(row.verdict, Honesty::right);
     }
   }
 }
@@ -82,8 +84,8 @@ TEST(Stability, TheExactMinimumDoesNotDependOnItsStart) {
     const ExtremeProblem problem = make(scene);
     std::vector<double> elsewhere = problem.truth;
     for (std::size_t j = 0; j < elsewhere.size(); ++j) elsewhere[j] *= j % 2 == 0 ? 1.001 : 0.999;
-    const ExactEstimate one = fit_exactly(*problem.plan("auto"), problem.sets, problem.truth);
-    const ExactEstimate other = fit_exactly(*problem.plan("auto"), problem.sets, elsewhere);
+    const ExactEstimate one = fit_exactly(*problem.plan(Solver::automatic), problem.sets, problem.truth);
+    const ExactEstimate other = fit_exactly(*problem.plan(Solver::automatic), problem.sets, elsewhere);
     for (std::size_t j = 0; j < problem.truth.size(); ++j) {
       EXPECT_NEAR(one.values[j] / problem.truth[j], 1.0, 1e-12) << ident::name(method);
       EXPECT_NEAR(one.values[j] / other.values[j], 1.0, 1e-15) << ident::name(method);
@@ -97,7 +99,7 @@ TEST(Stability, IterativeMethodsKeepTheDigitsOfTheirExactMinimum) {
     scene.method = method;
     for (const double stiffness : {1e-4, 1.0}) {
       scene.joint_stiffness = stiffness;
-      EXPECT_GE(measured(scene, "auto").digits_kept, 12.0) << ident::name(method) << ", " << stiffness;
+      EXPECT_GE(measured(scene, Solver::automatic).digits_kept, 12.0) << ident::name(method) << ", " << stiffness;
     }
   }
 }
@@ -108,7 +110,7 @@ TEST(Stability, TheStatedBoundCoversTheErrorAndIsNotIdle) {
     for (const Storage storage : {Storage::double_precision, Storage::single_precision}) {
       scene.joint_stiffness = stiffness;
       scene.storage = storage;
-      const Measured row = measured(scene, "qr");
+      const Measured row = measured(scene, Solver::qr);
       ASSERT_TRUE(row.digits_stated);
       EXPECT_LE(*row.digits_stated, row.digits_true + 1.0) << stiffness;
       EXPECT_GE(*row.digits_stated, row.digits_true - 5.0) << stiffness;
@@ -120,14 +122,14 @@ TEST(Stability, WhatRoundingDestroysIsImprecise) {
   ExtremeScene scene;
   scene.joint_stiffness = 1e9;
   scene.storage = Storage::single_precision;
-  const Measured row = measured(scene, "qr");
+  const Measured row = measured(scene, Solver::qr);
   EXPECT_NE(row.status, ident::Status::ok);
-  EXPECT_EQ(row.verdict, Verdict::told);
+  EXPECT_EQ(row.verdict, Honesty::told);
 }
 
 TEST(Stability, SweepsKeepTheirPromises) {
   for (const Measured& row : run_sweeps({"spread", "coincident", "single"})) {
-    EXPECT_NE(row.verdict, Verdict::silent_wrong) << row.sweep << " " << row.value << " " << row.solver;
+    EXPECT_NE(row.verdict, Honesty::silent_wrong) << row.sweep << " " << row.value << " " << row.solver;
   }
 }
 

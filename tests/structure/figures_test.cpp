@@ -97,7 +97,7 @@ TEST(Figures, OfTheDocsAreThoseOfTheTree) {
       {"most files in one directory of the product; of the tests",
        std::to_string(most_files(folders())) + "; " + std::to_string(most_files({"tests"}))},
       {"functions that may change a `Plan`", std::to_string(matches("Plan& ", std::regex(R"((\w+)\((?:[^();]*, )?(?:ident::)?Plan& \w)")))},
-      {"I + HZ written", std::to_string(matches("Identity(", std::regex(R"((Identity\([^;]*\) \+ [^;]*(?:\* z\b|\bz \*)))")))},
+      {"I + HZ written", std::to_string(matches("Identity(", std::regex(R"((Identity\([^;]*\) \+ [^;]*(?:\* (?:z|impedance)\b|\b(?:z|impedance) \*)))")))},
   };
   const auto told = figures_of_the_docs();
   for (const auto& [name, value] : of_the_tree) {

@@ -340,7 +340,7 @@ TEST(PublicHeaders, AreThereAndInstalled) {
 }
 
 TEST(PublicHeaders, AreAllThatOutsidersUse) {
-  std::vector<std::filesystem::path> outsiders = {root / "tests/install/outside/main.cpp", root / "README.md"};
+  std::vector<std::filesystem::path> outsiders = {root / "tests/install/outside/main.cpp", root / "docs/library.md"};
   for (const auto& example : sources(root / "examples")) outsiders.push_back(example);
   for (const auto& outside : outsiders) {
     EXPECT_FALSE(own_includes(outside).empty()) << outside;
@@ -350,7 +350,7 @@ TEST(PublicHeaders, AreAllThatOutsidersUse) {
   }
 }
 
-TEST(Base, HasAtMostTwelveUnits) { EXPECT_LE(units(root, {"base"}).size(), 12U); }
+TEST(Base, HasAtMostThirteenUnits) { EXPECT_LE(units(root, {"base"}).size(), 13U); }
 
 }  // namespace
 }  // namespace jointid::structure

@@ -207,7 +207,7 @@ PlannedMethod plan_observations(const Plan& plan, const StartPlanner& plan_start
   out.cost.lines = plan.lines.size();
   out.cost.columns = plan.columns->size();
   out.cost.equations_per_line = (use.nn ? n * (n + 1) / 2 : 0) + (own.blocks.assembly.jn ? n * j : 0) +
-                                 (own.blocks.assembly.jj ? j * (j + 1) / 2 : 0);
+                                (own.blocks.assembly.jj ? j * (j + 1) / 2 : 0);
   out.cost.bytes_read = out.entries_per_line * sizeof(Complex) * plan.lines.size();
   out.cost.iteration = iteration_cost(plan, own);
   plan_prediction(joint, own, out);

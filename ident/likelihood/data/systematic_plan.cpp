@@ -55,7 +55,7 @@ void require_driving_points(const Scene& scene, const MassPrior& prior, const st
       if (frf::has(file.header->response, dof) && frf::has(file.header->reference, dof)) continue;
       fail(
           scene, "[[data.masses]] dofs",
-          file.header->file + " does not have the driving point " + dof.name() + ", which tells what the mass does",
+          file.header->file + " does not have the driving point " + dof.name() + ", which determines the effect of the mass",
           "measure it (response and reference " + dof.name() + "), or leave the DOF out: the sensor then counts as without mass");
     }
   }
@@ -127,7 +127,7 @@ void SystematicPlan::add_angles(const Scene& scene, const GainPrior& prior, cons
   }
   if (all_.size() > before) return;
   fail(scene, "[[data.gains]] angle", "no sensor of the table has another direction that was measured at its node",
-       "measure it, or leave angle out: FRFs along other axes tell what an angle does");
+       "measure it, or leave angle out: FRFs along other axes determine the effect of an angle");
 }
 
 void SystematicPlan::add_masses(const Scene& scene, const MassPrior& prior, const frf::FrfSystem& substructures,

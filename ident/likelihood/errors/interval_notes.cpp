@@ -78,7 +78,7 @@ void tell_shared_errors(const Plan& plan, const TriedErrors& tried, const Eigen:
                         Solution& out) {
   if (tried.trials.references.empty()) return;
   if (!tried.shared.are_seen()) {
-    add_note(0, "errors of FRFs of one hit are taken as independent, and the residuals show nothing else", out);
+    add_note(0, "errors of FRFs of one hit are assumed independent; the residuals do not contradict it", out);
     return;
   }
   const double before = intervals.cost();
@@ -94,7 +94,7 @@ void tell_shared_errors(const Plan& plan, const TriedErrors& tried, const Eigen:
   tell(out, Status::doubtful,
        "Noise of the force's signal: errors of FRFs of one hit are alike, and H1 is then too low by up to " +
            percent(largest_bias(tried)) + ", which may move unknowns by up to " + digits(part, "%.2g") +
-           " half widths of their intervals. Intervals reach from no bias to all of it. Use an estimator that noise of the "
+           " half widths of their intervals. Intervals cover both: no bias, and all of it. Use an estimator that noise of the "
            "force does not bias (H2, Hv), or a force with less noise.");
 }
 
@@ -110,7 +110,7 @@ void tell_stretch(const Plan& plan, const LikelihoodFit& fit, const FileGain& st
        (stretch.file.of_assembly ? "The assembly fits the parts" : stretch.file.name + " fits the other files") +
            " better with frequencies " + digits(100.0 * std::abs(stretch.gain), "%.2g") + " % " +
            (stretch.gain > 0.0 ? "lower" : "higher") + " (" + digits(std::abs(stretch.score), "%.2g") +
-           " standard deviations): was the temperature another one, or a clock? Intervals reach from none to all of what that does.");
+           " standard deviations): was the temperature another one, or a clock? Intervals cover both: no shift, and all of it.");
 }
 
 void tell_scatter(const Jackknife& jackknife, Solution& out) {

@@ -48,19 +48,25 @@ void Intervals::add_bias(const std::vector<Eigen::VectorXd>& shifts, const Eigen
   width_ += high - low;
 }
 
-void Intervals::include_misfit(const Jackknife& jackknife, double inflation) {
-  const boost::math::students_t_distribution<double> student(static_cast<double>(jackknife.blocks) - 1.0);
-  const double t = boost::math::quantile(student, 0.975);
+void Intervals::widen_to(const Eigen::VectorXd& deviation, const Eigen::VectorXd& freedom) {
   const Eigen::VectorXd now = covariance().diagonal().cwiseSqrt();
   Eigen::VectorXd factor(first_.size());
   for (Eigen::Index u = 0; u < first_.size(); ++u) {
-    const double scattered = std::sqrt(jackknife.variance[u]) / now[u];
-    factor[u] = std::max({1.0, inflation, scattered});
-    quantile_[u] = std::max(normal_95, t * scattered / factor[u]);
+    const double t = boost::math::quantile(boost::math::students_t_distribution<double>(freedom[u]), 0.975);
+    const double scattered = deviation[u] / now[u];
+    factor[u] = std::max(1.0, scattered);
+    quantile_[u] = std::max(normal_95, std::max(t * scattered, quantile_[u]) / factor[u]);
   }
   for (Case& each : cases_) each.covariance = factor.asDiagonal() * each.covariance * factor.asDiagonal();
+}
+
+void Intervals::include_misfit(const Jackknife& jackknife, double inflation) {
+  for (Case& each : cases_) each.covariance *= inflation * inflation;
+  widen_to(jackknife.variance.cwiseSqrt(), Eigen::VectorXd::Constant(first_.size(), static_cast<double>(jackknife.blocks) - 1.0));
   add_bias({jackknife.step.head(first_.size())}, {});
 }
+
+void Intervals::include_sensors(const SensorScatter& sensors) { widen_to(sensors.variance.head(first_.size()).cwiseSqrt(), sensors.freedom); }
 
 const Eigen::MatrixXd& Intervals::covariance() const { return cases_.front().covariance; }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ident/likelihood/errors/sensor_scatter.hpp"
 #include "ident/likelihood/errors/tried_errors.hpp"
 
 namespace jointid::ident {
@@ -24,8 +25,9 @@ class Intervals {
   void add_bias(const std::vector<Eigen::VectorXd>& shifts, const Eigen::MatrixXd& scatter);
 
   /// As large as misfit makes them: deviations `inflation` times as large, or what the jackknife says with the quantile of Student's t,
-  /// whichever is wider; and the step that is left.
+  /// whichever is wider; and the step that is left. Once more for the scatter of sensors, where that is wider.
   void include_misfit(const Jackknife& jackknife, double inflation);
+  void include_sensors(const SensorScatter& sensors);
 
   /// Of the estimate as it is: of noise, shared errors and misfit, without what calibration costs.
   const Eigen::MatrixXd& covariance() const;
@@ -41,6 +43,8 @@ class Intervals {
     Eigen::VectorXd shift;
     Eigen::MatrixXd covariance;
   };
+  /// Deviations that are at least these, with the quantile of Student's t with so many degrees of freedom where they are larger.
+  void widen_to(const Eigen::VectorXd& deviation, const Eigen::VectorXd& freedom);
   std::array<double, 2> ends(Eigen::Index unknown) const;
   double quantile(Eigen::Index unknown) const;
 

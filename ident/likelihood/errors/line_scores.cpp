@@ -32,8 +32,9 @@ std::shared_ptr<const SystematicTerms> joined(const SystematicTerms* declared, s
 
 class LineScores {
  public:
-  LineScores(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit, const SystematicLines& trials)
-      : plan_(plan), estimator_(estimator), fit_(fit), trials_(trials), unknowns_(trials.plan().unknowns()) {}
+  LineScores(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit, const SystematicLines& trials,
+             const TermsOf& terms)
+      : plan_(plan), estimator_(estimator), fit_(fit), trials_(trials), terms_(terms), unknowns_(trials.plan().unknowns()) {}
 
   template <class Look>
   void score(std::size_t i, LineModel& model, const Look& look) const {
@@ -42,32 +43,42 @@ class LineScores {
     LineData data = corrected_line(observations.lines()[i], observations.systematic(), std::span(fit_.theta).subspan(joint));
     const std::shared_ptr<const SystematicTerms> declared = data.terms;
     data.systematic = observations.systematic_frfs(i, trials_);
-    data = corrected_line(data, unknowns_, {});
-    data.terms = joined(declared.get(), known - joint, *data.terms);
+    if (!terms_) data = corrected_line(data, unknowns_, {});
+    data.terms = joined(declared.get(), known - joint, terms_ ? terms_(i, data) : *data.terms);
     const JointImpedance impedance = joint_at(plan_.restriction, *plan_.columns, plan_.omega0, data.omega);
     model.linearise(data, impedance, estimator_.impedance_of(i, fit_.theta), estimator_.state_of(i), true);
     const auto reduced = model.reduce(0.0, false);
     if (!reduced) return;
     std::vector<std::size_t> columns = impedance.columns();
-    for (std::size_t column = joint; column < known + unknowns_.size(); ++column) columns.push_back(column);
+    for (std::size_t column = joint; column < joint + data.terms->unknowns; ++column) columns.push_back(column);
     look({i, fit_.line_weight[i], columns, *reduced, data});
   }
 
  private:
   const Plan& plan_;
-  const LikelihoodEstimator& estimator_;
+  const LinearisedLikelihood& estimator_;
   const LikelihoodFit& fit_;
   const SystematicLines& trials_;
+  const TermsOf& terms_;
   std::vector<SystematicUnknown> unknowns_;
 };
 
 }  // namespace
 
-void score_lines(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit, const SystematicLines& trials,
-                 const Control& control, const std::function<void(std::size_t run, const ScoredLine& line)>& look) {
+std::vector<Complex> weights_of(const LineData& line) {
+  std::vector<Complex> out;
+  for (const Channel* channel : {&line.x, &line.y, &line.a, &line.b, &line.d}) {
+    out.insert(out.end(), channel->weight.begin(), channel->weight.end());
+  }
+  return out;
+}
+
+void score_lines(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit, const SystematicLines& trials,
+                 const Control& control, const std::function<void(std::size_t run, const ScoredLine& line)>& look,
+                 const TermsOf& terms) {
   const Observations& observations = *likelihood_plan(plan)->observations;
   const LineShares::Range lines = observations.shares().own(observations.lines().size());
-  const LineScores line_scores(plan, estimator, fit, trials);
+  const LineScores line_scores(plan, estimator, fit, trials, terms);
   const std::size_t runs = std::min(most_runs, lines.size());
   const auto score = [&](std::size_t run) {
     const auto begin = [&](std::size_t r) { return lines.first + r * lines.size() / runs; };

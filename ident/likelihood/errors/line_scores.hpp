@@ -20,13 +20,20 @@ struct ScoredLine {
   const LineData& data;  ///< as measured, with the factors of the trials
 };
 
+/// Weights of the blocks of a line as one list.
+std::vector<Complex> weights_of(const LineData& line);
+
 /// Runs of lines that are worked on side by side. They do not depend on the number of threads, so that sums of what the runs sum up
 /// do not either.
 constexpr std::size_t most_runs = 16;
 
-/// Tells `look` every line of this process that counts, with the number of its run.
-void score_lines(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit, const SystematicLines& trials,
-                 const Control& control, const std::function<void(std::size_t run, const ScoredLine& line)>& look);
+/// Terms of a line by the FRFs that have what is tried, LineData::systematic.
+using TermsOf = std::function<SystematicTerms(std::size_t line, const LineData& data)>;
+
+/// Tells `look` every line of this process that counts, with the number of its run. `terms`: in place of those of trials.plan().
+void score_lines(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit, const SystematicLines& trials,
+                 const Control& control, const std::function<void(std::size_t run, const ScoredLine& line)>& look,
+                 const TermsOf& terms = {});
 
 /// Information and gradient of unknowns.
 struct Scores {

@@ -21,14 +21,6 @@ std::vector<std::size_t> kinds_of(const ErrorTrials& trials) {
   return out;
 }
 
-std::vector<Complex> weights_of(const LineData& line) {
-  std::vector<Complex> out;
-  for (const Channel* channel : {&line.x, &line.y, &line.a, &line.b, &line.d}) {
-    out.insert(out.end(), channel->weight.begin(), channel->weight.end());
-  }
-  return out;
-}
-
 }  // namespace
 
 bool SharedErrors::are_seen() const {

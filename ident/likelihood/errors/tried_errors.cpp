@@ -70,7 +70,7 @@ Sums total(std::vector<Sums> runs, const LineShares& shares) {
 
 }  // namespace
 
-std::optional<TriedErrors> try_errors(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit,
+std::optional<TriedErrors> try_errors(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit,
                                       double chi_square, const Control& control) {
   if (!plan.scene.couple_first.pairs.empty()) return std::nullopt;
   TriedErrors out;

@@ -31,7 +31,7 @@ struct TriedErrors {
 /// unknowns; shared errors where variances come from averages, FRFs are taken for independent, and there are
 /// up to 256 references and phases. `chi_square`: over degrees of freedom, of the lines that count. Empty for
 /// parts that were coupled before.
-std::optional<TriedErrors> try_errors(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit,
+std::optional<TriedErrors> try_errors(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit,
                                       double chi_square, const Control& control);
 
 }  // namespace jointid::ident

@@ -38,7 +38,7 @@ std::vector<ScaledPrior> drawn(std::vector<ScaledPrior> priors, const std::vecto
 
 }  // namespace
 
-std::vector<Replicate> bootstrap(const Plan& plan, const LikelihoodEstimator& fitted, const LikelihoodFit& fit, const Control& control) {
+std::vector<Replicate> bootstrap(const Plan& plan, const LinearisedLikelihood& fitted, const LikelihoodFit& fit, const Control& control) {
   const LikelihoodPlan& own = *likelihood_plan(plan);
   const std::vector<ExactLine> exact = exact_lines(*own.observations, fitted, fit.theta);
   const IdentifySection& identify = plan.scene.identify;
@@ -49,12 +49,13 @@ std::vector<Replicate> bootstrap(const Plan& plan, const LikelihoodEstimator& fi
   const auto run_one = [&](std::size_t b) {
     SimulatedData& data = simulated.local();
     data.draw(exact, {identify.bootstrap_seed, b, 0});
-    LikelihoodEstimator estimator(data, plan.restriction, *plan.columns, plan.omega0, 1);
-    estimator.set_line_watch([&](std::size_t, std::size_t) { stop_if(control.interrupted); });
-    estimator.set_priors(drawn(own.priors, fit.theta, {identify.bootstrap_seed, b, 1}));
-    LikelihoodFit refined = estimator.refine(fit.theta, watch);
-    if (plan.admissible) refined = estimator.constrain(std::move(refined), *plan.admissible, watch).fit;
-    replicates[b] = replicate_of(refined);
+    LikelihoodEstimator estimator(data, plan.restriction, *plan.columns, plan.omega0,
+                                  {.threads = 1,
+                                   .priors = drawn(own.priors, fit.theta, {identify.bootstrap_seed, b, 1}),
+                                   .line_watch = [&](std::size_t, std::size_t) { stop_if(control.interrupted); }});
+    LinearisedLikelihood refined = std::move(estimator).refine(fit.theta, watch);
+    if (plan.admissible) refined = std::move(refined).constrained(*plan.admissible, watch).fitted;
+    replicates[b] = replicate_of(refined.fit);
     if (control.progress) control.progress("bootstrap", ++done, replicates.size());
   };
   const int threads = control.threads == 0 ? oneapi::tbb::task_arena::automatic : static_cast<int>(control.threads);

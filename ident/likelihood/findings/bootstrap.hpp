@@ -19,7 +19,7 @@ struct Replicate {
 /// Parametric bootstrap (Efron & Tibshirani 1993, ch. 6): takes the fitted joint and FRFs for the truth, adds normal errors with
 /// the variances of the fit, and estimates again from the fitted joint; as often as [identify] bootstrap says. Replicate b draws
 /// from stream (bootstrap_seed, b), so that the result does not depend on the threads.
-std::vector<Replicate> bootstrap(const Plan& plan, const LikelihoodEstimator& fitted, const LikelihoodFit& fit, const Control& control);
+std::vector<Replicate> bootstrap(const Plan& plan, const LinearisedLikelihood& fitted, const LikelihoodFit& fit, const Control& control);
 
 /// What the usable replicates say about one unknown.
 struct BootstrapError {

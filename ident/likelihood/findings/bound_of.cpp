@@ -35,16 +35,14 @@ void read_observations(const Plan& plan, const Control& control) {
 }
 
 LikelihoodEstimator make_estimator(const Plan& plan, const Control& control, std::shared_ptr<const std::string> stage) {
-  LikelihoodEstimator estimator(*likelihood_plan(plan)->observations, plan.restriction, *plan.columns, plan.omega0,
-                                control.threads);
-  estimator.set_priors(likelihood_plan(plan)->priors);
+  EstimatorOptions options{.threads = control.threads, .priors = likelihood_plan(plan)->priors};
   if (control.interrupted || control.progress) {
-    estimator.set_line_watch([&control, stage = std::move(stage)](std::size_t begun, std::size_t lines) {
+    options.line_watch = [&control, stage = std::move(stage)](std::size_t begun, std::size_t lines) {
       stop_if(control.interrupted);
       if (control.progress) control.progress(stage ? stage->c_str() : "likelihood", begun, lines);
-    });
+    };
   }
-  return estimator;
+  return {*likelihood_plan(plan)->observations, plan.restriction, *plan.columns, plan.omega0, std::move(options)};
 }
 
 }  // namespace jointid::ident

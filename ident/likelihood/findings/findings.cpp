@@ -26,8 +26,9 @@ void add_weak(const Identifiability& found, std::vector<Finding>& out) {
     if (weak.worst.deviation >= bad) out.push_back({FindingKind::weak_combination, text(weak)});
   }
   if (out.empty()) return;
-  out.back().text += " Tie such unknowns in the joint's matrices, give priors, or measure what tells them apart: `jointid plan "
-                     "SCENE --bound` says what a sensor or other lines would change.";
+  out.back().text +=
+      " Tie such unknowns in the joint's matrices, give priors, or measure what separates them: `jointid plan "
+      "SCENE --bound` predicts what a sensor or other lines would change.";
 }
 
 /// How to identify what is left of a stiff joint.
@@ -44,18 +45,20 @@ void add_joint(const Identifiability& found, std::vector<Finding>& out) {
   if (effect && *effect < hardly_seen && deformation && *deformation > loose) {
     out.push_back({FindingKind::soft_joint,
                    "The joint is soft: half of the FRFs of assembly and substructures differ by no more than " +
-                       digits(*effect, "%.2g") + " times their errors. Use lower frequencies, or more exact FRFs, or "
+                       digits(*effect, "%.2g") +
+                       " times their errors. Use lower frequencies, more accurate FRFs, "
                        "another support or less mass so that the joint takes part in the motion. Where the assembly's FRFs are "
                        "all that is wanted, such a joint can be left out."});
   }
   if (deformation && *deformation < held) {
-    out.push_back({FindingKind::stiff_joint,
-                   "The joint is stiff: it holds the parts so that their responses at the joint are nearly dependent, and what is "
-                   "fixed worst does only " +
-                       digits(*deformation, "%.1g") +
-                       " times the work that it would do on the free parts. Use higher frequencies, add mass or a support "
-                       "so that the joint deforms, tie unknowns, or " +
-                       rigid_remedy(found.stiff_pairs)});
+    out.push_back(
+        {FindingKind::stiff_joint,
+         "The joint is stiff: it makes the interface responses of the parts nearly dependent, and the combination that is "
+         "least determined does only " +
+             digits(*deformation, "%.1g") +
+             " times the work that it would do on the free parts. Use higher frequencies, add mass or a support "
+             "so that the joint deforms, tie unknowns, or " +
+             rigid_remedy(found.stiff_pairs)});
   }
 }
 
@@ -88,13 +91,13 @@ void add_misfit(const Fit& fit, const std::vector<double>& frequency_hz, double 
     if (chi_square.outlying_lines == 0) return;
     out.push_back(
         {FindingKind::misfit, std::to_string(chi_square.outlying_lines) +
-                                  " outlying lines are set aside: they count for little in the joint, and not in chi-square." +
+                                  " outlier lines are set aside: they have little weight in the joint, and none in χ²." +
                                   worst_lines(chi_square, frequency_hz, hardly_counts)});
     return;
   }
   out.push_back({FindingKind::misfit, "Joint model, variances or some lines do not fit: chi-square is " +
                                           digits(chi_square.value, "%.4g") + " for " + digits(freedom, "%.4g") +
-                                          " degrees of freedom, so the errors told are too small." +
+                                          " degrees of freedom, so the stated errors are too small." +
                                           worst_lines(chi_square, frequency_hz, 1.0)});
 }
 

@@ -44,7 +44,7 @@ std::vector<double> weakest_direction(const Plan& plan, const Solution& solution
 
 }  // namespace
 
-Identifiability identifiability_of(const Plan& plan, const LikelihoodEstimator& estimator, const Eigen::MatrixXd& covariance,
+Identifiability identifiability_of(const Plan& plan, const LinearisedLikelihood& estimator, const Eigen::MatrixXd& covariance,
                                    double likely, const Solution& out) {
   std::vector<double> values, frequency_hz;
   std::vector<std::string> names;

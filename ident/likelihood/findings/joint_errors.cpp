@@ -17,7 +17,7 @@ constexpr double step = 1e-3;  ///< standard deviations to either side
 /// Part FRFs of a line as estimated, when the joint is some way along each of its unknowns, over the whole way.
 class Answer {
  public:
-  Answer(const Plan& plan, const LikelihoodEstimator& estimator, const std::vector<double>& theta)
+  Answer(const Plan& plan, const LinearisedLikelihood& estimator, const std::vector<double>& theta)
       : observations_(*likelihood_plan(plan)->observations), estimator_(estimator), theta_(theta) {}
 
   /// d/dθ of all pairs, [pair, columns of the line]; zero of those that are not there.
@@ -54,7 +54,7 @@ class Answer {
   }
 
   const Observations& observations_;
-  const LikelihoodEstimator& estimator_;
+  const LinearisedLikelihood& estimator_;
   const std::vector<double>& theta_;
 };
 
@@ -67,8 +67,7 @@ void require_joint_errors(const Plan& plan) {
   };
   const LikelihoodPlan* const own = likelihood_plan(plan);
   if (!own) {
-    fail("[identify] method",
-         "only method \"likelihood\" tells what the errors of a joint have in common with those of the parts",
+    fail("[identify] method", "only method \"likelihood\" gives the errors that a joint shares with the parts",
          "set method = \"likelihood\"");
   }
   if (plan.admissible) fail("[joint]", "what bounds and ties do to the errors is not carried into a coupling", "leave them out");
@@ -94,19 +93,16 @@ JointErrors joint_errors(const Plan& plan, const std::vector<double>& values, co
     unit[at(c)] = plan.unscale(c);
     theta.push_back(values[c] / unit[at(c)]);
   }
-  LikelihoodEstimator estimator = make_estimator(plan, control);
-  LikelihoodFit fit;
-  fit.information = estimator.information_at(theta);
-  fit.theta = theta;
-  const Eigen::MatrixXd scaled = minimise::covariance_of(fit.information);
+  LinearisedLikelihood there = make_estimator(plan, control).at(theta);
+  const Eigen::MatrixXd scaled = minimise::covariance_of(there.fit.information);
   const Observations& observations = *likelihood_plan(plan)->observations;
   JointErrors out;
   out.coordinates = observations.layout().coordinates;
   const Eigen::VectorXd deviation = scaled.diagonal().cwiseSqrt();
-  const Answer answer(plan, estimator, theta);
+  const Answer answer(plan, there, theta);
   for (std::size_t line = 0; line < plan.lines.size(); ++line) {
     stop_if(control.interrupted);
-    const std::vector<std::size_t>& columns = estimator.line_at(line).columns;
+    const std::vector<std::size_t>& columns = there.line_at(line).columns;
     const Eigen::MatrixXd of_line = scaled(columns, Eigen::all) * unit.asDiagonal();
     const Eigen::MatrixXcd common = answer.of(line, deviation) * of_line.cast<Complex>();
     out.frequency_hz.push_back(plan.lines[line].frequency_hz);
@@ -115,7 +111,7 @@ JointErrors joint_errors(const Plan& plan, const std::vector<double>& values, co
       for (Eigen::Index m = 0; m < common.cols(); ++m) out.common.back().push_back(common(pair, m));
     }
   }
-  out.covariance = unit.asDiagonal() * minimise::covariance_of(estimator.godambe_information_at(fit)) * unit.asDiagonal();
+  out.covariance = unit.asDiagonal() * minimise::covariance_of(there.godambe_information()) * unit.asDiagonal();
   return out;
 }
 

@@ -62,7 +62,7 @@ std::optional<double> median_of_all(const std::vector<double>& own, const LineSh
 
 }  // namespace
 
-JointVisibility joint_visibility(const LikelihoodData& data, const LikelihoodEstimator& estimator,
+JointVisibility joint_visibility(const LikelihoodData& data, const LinearisedLikelihood& estimator,
                                  const std::vector<double>& direction) {
   Numbers effects, deformations;
   const std::vector<double> origin(direction.size(), 0.0);
@@ -85,7 +85,7 @@ struct Pair {
 };
 
 /// The median of |a_i − s a_j| / |x_i − s x_j|, s the product of the DOFs' signs.
-std::optional<double> relative_motion(const LikelihoodData& data, const LikelihoodEstimator& estimator, Eigen::Index i, Eigen::Index j,
+std::optional<double> relative_motion(const LikelihoodData& data, const LinearisedLikelihood& estimator, Eigen::Index i, Eigen::Index j,
                                       double sign) {
   Numbers ratios;
   for (std::size_t line = 0; line < data.lines().size(); ++line) {
@@ -98,7 +98,7 @@ std::optional<double> relative_motion(const LikelihoodData& data, const Likeliho
   return median_of_all(ratios, data.shares());
 }
 
-std::vector<Pair> held_pairs(const LikelihoodData& data, const LikelihoodEstimator& estimator, const Dofs& joint) {
+std::vector<Pair> held_pairs(const LikelihoodData& data, const LinearisedLikelihood& estimator, const Dofs& joint) {
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < joint.size(); ++i) {
     for (std::size_t j = i + 1; j < joint.size(); ++j) {
@@ -114,7 +114,7 @@ std::vector<Pair> held_pairs(const LikelihoodData& data, const LikelihoodEstimat
 
 }  // namespace
 
-std::vector<std::array<std::string, 2>> stiff_pairs(const LikelihoodData& data, const LikelihoodEstimator& estimator) {
+std::vector<std::array<std::string, 2>> stiff_pairs(const LikelihoodData& data, const LinearisedLikelihood& estimator) {
   const Dofs& all = data.layout().coordinates;
   const Dofs joint(all.begin() + static_cast<std::ptrdiff_t>(data.layout().others), all.end());
   std::vector<bool> taken(joint.size(), false);

@@ -10,11 +10,11 @@ namespace jointid::ident {
 ///   deformation: |aᵀ δZ a| / |xᵀ δZ x|, the work that a change δZ of the joint in `direction` (scaled unknowns) does on the motion
 ///   of the joint's coordinates in the assembly, a = H_asm(j,k), and on that of the free parts, x = H_sub(j,k). About 1 for a
 ///   joint that does not hold the parts together, and small where it holds them so that it does not deform.
-JointVisibility joint_visibility(const LikelihoodData& data, const LikelihoodEstimator& estimator,
+JointVisibility joint_visibility(const LikelihoodData& data, const LinearisedLikelihood& estimator,
                                  const std::vector<double>& direction);
 
 /// Identifiability::stiff_pairs: pairs (i, j) of one direction, each coordinate once, those held most first, with a median of
 /// |a_i − a_j| / |x_i − x_j| below 0.1, which is 0.01 in terms of work.
-std::vector<std::array<std::string, 2>> stiff_pairs(const LikelihoodData& data, const LikelihoodEstimator& estimator);
+std::vector<std::array<std::string, 2>> stiff_pairs(const LikelihoodData& data, const LinearisedLikelihood& estimator);
 
 }  // namespace jointid::ident

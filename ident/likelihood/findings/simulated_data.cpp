@@ -40,7 +40,7 @@ std::vector<Complex> draw_errors(const std::array<std::pair<const std::vector<Co
 
 }  // namespace
 
-std::vector<ExactLine> exact_lines(const LikelihoodData& data, const LikelihoodEstimator& fitted, const std::vector<double>& theta) {
+std::vector<ExactLine> exact_lines(const LikelihoodData& data, const LinearisedLikelihood& fitted, const std::vector<double>& theta) {
   std::vector<ExactLine> out;
   for (std::size_t i = 0; i < data.lines().size(); ++i) {
     const LineState& state = fitted.state_of(i);

@@ -13,7 +13,7 @@ struct ExactLine {
 };
 
 /// The FRFs that a fit with the result `theta` takes for true, in the order of the channels; empty for lines that it does not use.
-std::vector<ExactLine> exact_lines(const LikelihoodData& data, const LikelihoodEstimator& fitted, const std::vector<double>& theta);
+std::vector<ExactLine> exact_lines(const LikelihoodData& data, const LinearisedLikelihood& fitted, const std::vector<double>& theta);
 
 /// Data of a parametric bootstrap: exact values plus normal errors with the weights of the fit. Lines that the fit counts for
 /// less have larger errors here: their variances are divided by the robust weight.

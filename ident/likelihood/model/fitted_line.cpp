@@ -163,6 +163,9 @@ bool settle(const LineData& data, const ComplexMatrix& z, LineModel& model, Fitt
   return true;
 }
 
+/// The loop is not `minimise::gauss_newton`, which asks for residuals and a Jacobian: a line has up to thousands of FRFs, and its model
+/// eliminates and damps them block by block (LineModel::reduce()) without either; and a factorisation goes on to be used for steps by
+/// gradients alone (follow_gradient()).
 void relax(const LineData& data, const ComplexMatrix& z, LineModel& model, FittedLine& line, Relaxation until) {
   const LineLayout& layout = model.layout();
   put_on_constraint(layout, z, line.state);

@@ -6,8 +6,8 @@
 
 #include "base/eigen.hpp"
 #include "base/kernel.hpp"
-#include "dense/blas.hpp"
 #include "coupling/joint_loop.hpp"
+#include "dense/blas.hpp"
 #include "ident/likelihood/elimination/elimination_flops.hpp"
 #include "ident/likelihood/rows/normal_kernels.hpp"
 

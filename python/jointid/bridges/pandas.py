@@ -23,7 +23,7 @@ def to_pandas(frfs: FrfSet) -> Any:
 
 def from_pandas(table: Any, *, quantity: str | None = None, name: str = "pandas") -> FrfSet:
     """The reverse; columns in any order, pairs that are not there are NaN."""
-    if getattr(table.columns, "nlevels", 1) != 2:
+    if getattr(getattr(table, "columns", None), "nlevels", 1) != 2:
         raise InputError("the columns are no pairs (response, reference)", place="table", remedy="give a MultiIndex of two levels")
     responses = list(dict.fromkeys(table.columns.get_level_values(0)))
     references = list(dict.fromkeys(table.columns.get_level_values(1)))

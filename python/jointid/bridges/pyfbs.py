@@ -16,6 +16,10 @@ _SKEW = 1e-6  # how far from an axis a unit vector may be
 
 
 def _columns(table: Any, prefix: str) -> np.ndarray:
+    missing = next((f"{prefix}_{k}" for k in (1, 2, 3) if f"{prefix}_{k}" not in table), None)
+    if missing is not None:
+        raise InputError(f"the table has no column {missing!r}", place="channels, impacts", kind="data",
+                         remedy="give df_chn and df_imp with Position_1 to Position_3 and Direction_1 to Direction_3")
     return np.column_stack([np.asarray(table[f"{prefix}_{k}"], dtype=float) for k in (1, 2, 3)])
 
 

@@ -21,6 +21,8 @@ def from_pyuff(datasets: Iterable[Mapping[str, Any]] | Mapping[str, Any], *, qua
     Nodes of datasets 15 and 2411 become positions. `quantity`: where the datasets do not say it. Raises InputError where they
     disagree.
     """
+    if not isinstance(datasets, Iterable):
+        raise InputError(f"{datasets!r} is no list of datasets", place="datasets", remedy="give pyuff.UFF(file).read_sets()")
     datasets = [datasets] if isinstance(datasets, Mapping) else list(datasets)
     pairs, quantities, nodes = [], set(), {}
     for each in datasets:
@@ -28,6 +30,9 @@ def from_pyuff(datasets: Iterable[Mapping[str, Any]] | Mapping[str, Any], *, qua
             nodes.update({int(node): (x, y, z) for node, x, y, z in _rows(each)})
         if each.get("type") != 58 or each.get("func_type", _FRF) != _FRF:
             continue
+        missing = [key for key in ("rsp_node", "rsp_dir", "ref_node", "ref_dir", "x", "data") if key not in each]
+        if missing:
+            raise InputError(f"a dataset 58 has no {missing[0]!r}", place="datasets", kind="data", remedy="give it as pyuff reads it")
         pairs.append((dof_of(each["rsp_node"], each["rsp_dir"], "rsp_dir"), dof_of(each["ref_node"], each["ref_dir"], "ref_dir"),
                       each["x"], each["data"]))
         quantities.add(_QUANTITIES.get(each.get("ordinate_spec_data_type", 0), None))

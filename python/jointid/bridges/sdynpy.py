@@ -21,6 +21,8 @@ def from_sdynpy(data: Any, *, quantity: str, unit: str | None = None, name: str 
     [(response, reference)], each of a node and a direction ±1 to ±6.
     """
     if isinstance(data, (str, os.PathLike)):
+        if not os.path.isfile(data):
+            raise InputError("there is no such file", file=os.fspath(data), kind="data", remedy="check its path")
         with np.load(os.fspath(data), allow_pickle=False) as archive:
             if "data" not in archive:
                 raise InputError("there is no array 'data'", file=os.fspath(data), kind="data", remedy="save it by NDDataArray.save()")
@@ -39,7 +41,11 @@ def from_sdynpy(data: Any, *, quantity: str, unit: str | None = None, name: str 
 
 
 def _field(data: Any, key: str) -> Any:
-    return data[key] if getattr(getattr(data, "dtype", None), "names", None) else getattr(data, key)
+    if getattr(getattr(data, "dtype", None), "names", None):
+        return data[key]
+    if not hasattr(data, key):
+        raise InputError(f"{type(data).__name__} has no {key!r}", place="data", kind="data", remedy="give a TransferFunctionArray")
+    return getattr(data, key)
 
 
 def _dof(coordinate: Any) -> Any:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from ..errors import InputError
 from ..frf_set import FrfSet
 
 
@@ -21,7 +22,11 @@ def to_xarray(frfs: FrfSet) -> Any:
 
 def from_xarray(array: Any) -> FrfSet:
     """The reverse. The dimensions may stand in any order; quantity: ``attrs["quantity"]``, else receptance."""
-    array = array.transpose("frequency", "output", "input")
+    wanted = ("frequency", "output", "input")
+    if set(getattr(array, "dims", ())) != set(wanted):
+        raise InputError(f"the dimensions are {getattr(array, 'dims', 'none')}", place="array", kind="data",
+                         remedy='rename them to "frequency", "output" and "input", with the DOFs as coordinates')
+    array = array.transpose(*wanted)
     return FrfSet(array.values, array["frequency"].values, [str(dof) for dof in array["output"].values],
                   [str(dof) for dof in array["input"].values], quantity=array.attrs.get("quantity", "receptance"),
                   name=str(array.name or "xarray"))

@@ -55,7 +55,7 @@ class FrfCommand : public testing::Test {
 TEST_F(FrfCommand, TellsOfBlowsAveragesAndCoherence) {
   const Outcome outcome = run_command(folder_.path(), frf({}));
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, testing::ContainsRegex("3 +blows.csv +2\\.00[0-9]+ +[0-9.]+ +rejected: second blow [0-9.]+ ms"));
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("3 +blows.csv +2\\.00[0-9]+ +[0-9.]+ +rejected: double impact: [0-9.]+ ms"));
   EXPECT_THAT(outcome.out, testing::ContainsRegex("1:\\+Z +4 +5 +4"));
   EXPECT_THAT(outcome.out, testing::ContainsRegex("5:-Z / 1:\\+Z +0\\.[0-9]+"));
   EXPECT_THAT(outcome.out, HasSubstr("H1, 244 lines from 0 to "));
@@ -165,13 +165,13 @@ TEST_F(FrfCommand, WhatIsWrongIsSaidInOneLine) {
   EXPECT_THAT(says({"--channel", "c=9:+Z V"}, 2), HasSubstr("'V' is no unit of a force or a motion"));
   EXPECT_THAT(says({"--channel", "c=9:+Z N"}, 3), HasSubstr("there is no column 'c'; the columns are time, hammer, a, b"));
   EXPECT_THAT(says({"--trigger", "2"}, 2), HasSubstr("trigger: 2 is no share between 0 and 1"));
-  EXPECT_THAT(says({"--reject", "9"}, 2), HasSubstr("there is no stretch 9 of 5"));
+  EXPECT_THAT(says({"--reject", "9"}, 2), HasSubstr("there is no segment 9 of 5"));
   EXPECT_THAT(says({"--output", "new.xls"}, 2), HasSubstr("new.xls: 'xls' is no format of FRF files"));
   EXPECT_THAT(says({"--shaker", "--overlap", "1"}, 2), HasSubstr("overlap: 1 is not from 0 to below 1"));
   EXPECT_THAT(run_command(folder_.path(), {"frf", "a.h5"}).err, HasSubstr("a.h5: "));
   EXPECT_THAT(run_command(folder_.path(), {"frf", "absent.npy"}).err, HasSubstr("absent.npy: there is no such file"));
   EXPECT_THAT(run_command(folder_.path(), {"frf", "blows.csv", "--shaker"}).err,
-              HasSubstr("--shaker: says no length of the segments"));
+              HasSubstr("--shaker: states no length of the segments"));
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ namespace {
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
-const std::string said = "jointid: stopping; what there is so far is kept; once more to stop at once\n";
+const std::string said = "jointid: stopping and keeping the partial result; Ctrl-C again stops at once\n";
 
 /// A pseudo-terminal, on which the command shows its progress.
 class Terminal {

@@ -182,7 +182,7 @@ const Wrong command_lines[] = {
      {"solve", "A1.toml", "B.toml", "--json", "new"},
      2,
      {"'B.toml' was not expected", "`jointid solve --help`"}},
-    {"OptionBeforeTheCommand", {}, {"--json", "new", "solve", "A1.toml"}, 2, {"'--json'", "put it behind `jointid solve`"}},
+    {"OptionBeforeTheCommand", {}, {"--json", "new", "solve", "A1.toml"}, 2, {"'--json'", "put it after `jointid solve`"}},
     {"ProblemName", {}, {"problem", "write", "A99", "new"}, 2, {"problem: ", "no problem 'A99'", "did you mean A9?"}},
     {"ProblemIntoAFile", {}, {"problem", "write", "A1", "a.csv"}, 3, {"a.csv", "cannot be written", "check the folder"}},
 };

@@ -69,6 +69,30 @@ TEST_F(CsvOfOthers, FreeLinesStandAboveTheTitles) {
                at_one_point());
 }
 
+TEST_F(CsvOfOthers, CellsMayStandBetweenBlanks) {
+  const std::string rows = "1.0e+01 2.0e+00 -1.0e+00\n2.0e+01 3.0e+00 4.0e+00\n";
+  for (const char* titles :
+       {"Frequency Real Imag\n", "# Frequency, Real, Imag\n", "% Freq [Hz]  Re  Im\n", "Beam run 3\n\nFrequency (Hz) Real Imag\n",
+        "# run 3\n# quantity = accelerance\n# Frequency   Real H1   Imag H1\n"})
+    expect_right(titles + rows, 1.0, accelerance(at_one_point()));
+  expect_right("# frequency_hz 1:+Z/1:+Z re 1:+Z/1:+Z im\n" + rows, 1.0, accelerance());
+  expect_right("Frequency [Hz] Re [g/N] Im [g/N]\n   10  2  -1\n\n   20  3   4  \n", gravity, at_one_point());
+  expect_right("frequency_hz 1:+Z/1:+Z re [g/N] 1:+Z/1:+Z im [g/N]\r\n10 2 -1\r\n20 3 4\r\n", gravity, {});
+  expect_right("Frequency Real Imag\nkHz g/N g/N\n0,01 2,0 -1,0\n0,02 3,0 4,0\n", gravity, at_one_point());
+  expect_right("# frequency_hz 1:+Z/1:+Z\n10 (2-1j)\n20 (3+4j)\n", 1.0, accelerance());
+  expect_right("No. Frequency Real Imag\n1 10 2 -1\n2 20 3 4\n", 1.0, accelerance(at_one_point()));
+}
+
+TEST_F(CsvOfOthers, BlanksThatLeaveItOpenWhatACellIsAreRefused) {
+  EXPECT_THAT(error("Frequency,Real,Imag\n10,1 000,2 000\n20,1 000,2 000\n", accelerance(at_one_point())),
+              HasSubstr("'1 000' is not a number"));
+  EXPECT_THAT(error("Frequency Real Imag\n10 2 -1\n15 3\n20 3 4\n", accelerance(at_one_point())),
+              HasSubstr("line 3, column 2: the line has 2 cells and the header 3"));
+  EXPECT_THAT(error("Frequency Real part of H Imag part of H\n10 2 -1\n20 3 4\n", accelerance(at_one_point())),
+              HasSubstr("the line has 3 cells and the header 9"));
+  EXPECT_THAT(error("10 2 -1\n20 3 4\n", accelerance(at_one_point())), HasSubstr("the first column is '10'"));
+}
+
 TEST_F(CsvOfOthers, UnitsInFreeLinesAreReadOrRefused) {
   const std::string table = own_titles + numbers;
   for (const char* line : {"Units,g/N", "Unit;g/N", "Y Unit: g/N", "Amplitude (Y) = g/N", "g/N", "Engineering Units,g/N,,"})

@@ -103,7 +103,7 @@ TEST(JointErrors, OfWhatIsNotCarriedAreAnError) {
     (void)joint_errors(*plan, values);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("only method \"likelihood\" tells what the errors of a joint have in common"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("only method \"likelihood\" gives the errors that a joint shares"));
   }
 }
 

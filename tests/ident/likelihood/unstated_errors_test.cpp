@@ -157,6 +157,45 @@ Jackknife jackknife_of(const std::function<double(std::size_t)>& error) {
   return blocks.jackknife(whole, Eigen::VectorXd()).value();
 }
 
+/// Of rig one with sensors and hits off their places, drawn for each file.
+Measurement off_their_places(const LikelihoodCase& of, double metres, std::uint64_t seed) {
+  problems::Problem problem = of.problem;
+  std::get<frf::NoiseModel>(problem.noise).position_errors = metres;
+  return problems::polluted(problem, seed, 0);
+}
+
+TEST(SensorScatter, KeepsIntervalsWhereSensorsAreFarOffTheirPlaces) {
+  LikelihoodCase rig("rig1", 0.01);
+  rig.scene.frequency.step_hz = 24.0;
+  double share = 0.0;
+  for (const std::uint64_t seed : {1U, 2U}) {
+    const Solution found = solution_of(rig.scene, off_their_places(rig, 0.003, seed));
+    EXPECT_EQ(found.status, Status::poor_fit);
+    EXPECT_THAT(found.message, HasSubstr("by leaving out blocks of lines and sensors"));
+    share += 0.5 * share_inside(found, rig.problem);
+  }
+  EXPECT_GE(share, 0.5);
+}
+
+TEST(SensorScatter, OfNoiseThatIsTwiceAsLargeAsToldIsAboutTwice) {
+  LikelihoodCase a1("A1", 0.01);
+  const Measurement data = problems::polluted(a1.problem, 3, 0);
+  const Solution right = solution_of(calibrated(a1.scene), data);
+  a1.scene.noise->level = a1.scene.noise->frf_model.level = 0.005;
+  const Solution found = solution_of(calibrated(a1.scene), data);
+  EXPECT_THAT(found.message, HasSubstr("by leaving out blocks of lines and sensors"));
+  double widths = 0.0, count = 0.0;
+  for (std::size_t u = 0; u < found.unknowns.size(); ++u) {
+    if (!found.unknowns[u].ci95 || !right.unknowns[u].ci95) continue;
+    const auto [low, high] = *found.unknowns[u].ci95;
+    const auto [right_low, right_high] = *right.unknowns[u].ci95;
+    widths += (high - low) / (right_high - right_low), ++count;
+  }
+  ASSERT_GT(count, 0.0);
+  EXPECT_GT(widths / count, 0.9);
+  EXPECT_LT(widths / count, 3.0);
+}
+
 TEST(BlockJackknife, OfIndependentErrorsTellsTheVarianceOfTheMean) {
   double variance = 0.0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {

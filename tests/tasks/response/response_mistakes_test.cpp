@@ -54,7 +54,7 @@ TEST(ResponseMistakes, NamesTheMistakesOfALaboratory) {
        {"3:\\+X are not passive.*−H would be: signs turned round"}},
       {"two.csv", [](const Matrix& h, double w) -> Matrix { return -w * w * h; }, {"accelerances taken for receptances"}},
       {"two.csv", [](const Matrix& h, double w) -> Matrix { return Complex(0.0, w) * h; }, {"mobilities taken for receptances"}},
-      {"two.csv", [](const Matrix& h, double w) -> Matrix { return std::polar(1.0, -0.01 * w) * h; }, {"late channels"}},
+      {"two.csv", [](const Matrix& h, double w) -> Matrix { return std::polar(1.0, -0.01 * w) * h; }, {"channels with a time delay"}},
       {"one.csv", rows(1.0, -1.0), {"reciprocal.*1:\\+X/2:\\+X.*turned round", "other sign of 2:\\+X.*turned round"}},
       {"one.csv", rows(9.81, 1.0), {"reciprocal.*9.81 times as large: a gain"}},
       {"one.csv",
@@ -138,8 +138,8 @@ TEST(ResponseMistakes, SaysWhereAPeakIsNarrowerThanTheLines) {
     const ResponseScene scene = parse_response_scene(text, folder / "scene.toml");
     return report::response_text(scene, run_response(scene));
   };
-  EXPECT_THAT(narrow(8), HasSubstr("how high it is between them is not known"));
-  EXPECT_THAT(narrow(1), testing::Not(HasSubstr("how high it is between them is not known")));
+  EXPECT_THAT(narrow(8), HasSubstr("its height between them is not known"));
+  EXPECT_THAT(narrow(1), testing::Not(HasSubstr("its height between them is not known")));
 }
 
 }  // namespace
