@@ -55,3 +55,14 @@ html_show_sourcelink = False
 html_last_updated_fmt = None
 html_show_copyright = False
 pygments_style = "sphinx"
+
+
+def with_examples(_app, _what, _name, _object, _options, lines):
+    """Docstrings end with examples, without a heading: napoleon would take them for the last of the parameters or errors."""
+    first = next((i for i, line in enumerate(lines) if line.startswith(">>>")), None)
+    if first is not None and "Examples" not in lines:
+        lines[first:first] = ["Examples", "--------"]
+
+
+def setup(app):
+    app.connect("autodoc-process-docstring", with_examples, priority=400)  # before napoleon's 500
