@@ -191,7 +191,9 @@ TEST(Fit, EndsWhereItIsInterrupted) {
   }
   int asked = 0;
   const auto soon = [&asked] { return ++asked > 5; };
-  if (minimise::has_nlopt()) EXPECT_THROW(fit(curves, family("ren"), {.global = true, .interrupted = soon}), Interrupted);
+  if (minimise::has_nlopt()) {
+    EXPECT_THROW(fit(curves, family("ren"), {.global = true, .interrupted = soon}), Interrupted);
+  }
 }
 
 TEST(Fit, CurvesWithOneShapeAndOneFrictionCoefficient) {
