@@ -68,7 +68,7 @@ TEST(ExactMarch, MeetsTheTransientsOfTheThesis) {
       if (!expected.contains("x5_max_to_0p2s")) continue;
       double largest = 0.0;
       ExactMarch again(structure, ForceHistory::periodic(one.at("omega"), {1}, amplitude));
-      ASSERT_EQ(again.march(0.2, [&](const MarchStep& step) {
+      ASSERT_TRUE(again.march(0.2, [&](const MarchStep& step) {
         for (int i = 0; i < 50; ++i) largest = std::max(largest, std::abs(step.motion(i / 50.0).x[4]));
       }));
       const double sampled = expected.at("x5_max_to_0p2s");  // at some times, so a little less
