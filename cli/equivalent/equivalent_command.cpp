@@ -6,6 +6,7 @@
 #include "cli/options/output.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/progress.hpp"
+#include "cli/text/tell_status.hpp"
 #include "laws/scene/read_law_scene.hpp"
 #include "report/equivalent/equivalent_page.hpp"
 #include "report/equivalent/equivalent_text.hpp"

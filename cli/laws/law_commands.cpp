@@ -7,6 +7,7 @@
 #include "cli/solve/solve_command.hpp"
 #include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
+#include "cli/text/tell_status.hpp"
 #include "laws/scene/read_law_scene.hpp"
 #include "laws/task/identify_laws.hpp"
 #include "laws/task/law_bound.hpp"
