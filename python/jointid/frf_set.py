@@ -227,7 +227,7 @@ class FrfSet:
         self.responses = tuple(Dof(name) for name in parts["responses"])
         self.references = tuple(Dof(name) for name in parts["references"])
         self.quantity, self.averages = parts["quantity"], parts["averages"]
-        self.nodes = {node: tuple(place) for node, place in parts["nodes"].items()}
+        self.nodes = {node: tuple(place) for node, place in parts["nodes"].items()}  # type: ignore[misc]
         self._axes, self._repeats, self._precision = parts["axes"], parts["repeats"], parts["precision"]
         self.frequency, self.frfs = np.asarray(parts["frequency"]), np.asarray(parts["frfs"])
         self.variance, self.coherence = array("variance"), array("coherence")
