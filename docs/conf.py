@@ -1,5 +1,6 @@
 """The site of jointid. scripts/docs builds it: docs/site/stage.py puts pages and generated references side by side first."""
 
+import atexit
 import os
 import pathlib
 import re
@@ -64,5 +65,12 @@ def with_examples(_app, _what, _name, _object, _options, lines):
         lines[first:first] = ["Examples", "--------"]
 
 
+def forget_the_module(_app, _error):
+    """What the package does when Python ends asks the extension module, which is not there."""
+    if leave := getattr(sys.modules.get("jointid._progress"), "_leave", None):
+        atexit.unregister(leave)
+
+
 def setup(app):
+    app.connect("build-finished", forget_the_module)
     app.connect("autodoc-process-docstring", with_examples, priority=400)  # before napoleon's 500
