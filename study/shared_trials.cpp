@@ -6,7 +6,6 @@
 #include <utility>
 #include <variant>
 
-#include "study/trial_queue.hpp"
 #include "study/trial_threads.hpp"
 
 namespace jointid::study {

@@ -11,7 +11,7 @@
 #include "study/shared_trials.hpp"
 #include "study/study_records.hpp"
 #include "study/study_row.hpp"
-#include "study/trial_queue.hpp"
+#include "study/trial_threads.hpp"
 
 namespace jointid::study {
 namespace {

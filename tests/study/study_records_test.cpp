@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "base/error.hpp"
-#include "study/trial_queue.hpp"
+#include "study/trial_threads.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::study {
