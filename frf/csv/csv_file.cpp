@@ -96,7 +96,13 @@ Quantity read_quantity(const CsvTable& table, const CsvColumns& columns, const O
   if (key != table.keys.end())
     return located(table.file, "# quantity", [&] { return parse_quantity(key->second, options.quantity); });
   if (options.quantity) return *options.quantity;
-  if (const auto quantity = quantity_of_unit(first_unit(table, columns))) return *quantity;
+  const std::string unit = first_unit(table, columns);
+  if (const auto quantity = quantity_of_unit(unit)) return *quantity;
+  if (!states_no_unit(unit)) {
+    const std::string hint = unit_hint(unit);
+    fail(table, {}, "'" + shown_label(unit) + "' is no unit of an FRF that is known" + (hint.empty() ? "" : " (" + hint + ")"),
+         "correct it, or say what the numbers are: --unit g/N, in a scene unit");
+  }
   fail(table, {}, "does not say which quantity it holds", "begin it with e.g. # quantity = accelerance");
 }
 

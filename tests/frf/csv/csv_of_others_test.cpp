@@ -69,6 +69,11 @@ TEST_F(CsvOfOthers, FreeLinesStandAboveTheTitles) {
                at_one_point());
 }
 
+TEST_F(CsvOfOthers, AnUnknownUnitIsNamedBeforeTheQuantityThatItDoesNotTell) {
+  EXPECT_THAT(error("frequency_hz,1:+Z/1:+Z re [blorp/N],1:+Z/1:+Z im [blorp/N]\n" + numbers, {}),
+              AllOf(HasSubstr("'blorp/N' is no unit of an FRF that is known"), HasSubstr("--unit g/N")));
+}
+
 TEST_F(CsvOfOthers, CellsMayStandBetweenBlanks) {
   const std::string rows = "1.0e+01 2.0e+00 -1.0e+00\n2.0e+01 3.0e+00 4.0e+00\n";
   for (const char* titles :
