@@ -38,7 +38,8 @@ struct Measured {
   Honesty verdict = Honesty::not_judged;
 };
 
-/// Solves the problem; OwnWay::svd on the compressed rows. Throws std::bad_variant_access for OwnWay::qr_refined. `exact`: empty where there is none.
+/// Solves the problem; OwnWay::svd on the compressed rows. Throws std::bad_variant_access for OwnWay::qr_refined. `exact`: empty where
+/// there is none.
 Measured measure(const ExtremeProblem& problem, Way way, const std::optional<ExactEstimate>& exact);
 
 /// The exact estimate where the method has one.

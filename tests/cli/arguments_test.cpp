@@ -90,7 +90,7 @@ TEST(Arguments, HelpStandsAtEachLevelWithAnExample) {
 }
 
 TEST(Arguments, VersionSaysWhatTheBuildHas) {
-  EXPECT_THAT(notice({"--version"}).text, HasSubstr("jointid 0.1"));
+  EXPECT_THAT(notice({"--version"}).text, HasSubstr("jointid 0.2"));
   EXPECT_THAT(notice({"--version"}).text, HasSubstr("MATLAB"));
 }
 

@@ -96,7 +96,7 @@ TEST(ModalRegeneration, TellsWhereTheModelHarms) {
   regenerate_sources(std::move(sources), false, Scene{}, told);
   ASSERT_EQ(told.size(), 1u);
   EXPECT_NE(told[0].harm, "");
-  EXPECT_THAT(note(told[0]), HasSubstr("harms"));
+  EXPECT_THAT(note(told[0]), HasSubstr("worse than the measured ones"));
 }
 
 }  // namespace

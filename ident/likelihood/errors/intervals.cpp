@@ -66,7 +66,9 @@ void Intervals::include_misfit(const Jackknife& jackknife, double inflation) {
   add_bias({jackknife.step.head(first_.size())}, {});
 }
 
-void Intervals::include_sensors(const SensorScatter& sensors) { widen_to(sensors.variance.head(first_.size()).cwiseSqrt(), sensors.freedom); }
+void Intervals::include_sensors(const SensorScatter& sensors) {
+  widen_to(sensors.variance.head(first_.size()).cwiseSqrt(), sensors.freedom);
+}
 
 const Eigen::MatrixXd& Intervals::covariance() const { return cases_.front().covariance; }
 

@@ -134,7 +134,7 @@ TEST(UnstatedErrors, CoherencesWithoutSharedErrorsAreNotedOnce) {
   rig.scene.frequency.step_hz = 16.0;
   const Solution found = solution_of(rig.scene, problems::polluted(rig.problem, 1, 0));
   EXPECT_EQ(found.status, Status::ok) << found.message;
-  EXPECT_THAT(found.variances[0].note, HasSubstr("taken as independent"));
+  EXPECT_THAT(found.variances[0].note, HasSubstr("assumed independent"));
   EXPECT_THAT(found.variances[1].note, IsEmpty());
 }
 
