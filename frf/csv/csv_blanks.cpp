@@ -37,6 +37,17 @@ Cells lines_of(std::string_view text) {
   return lines;
 }
 
+/// Whether the last line but comments and empty ones is a row: most texts are no such table, and need not be cut into lines.
+bool ends_in_row(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t before = text.rfind('\n'), begin = before == std::string_view::npos ? 0 : before + 1;
+    const std::string_view plain = trimmed(text.substr(begin));
+    if (!plain.empty() && !is_remark(plain)) return !row_of(plain).empty();
+    text = text.substr(0, begin == 0 ? 0 : before);
+  }
+  return false;
+}
+
 /// At two blanks or more.
 Cells at_wide_blanks(std::string_view text) {
   Cells cells;
@@ -160,6 +171,7 @@ class BlankTable {
 }  // namespace
 
 std::optional<std::string> tabs_for_blanks(std::string_view text) {
+  if (!ends_in_row(text)) return std::nullopt;
   BlankTable table(text);
   return table.is_there() ? std::optional(table.text()) : std::nullopt;
 }

@@ -98,11 +98,8 @@ Quantity read_quantity(const CsvTable& table, const CsvColumns& columns, const O
   if (options.quantity) return *options.quantity;
   const std::string unit = first_unit(table, columns);
   if (const auto quantity = quantity_of_unit(unit)) return *quantity;
-  if (!states_no_unit(unit)) {
-    const std::string hint = unit_hint(unit);
-    fail(table, {}, "'" + shown_label(unit) + "' is no unit of an FRF that is known" + (hint.empty() ? "" : " (" + hint + ")"),
-         "correct it, or say what the numbers are: --unit g/N, in a scene unit");
-  }
+  if (!states_no_unit(unit))
+    fail(table, {}, unknown_unit(unit), "correct it, or say what the numbers are: --unit g/N, in a scene unit");
   fail(table, {}, "does not say which quantity it holds", "begin it with e.g. # quantity = accelerance");
 }
 

@@ -16,6 +16,9 @@ using CsvKeys = std::map<std::string, std::string, std::less<>>;
 /// two values, and, unless the user gives the unit (`unit_given`), where a comment is the unit of an FRF that nothing reads.
 void read_csv_key(std::string_view line, const std::string& file, std::size_t number, bool unit_given, CsvKeys& keys);
 
+/// "'mV/N' is no unit of an FRF that is known", and what may have been meant.
+std::string unknown_unit(const std::string& label);
+
 /// A line above the row of titles, by its first separator, colon or equal sign; one without any is all value.
 struct CsvNote {
   std::size_t line = 0;

@@ -115,9 +115,7 @@ class Notes {
 
   void refuse_unit(const CsvNote& note) const {
     if (unit_known_) return;
-    const std::string hint = unit_hint(note.value);
-    fail(note, "'" + shown_label(note.value) + "' is no unit of an FRF that is known" + (hint.empty() ? "" : " (" + hint + ")"),
-         give_unit);
+    fail(note, unknown_unit(note.value), give_unit);
   }
 
   const std::string& file_;
@@ -127,6 +125,11 @@ class Notes {
 };
 
 }  // namespace
+
+std::string unknown_unit(const std::string& label) {
+  const std::string hint = unit_hint(label);
+  return "'" + shown_label(label) + "' is no unit of an FRF that is known" + (hint.empty() ? "" : " (" + hint + ")");
+}
 
 CsvNote csv_note(std::string_view line, std::size_t number, char separator) {
   std::size_t at = line.find(separator);

@@ -16,7 +16,7 @@ struct LineArray {
 /// The elements of an array on the lines, rows and columns asked for, in the order [line, row, column]: each(element, line).
 template <class T, class Each>
 void gather_elements(const LineArray<T>& from, std::span<const std::size_t> lines, std::span<const std::size_t> rows,
-            std::span<const std::size_t> columns, std::span<T> out, const Each& each) {
+                     std::span<const std::size_t> columns, std::span<T> out, const Each& each) {
   std::size_t next = 0;
   for (const std::size_t line : lines) {
     for (const std::size_t r : rows) {
@@ -29,7 +29,7 @@ void gather_elements(const LineArray<T>& from, std::span<const std::size_t> line
 /// As they are.
 template <class T>
 void gather_elements(const LineArray<T>& from, std::span<const std::size_t> lines, std::span<const std::size_t> rows,
-            std::span<const std::size_t> columns, std::span<T> out) {
+                     std::span<const std::size_t> columns, std::span<T> out) {
   gather_elements(from, lines, rows, columns, out, [](const T& value, std::size_t) { return value; });
 }
 

@@ -8,15 +8,6 @@ namespace {
 
 const SystematicUnknown unit_gain{Systematic::gain, 1.0};
 
-/// f(of the assembly, number of the file, its header)
-template <class Function>
-void for_each_file(const Plan& plan, const Function& f) {
-  for (const bool of_assembly : {true, false}) {
-    const frf::FrfSystem& system = of_assembly ? *plan.assembly : *plan.substructures;
-    for (std::size_t s = 0; s < system.source_count(); ++s) f(of_assembly, s, system.source(s).header());
-  }
-}
-
 std::vector<SensorRole> responses_of(bool of_assembly, std::size_t file, const frf::FrfHeader& header) {
   std::vector<SensorRole> roles;
   for (const frf::Dof& dof : header.response) roles.push_back({of_assembly, file, false, dof});

@@ -8,6 +8,15 @@
 
 namespace jointid::ident {
 
+/// f(of the assembly, number of the file, its header), the assembly's first
+template <class Function>
+void for_each_file(const Plan& plan, const Function& f) {
+  for (const bool of_assembly : {true, false}) {
+    const frf::FrfSystem& system = of_assembly ? *plan.assembly : *plan.substructures;
+    for (std::size_t s = 0; s < system.source_count(); ++s) f(of_assembly, s, system.source(s).header());
+  }
+}
+
 /// A gain of one sensor.
 struct SensorTrial {
   frf::Dof dof;

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <functional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "ident/likelihood/data/systematic_lines.hpp"
 #include "ident/likelihood/fit/estimator.hpp"
@@ -34,6 +36,17 @@ using TermsOf = std::function<SystematicTerms(std::size_t line, const LineData& 
 void score_lines(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit, const SystematicLines& trials,
                  const Control& control, const std::function<void(std::size_t run, const ScoredLine& line)>& look,
                  const TermsOf& terms = {});
+
+/// What the runs sum up, in their order: `none` and all lines of this process that count, by add(line) and +=.
+template <class Sum>
+Sum sum_over_lines(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit, const SystematicLines& trials,
+                   const Control& control, const Sum& none, const TermsOf& terms = {}) {
+  std::vector<Sum> runs(most_runs, none);
+  score_lines(plan, estimator, fit, trials, control, [&](std::size_t run, const ScoredLine& line) { runs[run].add(line); }, terms);
+  Sum all = std::move(runs.front());
+  for (std::size_t run = 1; run < runs.size(); ++run) all += runs[run];
+  return all;
+}
 
 /// Information and gradient of unknowns.
 struct Scores {

@@ -8,6 +8,7 @@
 #include "base/random.hpp"
 #include "dense/cholesky.hpp"
 #include "ident/likelihood/data/likelihood_plan.hpp"
+#include "ident/likelihood/errors/error_trials.hpp"
 #include "ident/likelihood/errors/line_scores.hpp"
 
 namespace jointid::ident {
@@ -23,20 +24,14 @@ struct Sensors {
   std::size_t size() const { return count[0] + count[1]; }
 };
 
-void add_files(const frf::FrfSystem& system, bool of_assembly, bool is_reference, const frf::Dof& dof, std::vector<SensorRole>& to) {
-  for (std::size_t s = 0; s < system.source_count(); ++s) {
-    const frf::FrfHeader& header = system.source(s).header();
-    if (frf::has(is_reference ? header.reference : header.response, dof)) to.push_back({of_assembly, s, is_reference, dof});
-  }
-}
-
 Sensors sensors_of(const Plan& plan) {
   Sensors out;
   for (const bool is_reference : {false, true}) {
     for (const frf::Dof& dof : likelihood_plan(plan)->observations->layout().coordinates) {
       std::vector<SensorRole> roles;
-      add_files(*plan.substructures, false, is_reference, dof, roles);
-      add_files(*plan.assembly, true, is_reference, dof, roles);
+      for_each_file(plan, [&](bool of_assembly, std::size_t file, const frf::FrfHeader& header) {
+        if (frf::has(is_reference ? header.reference : header.response, dof)) roles.push_back({of_assembly, file, is_reference, dof});
+      });
       if (roles.empty()) continue;
       out.plan.add({{Systematic::gain, 1.0}, dof.name(), "", 0.0}, roles);
       ++out.count[is_reference ? 1 : 0];
@@ -108,12 +103,8 @@ SensorSums sums_of(const Plan& plan, const LinearisedLikelihood& estimator, cons
                    const Control& control) {
   const Observations& observations = *likelihood_plan(plan)->observations;
   const SystematicLines lines(sensors.plan, *plan.substructures, *plan.assembly, observations.layout().coordinates);
-  std::vector<SensorSums> runs(most_runs, SensorSums(fit.theta.size(), sensors.size()));
-  score_lines(
-      plan, estimator, fit, lines, control, [&](std::size_t run, const ScoredLine& line) { runs[run].add(line); },
-      [&](std::size_t line, const LineData& data) { return terms_of(line, data, sensors.size()); });
-  SensorSums all = std::move(runs.front());
-  for (std::size_t run = 1; run < runs.size(); ++run) all += runs[run];
+  SensorSums all = sum_over_lines(plan, estimator, fit, lines, control, SensorSums(fit.theta.size(), sensors.size()),
+                                  [&](std::size_t line, const LineData& data) { return terms_of(line, data, sensors.size()); });
   all.exchange(observations.shares());
   return all;
 }

@@ -57,10 +57,8 @@ void exchange(const LineShares& shares, T& sums) {
   sums.take(numbers);
 }
 
-/// Over all runs and processes.
-Sums total(std::vector<Sums> runs, const LineShares& shares) {
-  Sums all = std::move(runs.front());
-  for (std::size_t run = 1; run < runs.size(); ++run) all += runs[run];
+/// Over all processes.
+Sums total(Sums all, const LineShares& shares) {
   shares.sum({all.scores.information.data(), static_cast<std::size_t>(all.scores.information.size())});
   shares.sum({all.scores.gradient.data(), static_cast<std::size_t>(all.scores.gradient.size())});
   exchange(shares, all.shared);
@@ -81,9 +79,7 @@ std::optional<TriedErrors> try_errors(const Plan& plan, const LinearisedLikeliho
   const std::size_t count = fit.line_weight.size();
   const Sums none{Scores::none(summed), SharedErrorSums(out.trials, count, known),
                   BlockScores(count, known, known + out.trials.first_stretch(), out.trials.stretches)};
-  std::vector<Sums> runs(most_runs, none);
-  score_lines(plan, estimator, fit, lines, control, [&](std::size_t run, const ScoredLine& line) { runs[run].add(line); });
-  Sums all = total(std::move(runs), own.observations->shares());
+  Sums all = total(sum_over_lines(plan, estimator, fit, lines, control, none), own.observations->shares());
   out.scores = std::move(all.scores);
   out.shared = all.shared.result();
   out.blocks = std::move(all.blocks);
