@@ -104,7 +104,7 @@ void Project::add_other_pages() {
   };
   add_later(couple_page_, tr("Coupling"), tr("Coupling"), couple,
             [this](CouplePage& page) { tell_other_kind(page, is_couple_scene(editor_->text())); });
-  const auto curves = [this] { return named(new LoadingCurvePage, "loading_curve_page", tr("Loading curves")); };
+  const auto curves = [] { return named(new LoadingCurvePage, "loading_curve_page", tr("Loading curves")); };
   add_later(loading_curve_page_, tr("Curves"), tr("Loading curves"), curves, [](LoadingCurvePage&) {});
   const auto plan = [this] {
     auto* page = named(new PlanPage, "plan_page", tr("Before measuring"));

@@ -1,7 +1,10 @@
 #include "frf/uff/uff58_text.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <span>
+#include <system_error>
 
 #include "frf/uff/uff_text.hpp"
 
@@ -38,6 +41,31 @@ bool append(std::vector<double>& numbers, std::string_view field) {
 /// Two numbers that did not fit and touch: "****…****".
 bool is_overflow_of_several(std::string_view field, std::span<const std::size_t> widths) {
   return field.starts_with('*') && field.size() > std::ranges::max(widths);
+}
+
+/// Appends the numbers of a line in which columns and words are the same and every number is plain: nearly all lines. False, with
+/// whatever it had appended taken back, if it is another.
+bool append_plain_line(std::vector<double>& numbers, std::string_view line, std::span<const std::size_t> widths) {
+  const std::size_t before = numbers.size();
+  const char* at = line.data();
+  const char* const end = at + line.size();
+  for (const std::size_t width : widths) {
+    const char* const last = at + std::min(width, static_cast<std::size_t>(end - at));
+    while (at != last && *at == ' ') ++at;
+    if (at == last) break;
+    double value = 0.0;
+    const auto [next, error] = std::from_chars(at, last, value);
+    const bool is_word = next == last && (last == end || *last == ' ');
+    if (error != std::errc() || !is_word || !std::isfinite(value)) {
+      at = nullptr;
+      break;
+    }
+    numbers.push_back(value);
+    at = last;
+  }
+  if (at == end && numbers.size() > before) return true;
+  numbers.resize(before);
+  return false;
 }
 
 /// Appends the numbers of a line; false if it cannot be read, with whatever it had appended taken back.
@@ -87,6 +115,7 @@ std::vector<double> read_text_numbers(ByteFile& file, const Dataset& dataset) {
   for (std::uint64_t number = 1; file.position() < dataset.payload_end; ++number) {
     const std::uint64_t byte = file.position();
     if (!file.next_line(line)) break;
+    if (numbers.size() < needed && append_plain_line(numbers, line, widths)) continue;
     if (trim(line).empty()) continue;
     if (numbers.size() >= needed) {
       fail_line(dataset, number, byte,

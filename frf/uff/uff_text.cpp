@@ -11,7 +11,7 @@
 namespace jointid::frf::uff {
 namespace {
 
-constexpr std::string_view blanks("\0 \t\r\n\x1A", 6);
+constexpr bool is_blank(char c) { return c == ' ' || c == '\0' || c == '\t' || c == '\r' || c == '\n' || c == '\x1A'; }
 
 bool is_ascii(std::string_view line) {
   return std::ranges::all_of(line, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
@@ -39,9 +39,9 @@ std::optional<double> parse_with_exponent(std::string_view text) {
 }  // namespace
 
 std::string_view trim(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(blanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
 }
 
 std::string one_byte_per_column(std::string_view line) {
@@ -113,10 +113,10 @@ std::string text_column(std::string_view line, std::size_t begin, std::size_t wi
 
 std::vector<std::string_view> words(std::string_view line) {
   std::vector<std::string_view> found;
-  for (std::size_t begin = line.find_first_not_of(blanks); begin != std::string_view::npos;) {
-    const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
-    found.push_back(line.substr(begin, end - begin));
-    begin = line.find_first_not_of(blanks, end);
+  for (auto begin = std::ranges::find_if_not(line, is_blank); begin != line.end();) {
+    const auto end = std::find_if(begin, line.end(), is_blank);
+    found.emplace_back(begin, end);
+    begin = std::find_if_not(end, line.end(), is_blank);
   }
   return found;
 }

@@ -7,10 +7,6 @@
 
 #include "gui/look/theme.hpp"
 
-// What Qt and fontconfig keep until the program ends.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig\nleak:libQt6\nleak:libqoffscreen\n"; }
-
 namespace jointid::gui {
 namespace {
 
