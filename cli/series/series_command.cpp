@@ -30,8 +30,16 @@ void add_delay(CLI::App& series, Chosen& chosen) {
   add_whole_number(command, "--theiler", a->theiler,
                    "Neighbours are further apart in time, samples; 0: twice delay times dimension", {0, 100'000, ""});
   add_whole_number(command, "--steps", a->steps, "Of divergence curves, samples", {10, 10'000, ""});
+  command->add_option("--wolf", a->wolf, "Wolf's exponent, too: samples over which a pair is followed, e.g. 2,5,10,20")
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--wolf-range", a->wolf_range,
+                   "Distances of its new pairs, in the unit of the channel (default: 0.001 and 0.1 standard deviations)")
+      ->delimiter(',')
+      ->needs("--wolf");
   add_outputs(command, *a, "all results", "the curves", "curves");
-  command->footer("Example:\n  jointid series delay run.csv --channel 2 --rate 1000 --theiler 60");
+  command->footer("Example:\n  jointid series delay run.csv --channel 2 --rate 1000 --theiler 60 --wolf 2,5,10,20");
 }
 
 void add_strain(CLI::App& series, Chosen& chosen) {

@@ -82,6 +82,13 @@ std::string delay_page(const tasks::DelayResult& report) {
   page.add(
       Text{"Exponents are in nats per second; a number only where the curves of d, d + 1 and d + 2 have plateaus with one slope.",
            true});
+  if (!report.wolf.empty()) {
+    page.add(wolf_table(report));
+    page.add(Text{fmt::format("Wolf's exponent, pairs {:.3g} to {:.3g} apart. It comes out of any record; believe it where it stays as the "
+                              "evolution grows.",
+                              report.wolf_range[0], report.wolf_range[1]),
+                  true});
+  }
   page.section("Delay and dimension");
   page.add(delay_plots(report));
   page.add(neighbours_table(report));

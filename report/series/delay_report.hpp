@@ -18,6 +18,8 @@ std::string delay_summary(const tasks::DelayResult& report);
 
 Table neighbours_table(const tasks::DelayResult& report);
 Table answers_table(const tasks::DelayResult& report);
+/// Wolf's exponent over the time of evolution.
+Table wolf_table(const tasks::DelayResult& report);
 Table recurrences_table(const tasks::DelayResult& report);
 
 std::string delay_text(const tasks::DelayResult& report);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 #include <nlohmann/json.hpp>
 
 #include "report/json_value.hpp"
@@ -50,6 +51,16 @@ Table answers_table(const tasks::DelayResult& report) {
   return table;
 }
 
+Table wolf_table(const tasks::DelayResult& report) {
+  Table table({{"evolution samples"}, {"evolution s"}, {"pairs"}, {"replaced"}, {"bits per s"}, {"nats per s"}});
+  for (const tasks::WolfRow& row : report.wolf) {
+    table.add({fmt::format("{}", row.evolve), number(static_cast<double>(row.evolve) / report.rate_hz),
+               fmt::format("{}", row.found.pairs), fmt::format("{}", row.found.replaced), number(row.found.bits_per_second),
+               number(row.found.bits_per_second * std::numbers::ln2)});
+  }
+  return table;
+}
+
 Table recurrences_table(const tasks::DelayResult& report) {
   Table table({{"period samples"}, {"period s"}, {"how often"}, {"closest"}, {"at sample"}});
   for (const series::RecurrentPeriod& each : report.recurrences) {
@@ -65,6 +76,11 @@ std::string delay_text(const tasks::DelayResult& report) {
   for (const std::string& remark : report.remarks) text += "note: " + remark + "\n";
   text += answers_table(report).text();
   text += "\nfalse neighbours (Kennel: ratio above 10, size above 2)\n" + neighbours_table(report).text();
+  if (!report.wolf.empty()) {
+    text += fmt::format("\nexponent by Wolf, pairs {} to {} apart: a number only where it stays as the evolution grows\n",
+                        number(report.wolf_range[0]), number(report.wolf_range[1])) +
+            wolf_table(report).text();
+  }
   if (!report.recurrences.empty()) text += "\nrecurrences: starts for unstable orbits\n" + recurrences_table(report).text();
   return text;
 }
@@ -95,6 +111,15 @@ std::string delay_json(const tasks::DelayResult& report) {
   out["correlation_dimension"] = dimension ? value(dimension->slope) : Json();
   out["exponent_rosenstein"] = exponent_json(report.rosenstein);
   out["exponent_kantz"] = exponent_json(report.kantz);
+  if (!report.wolf.empty()) {
+    out["exponent_wolf"] = {{"range", values(std::vector<double>(report.wolf_range.begin(), report.wolf_range.end()))}, {"rows", Json::array()}};
+    for (const tasks::WolfRow& row : report.wolf) {
+      out["exponent_wolf"]["rows"].push_back({{"evolve", row.evolve},
+                                              {"pairs", row.found.pairs},
+                                              {"replaced", row.found.replaced},
+                                              {"bits_per_second", value(row.found.bits_per_second)}});
+    }
+  }
   out["recurrence_radius"] = value(report.recurrence_radius);
   out["recurrences"] = Json::array();
   for (const series::RecurrentPeriod& each : report.recurrences) {

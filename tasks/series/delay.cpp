@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/control.hpp"
+#include "base/eigen.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "tasks/tell.hpp"
@@ -48,6 +49,7 @@ class DelayRun {
     const series::DivergenceOptions divergence{out_.embedding, out_.theiler, task_.steps, 1.0 / out_.rate_hz};
     step("exponent by Rosenstein", [&] { out_.rosenstein = series::largest_exponent_rosenstein(x_, divergence); });
     step("exponent by Kantz", [&] { out_.kantz = series::largest_exponent_kantz(x_, divergence); });
+    if (!task_.wolf.empty()) step("exponent by Wolf", [&] { find_wolf(); });
     step("recurrences", [&] { find_recurrences(); });
     return std::move(out_);
   }
@@ -88,6 +90,21 @@ class DelayRun {
       out_.remarks.push_back(
           fmt::format("more than 1 % of the neighbours are false in all dimensions up to {}: noise, or a larger dimension",
                       task_.most_dimension));
+    }
+  }
+
+  void find_wolf() {
+    constexpr double near = 0.001, far = 0.1;  // of the standard deviation: beyond the noise, within a fold
+    const Eigen::Map<const Eigen::ArrayXd> values(x_.data(), at(x_.size()));
+    const double deviation = std::sqrt((values - values.mean()).square().mean());
+    out_.wolf_range = task_.wolf_range.value_or(std::array{near * deviation, far * deviation});
+    for (const std::size_t evolve : task_.wolf) {
+      out_.wolf.push_back({evolve, series::wolf_exponent(x_, {.embedding = out_.embedding,
+                                                              .theiler = out_.theiler,
+                                                              .evolve = evolve,
+                                                              .smallest = out_.wolf_range[0],
+                                                              .largest = out_.wolf_range[1],
+                                                              .sample_time = 1.0 / out_.rate_hz})});
     }
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "series/delay/false_neighbours.hpp"
 #include "series/delay/mutual_information.hpp"
 #include "series/delay/recurrence.hpp"
+#include "series/delay/wolf.hpp"
 
 namespace jointid::tasks {
 
@@ -28,6 +30,14 @@ struct DelayTask {
   std::size_t most_dimension = 8;
   std::size_t theiler = 0;  ///< samples; 0: twice the delay times the dimension
   std::size_t steps = 150;  ///< of divergence curves
+  std::vector<std::size_t> wolf;                   ///< samples over which Wolf's exponent follows a pair; empty: it is not asked for
+  std::optional<std::array<double, 2>> wolf_range;  ///< distances of new pairs, in the unit of the channel; 0.001 and 0.1 deviations
+};
+
+/// Wolf's exponent by one time of evolution.
+struct WolfRow {
+  std::size_t evolve = 0;  ///< samples
+  series::WolfExponent found;
 };
 
 /// What the tools of series/delay/ say of one channel.
@@ -43,6 +53,8 @@ struct DelayResult {
   std::size_t theiler = 0;  ///< samples
   series::CorrelationDimension correlation;
   series::RecordExponent rosenstein, kantz;  ///< nats a second
+  std::vector<WolfRow> wolf;                 ///< bits a second, a row a time of evolution
+  std::array<double, 2> wolf_range{};        ///< used
   double recurrence_radius = 0.0;            ///< in the unit of the channel
   std::vector<series::RecurrentPeriod> recurrences;
   std::vector<std::string> remarks;

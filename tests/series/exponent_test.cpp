@@ -1,11 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
 #include <numbers>
 #include <numeric>
 
 #include "base/error.hpp"
 #include "base/random.hpp"
 #include "series/delay/divergence.hpp"
+#include "series/delay/wolf.hpp"
 #include "series/tangent/periodic_point.hpp"
 #include "tests/require.hpp"
 #include "tests/series/golden.hpp"
@@ -121,6 +124,59 @@ TEST(Plateau, NeedsAStraightStretchThatRises) {
   EXPECT_FALSE(find_plateau(x, bent, strict));
   EXPECT_FALSE(find_plateau(x, flat));
   EXPECT_THROW(find_plateau(x, std::vector<double>(3, 0.0)), InputError);
+}
+
+/// Of another program, by the same rules; the series is that of oscillations.json.
+TEST(Wolf, OfLorenzMeetsTheGoldenNumbers) {
+  OSCILLATION_CASE(golden, "series_lorenz");
+  const nlohmann::json seeds = golden_file("seeds.json").at("cases");
+  const auto& wolf = *std::ranges::find(seeds, "wolf_on_series_lorenz", [](const auto& each) { return each["name"]; });
+  const auto& input = wolf["input"];
+  auto x = golden["input"]["series"].get<std::vector<double>>();
+  x.resize(input["samples"]);
+  for (const auto& [evolve, expected] : wolf["expected"].items()) {
+    const WolfExponent found = wolf_exponent(x, {.embedding = {input["d"], input["T"]},
+                                                 .theiler = input["theiler"],
+                                                 .evolve = std::stoul(evolve),
+                                                 .smallest = input["smin"],
+                                                 .largest = input["smax"],
+                                                 .sample_time = input["dt"]});
+    EXPECT_NEAR(found.bits_per_second, expected.get<double>(), 1e-9) << evolve;
+    EXPECT_GE(found.pairs, found.replaced);
+  }
+}
+
+/// Its exponent is one bit a step: x' = 4x(1 − x) is the tent map, whose slope is 2.
+TEST(Wolf, OfTheLogisticMapIsOneBitAStep) {
+  std::vector<double> x = {0.2345};
+  while (x.size() < 4000) x.push_back(4.0 * x.back() * (1.0 - x.back()));
+  for (const std::size_t evolve : {1, 2, 3}) {
+    const WolfExponent found =
+        wolf_exponent(x, {.embedding = {1, 1}, .theiler = 5, .evolve = evolve, .smallest = 1e-6, .largest = 0.02});
+    EXPECT_NEAR(found.bits_per_second, 1.0, 0.04) << evolve;
+    EXPECT_GT(found.replaced, found.pairs / 2);
+  }
+}
+
+/// Neighbours of a quasi-periodic record stay neighbours.
+TEST(Wolf, OfTwoTonesIsNothing) {
+  std::vector<double> x;
+  for (std::size_t i = 0; i < 4000; ++i) x.push_back(std::sin(0.1 * static_cast<double>(i)) + 0.5 * std::sin(0.1618 * static_cast<double>(i)));
+  const WolfExponent found = wolf_exponent(x, {.embedding = {4, 12}, .theiler = 100, .evolve = 20, .smallest = 1e-3, .largest = 0.3});
+  EXPECT_NEAR(found.bits_per_second * 20.0, 0.0, 0.05);
+}
+
+TEST(Wolf, RefusesWhatMakesNoPairs) {
+  const std::vector<double> x(50, 1.0);
+  const WolfOptions right{.embedding = {1, 1}, .largest = 1.0};
+  EXPECT_TRUE(std::isnan(wolf_exponent(x, right).bits_per_second));  // equal points are no pair
+  for (const auto& change : std::vector<std::function<void(WolfOptions&)>>{
+           [](WolfOptions& o) { o.evolve = 0; }, [](WolfOptions& o) { o.largest = 0.0; }, [](WolfOptions& o) { o.smallest = -1.0; },
+           [](WolfOptions& o) { o.sample_time = 0.0; }, [](WolfOptions& o) { o.evolve = 30; }}) {
+    WolfOptions wrong = right;
+    change(wrong);
+    EXPECT_THROW(wolf_exponent(x, wrong), InputError);
+  }
 }
 
 }  // namespace

@@ -9,11 +9,12 @@
 namespace jointid {
 
 /// Values of an independent program (../shared/golden/README-oscillations.md); null where the file is not there.
-inline nlohmann::json oscillation_golden() {
-  const auto path = std::filesystem::path(JOINTID_EXTERNAL_DATA).parent_path() / "golden" / "oscillations.json";
-  std::ifstream file(path);
+inline nlohmann::json golden_file(const char* name) {
+  std::ifstream file(std::filesystem::path(JOINTID_EXTERNAL_DATA).parent_path() / "golden" / name);
   return file ? nlohmann::json::parse(file) : nlohmann::json();
 }
+
+inline nlohmann::json oscillation_golden() { return golden_file("oscillations.json"); }
 
 /// Whether two estimates agree within four combined standard errors, and `least` at least.
 inline bool agree(double one, double one_error, double other, double other_error, double least) {
