@@ -52,8 +52,8 @@ def from_pyfbs(frequency: Any, frfs: Any, channels: Any, impacts: Any, *, respon
                quantity: str = "accelerance", name: str = "pyFBS") -> FrfSet:
     """A set from FRFs [line, channel, impact] with ``df_chn`` and ``df_imp``, DataFrames or other tables with their columns.
 
-    Positions are numbered from 1 in their order, channels first. Rows with one Position are one node; Direction gives the DOF. The set has
-    the positions, m. Directions along no axis raise InputError, unless `responses` and `references` name the DOFs.
+    Positions are numbered from 1 in their order, channels first. Rows with one Position are one node; Direction gives the DOF. The
+    set has the positions, m. Directions along no axis raise InputError, unless `responses` and `references` name the DOFs.
     """
     groups: dict[tuple, int] = {}
     rows, columns = _dofs(channels, groups, responses), _dofs(impacts, groups, references)
