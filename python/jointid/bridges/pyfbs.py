@@ -75,7 +75,7 @@ def read_positions(path: str | os.PathLike, sheet: str) -> Any:
 
 
 def to_pyfbs(frfs: FrfSet) -> tuple[np.ndarray, np.ndarray, dict[str, list], dict[str, list]]:
-    """Frequency [line], Hz, FRFs [line, channel, impact], columns of ``df_chn`` and of ``df_imp`` (tables by ``pandas.DataFrame(columns)``)."""
+    """Frequency [line], Hz, FRFs [line, channel, impact], and columns of ``df_chn`` and ``df_imp`` for ``pandas.DataFrame()``."""
     return frfs.frequency, frfs.frfs, _table(frfs, frfs.responses), _table(frfs, frfs.references)
 
 
