@@ -164,7 +164,7 @@ class Bench {
                median(decibels), text(median(ratios)), median(times));
     std::fflush(stdout);
     if (way.solver != "gauss-helmert" || seeds == 0) return;
-    promises_.at_least(way.label + ": seeds settled", static_cast<double>(settled), static_cast<double>(seeds));
+    promises_.at_least(way.label + ": seeds converged", static_cast<double>(settled), static_cast<double>(seeds));
     promises_.at_most(way.label + ": median rms error over bound", median(ratios), 1.1 * bench::largest_rms(seeds));
   }
 
@@ -242,12 +242,12 @@ void measure(const bench::CommandLine& line, bench::Promises& promises) {
       "|\n|---|---|---|---|---|---|---|\n");
   each([&](const Way& way) { bench.starts(way, way.slow ? starts / 10 : starts); });
   fmt::print(
-      "\n| 5 % noise | seeds | settled | largest error below 0.5 | its median | assembly FRFs, dB | rms error / bound | ms "
+      "\n| 5 % noise | seeds | converged | largest error below 0.5 | its median | assembly FRFs, dB | rms error / bound | ms "
       "|\n|---|---|---|---|---|---|---|---|\n");
   each([&](const Way& way) { bench.noise(way, way.slow ? seeds / 10 : seeds); });
   if (std::ranges::find(wanted, "gauss-helmert") == wanted.end()) return;
   fmt::print(
-      "\n| without a start | lines | unknowns | largest bound / value | seeds | settled | joint found | rms error of these / "
+      "\n| without a start | lines | unknowns | largest bound / value | seeds | converged | joint found | rms error of these / "
       "bound "
       "| s, median and most |\n|---|---|---|---|---|---|---|---|---|\n");
   for (const std::string name : {"H3", "H4", "A1", "C2", "E3", "F1", "F3", "G1"}) {

@@ -10,7 +10,8 @@ namespace jointid::cli {
 
 std::variant<ChosenCommand, Notice> parse(int argc, const char* const* argv,
                                           void (*add_commands)(CLI::App& app, Chosen& chosen)) {
-  CLI::App app("Finds the stiffness, mass and damping of joints from measured frequency response functions.", "jointid");
+  CLI::App app(
+      "Identifies the stiffness, mass and damping of joints from measured frequency response functions, with uncertainty.", "jointid");
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text());
   app.footer(

@@ -20,10 +20,10 @@ int main(int argc, char** argv) {
   using jointid::gui::Said;
   jointid::gui::use_language();
   QCommandLineParser parser;
-  parser.setApplicationDescription(Said::tr("Finds joints from measured FRFs"));
+  parser.setApplicationDescription(Said::tr("Identifies joints from measured FRFs"));
   parser.addHelpOption();
   parser.addVersionOption();
-  parser.addPositionalArgument(QStringLiteral("FILES"), Said::tr("scenes, or FRF files to make a new scene of"),
+  parser.addPositionalArgument(QStringLiteral("FILES"), Said::tr("scenes, or FRF files for a new scene"),
                                QStringLiteral("[FILES…]"));
   parser.process(application);
   using jointid::gui::MainWindow;

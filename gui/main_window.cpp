@@ -49,15 +49,15 @@ bool is_scene(const QString& file) { return QFileInfo(file).suffix().compare(QSt
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   named(this, "main_window", tr("jointid workbench"));
   let_drop_files(*this, [this](const QStringList& files) { open(files); });
-  auto* hint = named(new QLabel(tr("Drop FRF files of the parts and of the assembly here, or a scene.\n\n"
-                                   "Ctrl+O opens them, Ctrl+N begins an empty scene.")),
-                     "hint", tr("How to begin"));
+  auto* hint = named(new QLabel(tr("Drop FRF files of the substructures and of the assembly here, or a scene.\n\nCtrl+O opens "
+                                   "files, Ctrl+N starts an empty scene.")),
+                     "hint", tr("Getting started"));
   hint->setAlignment(Qt::AlignCenter);
   tabs_ = named(new QTabWidget, "projects", tr("Projects"));
   tabs_->setTabsClosable(true);
   tabs_->setMovable(true);
   tabs_->setDocumentMode(true);
-  stack_ = named(new QStackedWidget, "stack", tr("Projects, or how to begin"));
+  stack_ = named(new QStackedWidget, "stack", tr("Projects, or getting started"));
   stack_->addWidget(hint);
   stack_->addWidget(tabs_);
   messages_ = new MessageBar;
@@ -123,7 +123,7 @@ void MainWindow::propose_scene(const QStringList& files) {
   std::vector<std::filesystem::path> paths;
   for (const QString& file : files) paths.push_back(as_path(QFileInfo(file).absoluteFilePath()));
   const QString folder = QFileInfo(files.front()).absolutePath();
-  messages_->say(tr("Looking at %n file(s) …", nullptr, static_cast<int>(files.size())));
+  messages_->say(tr("Reading %n file(s) …", nullptr, static_cast<int>(files.size())));
   worker_->add([this, paths, folder](const Worker::Watch& watch) -> Worker::Deliver {
     const std::string text = tasks::scene_text(tasks::propose_scene(paths, watch.interrupted), as_path(folder));
     return [this, text, folder] {
@@ -131,7 +131,8 @@ void MainWindow::propose_scene(const QStringList& files) {
       Project* const project = add_project();
       project->start(text, folder);
       show_titles();
-      project->messages()->say(tr("This scene was proposed from the files; why stands above it. Look at it, then save it."));
+      project->messages()->say(
+          tr("This scene is a proposal from the files. Its comments give the reasons. Check it, then save it."));
       project->editor()->setFocus();
     };
   });
@@ -192,7 +193,7 @@ void MainWindow::set_theme(Theme theme) {
 
 void MainWindow::set_language(const QString& chosen) {
   choose_language(chosen);
-  messages_->ask(tr("The language changes with the next start."), tr("Begin anew now"), [this] { ask_to_begin_anew(); });
+  messages_->ask(tr("The language changes with the next start."), tr("Restart now"), [this] { ask_to_begin_anew(); });
 }
 
 void MainWindow::ask_to_begin_anew() {

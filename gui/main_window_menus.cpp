@@ -63,7 +63,7 @@ void MainWindow::add_edit_menu() {
   menu->addAction(tr("&Undo"), QKeySequence::Undo, this, on_current(this, [](Project& project) { project.undo(); }));
   menu->addAction(tr("&Redo"), QKeySequence::Redo, this, on_current(this, [](Project& project) { project.redo(); }));
   menu->addSeparator();
-  menu->addAction(tr("Go to what is &wrong"), QKeySequence(tr("F8")), this,
+  menu->addAction(tr("Go to &error"), QKeySequence(tr("F8")), this,
                   on_current(this, [](Project& project) { project.go_to_error(); }));
 }
 
@@ -84,9 +84,9 @@ void MainWindow::add_view_menu() {
   menu->addAction(tr("Scene as a &form"), QKeySequence(tr("F4")), this,
                   on_current(this, [](Project& project) { project.switch_view(true); }));
   int page = 0;
-  for (const QString& text : {tr("&Data"), tr("&Geometry"), tr("S&olution"), tr("&Compare"), tr("S&tudy"), tr("&Modes"),
-                              tr("Cou&pling"), tr("&Loading curves"), tr("&Before measuring"), tr("&Response"),
-                              tr("Friction la&ws"), tr("Stic&k-slip motion"), tr("Time r&ecords")}) {
+  for (const QString& text : {tr("&Data"), tr("&Geometry"), tr("S&olve"), tr("&Compare"), tr("S&tudy"), tr("&Modes"),
+                              tr("Cou&pling"), tr("&Loading curves"), tr("Test pl&anning"), tr("&Response"), tr("Friction la&ws"),
+                              tr("Stic&k-slip motion"), tr("Time r&ecords")}) {
     const QString key = page < 9 ? QStringLiteral("Alt+%1").arg((page + 2) % 10) : QStringLiteral("Ctrl+%1").arg(page - 8);
     menu->addAction(text, QKeySequence(key), this,
                     on_current(this, [page](Project& project) { project.pages()->setCurrentIndex(page); }));
@@ -122,7 +122,7 @@ void MainWindow::add_run_menu() {
                     project.pages()->setCurrentWidget(project.solve_page());
                     project.solve_page()->solve();
                   }));
-  menu->addAction(tr("&Bounds before measuring"), QKeySequence(tr("F7")), this, on_current(this, [](Project& project) {
+  menu->addAction(tr("Predict &bounds"), QKeySequence(tr("F7")), this, on_current(this, [](Project& project) {
                     project.pages()->setCurrentWidget(project.plan_page());
                     project.plan_page()->predict();
                   }));
@@ -133,11 +133,10 @@ void MainWindow::add_run_menu() {
 void MainWindow::add_help_menu() {
   QMenu* const menu = menuBar()->addMenu(tr("&Help"));
   menu->addAction(tr("&About"), this, [this] {
-    QMessageBox::about(
-        this, tr("jointid workbench"),
-        tr("jointid workbench %1\n\nFinds joints from measured FRFs. Sources under BSD-3-Clause; this program links "
-           "QCustomPlot and is passed on under the GPL, version 3.")
-            .arg(QStringLiteral(JOINTID_VERSION)));
+    QMessageBox::about(this, tr("jointid workbench"),
+                       tr("jointid workbench %1\n\nIdentifies joints from measured FRFs. Sources under BSD-3-Clause; this "
+                          "program links QCustomPlot and is passed on under the GPL, version 3.")
+                           .arg(QStringLiteral(JOINTID_VERSION)));
   });
 }
 

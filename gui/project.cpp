@@ -34,7 +34,7 @@ namespace jointid::gui {
 
 Project::Project(QWidget* parent) : QWidget(parent) {
   editor_ = new SceneEditor;
-  problem_ = named(new QLabel, "problem", tr("What is wrong with the scene"));
+  problem_ = named(new QLabel, "problem", tr("Error in the scene"));
   problem_->setWordWrap(true);
   problem_->setTextFormat(Qt::PlainText);
   problem_->setContentsMargins(4, 2, 4, 2);

@@ -24,7 +24,7 @@ bool read_file(const QString& file, QString& text, QString& why) {
   } else {
     const QByteArray bytes = in.readAll();
     text = QString::fromUtf8(bytes);
-    if (text.toUtf8() != bytes) why = Project::tr("it is no text in UTF-8");
+    if (text.toUtf8() != bytes) why = Project::tr("it is not text in UTF-8");
   }
   return why.isEmpty();
 }
@@ -107,7 +107,7 @@ void Project::file_changed() {
   if (!read_file(file_, text, why)) return messages_->warn(tr("%1 is gone or cannot be read: %2").arg(title(), why));
   if (text == editor_->toPlainText()) return editor_->document()->setModified(false);
   if (!is_modified()) return reload();
-  messages_->ask(tr("%1 was changed by another program, and here.").arg(title()), tr("Take the other one"), [this] { reload(); });
+  messages_->ask(tr("%1 was changed here and by another program.").arg(title()), tr("Load the file again"), [this] { reload(); });
 }
 
 /// As an edit, so that it can be undone.
@@ -116,7 +116,7 @@ void Project::reload() {
   if (!read_file(file_, text, why)) return messages_->warn(tr("%1 cannot be read: %2").arg(title(), why));
   editor_->replace_text(text.toStdString());
   editor_->document()->setModified(false);
-  messages_->say(tr("%1 was changed by another program and read again.").arg(title()));
+  messages_->say(tr("%1 was changed by another program and is loaded again.").arg(title()));
 }
 
 }  // namespace jointid::gui

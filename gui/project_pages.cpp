@@ -88,9 +88,8 @@ void Project::add_pages_of_scene() {
             [this](StudyPage& page) { page.set_scene(checked_.scene, editor_->text(), is_modified() ? QString() : file_); });
   const auto modal = [this] {
     auto* page = named(new ModalPage, "modal_page", tr("Modes"));
-    connect(page, &ModalPage::modes_changed, this, [this, page] {
-      geometry_page_->set_modes(named_shapes(tasks::uff_modes(*page->shown()), q(page->shown()->files)));
-    });
+    connect(page, &ModalPage::modes_changed, this,
+            [this, page] { geometry_page_->set_modes(named_shapes(tasks::uff_modes(*page->shown()), q(page->shown()->files))); });
     return page;
   };
   add_later(modal_page_, tr("Modes"), tr("Modes"), modal, [this](ModalPage& page) { page.set_scene(checked_.scene); });
@@ -107,12 +106,12 @@ void Project::add_other_pages() {
   const auto curves = [] { return named(new LoadingCurvePage, "loading_curve_page", tr("Loading curves")); };
   add_later(loading_curve_page_, tr("Curves"), tr("Loading curves"), curves, [](LoadingCurvePage&) {});
   const auto plan = [this] {
-    auto* page = named(new PlanPage, "plan_page", tr("Before measuring"));
+    auto* page = named(new PlanPage, "plan_page", tr("Test planning"));
     connect(page, &PlanPage::failed, this, &Project::show_failure);
     page->set_dofs(dofs_);
     return page;
   };
-  add_later(plan_page_, tr("Plan"), tr("Before measuring"), plan, [this](PlanPage& page) {
+  add_later(plan_page_, tr("Planning"), tr("Test planning"), plan, [this](PlanPage& page) {
     page.set_file(file_);
     page.set_scene(checked_.scene);
   });

@@ -8,16 +8,16 @@
 
 namespace jointid::minimise {
 
-/// Residuals r(q) whose sum of squares is made small.
+/// Residuals r(q) of a least-squares problem.
 class LeastSquares {
  public:
   virtual ~LeastSquares() = default;
   virtual std::size_t unknowns() const = 0;
   virtual std::size_t residuals() const = 0;
-  /// Fills r and, unless it is empty, the Jacobian [residuals, unknowns] row by row. False where r is not defined.
+  /// Fills r and, unless it is empty, the Jacobian [residuals, unknowns] row by row. Returns false if r is not defined at q.
   virtual bool evaluate(std::span<const double> q, std::span<double> r, std::span<double> jacobian) const = 0;
 
-  /// Σ r², +infinity where r is not defined.
+  /// Σ r², or +infinity if r is not defined.
   double objective(std::span<const double> q) const;
 };
 
@@ -27,8 +27,8 @@ struct Minimum {
   bool converged = false;
 };
 
-/// Levenberg–Marquardt of Ceres, until a step lowers Σ r² by less than `tolerance` times it. Without the module
-/// ceres it throws InputError; has_ceres() says whether it is there.
+/// Levenberg–Marquardt of Ceres, until a step lowers Σ r² by less than `tolerance` times its value. Without the module ceres it
+/// throws InputError; see has_ceres().
 struct CeresOptions {
   double tolerance = 1e-10;
   int most_iterations = 100;
@@ -38,7 +38,7 @@ struct CeresOptions {
 Minimum ceres_minimum(const LeastSquares& problem, std::span<const double> start, const CeresOptions& options = {});
 bool has_ceres();
 
-/// What is made small where only values are known; +infinity where it is not defined.
+/// A function without derivatives, to minimise; +infinity where it is not defined.
 using Objective = std::function<double(std::span<const double> q)>;
 
 /// Derivative-free searches of NLopt.
@@ -49,9 +49,9 @@ enum class Search {
   sbplx    ///< simplices in subspaces, from the start only
 };
 
-/// Best point that a search finds in the box start ± half_width; the start where it finds none better. `converged` when it ended by
-/// its tolerance, which of these only crs2 and sbplx do. Without the module nlopt it
-/// throws InputError; has_nlopt() says whether it is there.
+/// Best point of a search in the box start ± half_width; the start if there is none better. `converged`: it ended
+/// by its tolerance, which only crs2 and sbplx do. Without the module nlopt it throws InputError; see
+/// has_nlopt().
 struct NloptOptions {
   Search search = Search::direct;
   double half_width = 1.0;
@@ -62,19 +62,19 @@ struct NloptOptions {
 Minimum nlopt_minimum(const Objective& objective, std::span<const double> start, const NloptOptions& options);
 bool has_nlopt();
 
-/// Interior-point minimum of Σ r² by Ipopt with the Gauss–Newton Hessian 2JᵀJ, within lower ≤ q ≤ upper where given. One solve at a
-/// time runs, others wait: Debian's Ipopt is not thread-safe. Without the
-/// module ipopt it throws InputError; has_ipopt() says whether it is there.
+/// Interior-point minimum of Σ r² by Ipopt with the Gauss–Newton Hessian 2JᵀJ, within lower ≤ q ≤ upper where given. One solve
+/// runs at a time, others wait: Debian's Ipopt is not thread-safe. Without the module ipopt it throws InputError; see
+/// has_ipopt().
 struct IpoptOptions {
   double tolerance = 1e-10;
   int most_iterations = 100;
-  std::vector<double> lower, upper;  ///< [unknowns], ±infinity where there is none; empty: none
+  std::vector<double> lower, upper;  ///< [unknowns], ±infinity for no bound; empty: no bounds
 };
 Minimum ipopt_minimum(const LeastSquares& problem, std::span<const double> start, const IpoptOptions& options = {});
 bool has_ipopt();
 
-/// Pattern search of Hooke and Jeeves (docs/formulas.md §10f): exploratory moves along the axes, then moves along the way that they went;
-/// the step is halved when none helps, until it is below `tolerance`.
+/// Pattern search of Hooke and Jeeves (docs/formulas.md §10f): exploratory moves along the axes, then pattern moves in the same
+/// direction. The step is halved if none helps, until it is below `tolerance`.
 struct PatternOptions {
   double step = 0.1;
   double tolerance = 1e-10;

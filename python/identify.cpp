@@ -106,7 +106,7 @@ Outcome outcome_of(const std::shared_ptr<const ident::Plan>& plan, const std::sh
 
 Outcome bound_of_laws(const SceneText& text, bool has_candidates) {
   if (has_candidates)
-    refuse_law_scene(text, "candidates of a friction scene are levels", "add [[data.levels]] without responses");
+    refuse_law_scene(text, "candidates of a friction scene are force levels", "add [[data.levels]] without responses");
   const auto scene = std::make_shared<const laws::LawScene>(laws::parse_law_scene(text.text, text.file));
   const auto bound = std::make_shared<const laws::LawBound>(laws::predict_law_bound(*scene));
   return {.status = {},

@@ -12,8 +12,8 @@ struct FrfEntry {
   bool operator==(const FrfEntry&) const = default;
 };
 
-/// An assembly FRF as measured, and as the substructures and the identified joint give it, at the frequencies of
-/// Regenerated. NaN: not measured, or not to be had from what was measured.
+/// An assembly FRF, measured and synthesised from the substructures and the identified joint, at the frequencies of its set. NaN:
+/// not measured, or not computable from the measured FRFs.
 struct RegeneratedFrf {
   FrfEntry entry;
   std::vector<Complex> measured, predicted;
@@ -24,7 +24,7 @@ struct Regenerated {
   std::vector<RegeneratedFrf> frfs;
 };
 
-/// Lines that both systems have, those outside the identification too.
+/// Lines of both systems, also outside the identification.
 std::vector<ident::Line> common_lines(const ident::Plan& plan);
 
 /// The coordinates of the assembly FRFs that both systems allow: the non-joint ones and those of the joint that the assembly has.
@@ -37,12 +37,12 @@ ident::Dofs thinned(const ident::Dofs& dofs, std::size_t count);
 /// Up to `count` of the assembly FRFs that both systems allow, spread over responses and references, driving points first.
 std::vector<FrfEntry> choose_entries(const ident::Plan& plan, std::size_t count);
 
-/// Regenerates some assembly FRFs at all lines that both systems have, those outside the identification too. Reads the rows
-/// and columns of the entries and of the joint only; H_bb too, whether or not the identification read it.
+/// Synthesises some assembly FRFs at all lines of both systems, also outside the identification. Reads only the rows and columns
+/// of the entries and of the joint, and H_bb.
 Regenerated regenerate(const ident::Plan& plan, const std::vector<ident::BandMatrices>& bands, const std::vector<FrfEntry>& entries,
                        const ident::Control& control = {});
 
-/// rms over lines of |20 log10(|predicted|/|measured|)|, dB, where both are there; empty where they never are.
+/// rms over lines of |20 log10(|predicted|/|measured|)|, dB, where both exist; empty if there is no such line.
 std::optional<double> decibel_error(const RegeneratedFrf& frf);
 
 }  // namespace jointid::tasks

@@ -16,7 +16,7 @@ namespace jointid::cli {
 
 void add_check(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<CheckArguments>(
-      app, chosen, "check", "Find mistakes in the FRFs of a scene: signs, labels, units, delays, mass loading, loose joints");
+      app, chosen, "check", "Find errors in the FRFs of a scene: signs, labels, units, time delays, mass loading, loose joints");
   command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
   command->add_option("--json", arguments->json, "Write verdict and suspects as JSON to a file, or - for stdout");
   add_force(command);

@@ -59,7 +59,7 @@ void declare(CLI::App& command, CompareArguments& arguments) {
       list("--deltas", arguments.deltas, "0,0.05,0.1"),
       list("--solvers", arguments.solvers, "qr,normal,spqr"),
       list("--regenerate", arguments.regenerate,
-           "FRFs replaced by those of modal models: none,substructures,assembly,substructures+assembly")};
+           "FRFs to synthesise from modal models: none,substructures,assembly,substructures+assembly")};
   CLI::Option* reproduce = command.add_option("--reproduce", arguments.reproduce,
                                               "Instead of a scene: a table of Ren's thesis beside ours, e.g. 6.3; or list");
   reproduce->excludes(scene);

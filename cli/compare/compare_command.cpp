@@ -100,7 +100,7 @@ ExitCode compare_laws(const CompareArguments& arguments, const std::string& text
 
 void add_compare(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<CompareArguments>(
-      app, chosen, "compare", "Compare ways of identifying by error and run time, on the same trials with simulated noise");
+      app, chosen, "compare", "Compare methods by error and run time, on the same trials with simulated noise");
   declare(*command, *arguments);
 }
 

@@ -62,7 +62,7 @@ std::string notes_text(const frf::FrfHeader& header) {
 }  // namespace
 
 void add_info(CLI::App& app, Chosen& chosen) {
-  auto [command, arguments] = add_command<InfoArguments>(app, chosen, "info", "Say what an FRF file holds");
+  auto [command, arguments] = add_command<InfoArguments>(app, chosen, "info", "Show the content of an FRF file");
   command->add_option("FILE", arguments->file, "UFF, HDF5, MAT, numpy (.npz, .npy), CSV or text export of an analyser")
       ->required();
   add_open_options(command, arguments->open);

@@ -43,7 +43,7 @@ void add_couple(CLI::App& app, Chosen& chosen) {
   command->add_option("--out", arguments->out, "FRFs of the assembly (HDF5); default: SCENE's name with .coupled.h5, here");
   command->add_flag(
       "--bounds", arguments->bounds,
-      "Leave out nearly redundant pairs, and write a second file of FRFs with all pairs; the truth lies between the two");
+      "Leave out nearly redundant pairs, and write a second file of FRFs with all pairs. The true FRFs lie between the two");
   add_whole_number(command, "--threads", arguments->threads, "0 for all cores; the results do not depend on it",
                    counts_of_threads());
   add_outputs(command, *arguments, "what was done", "condition numbers, alphas and singular values line by line",

@@ -43,7 +43,7 @@ std::vector<tasks::LevelJoint> joints_of(const ident::EquivalentScene& scene) {
 
 void add_equivalent(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<EquivalentArguments>(
-      app, chosen, "equivalent", "Find the stiffness and damping of a friction joint against its relative displacement");
+      app, chosen, "equivalent", "Find the stiffness and damping of a friction joint over its relative displacement");
   command
       ->add_option("SCENE", arguments->scene,
                    "Scene file (TOML) with [data] parts and [equivalent], or [[data.levels]] and [[joint.friction]]")

@@ -19,13 +19,12 @@ void declare_reading(CLI::App& command, FrfArguments& arguments) {
           arguments.read.channels.push_back(of_option("--channel", [&] { return records::parse_channel(text); }));
         }
       },
-      "COLUMN=DOF [FACTOR] UNIT, e.g. 2=1:+Z N: a column by name or number, where its sensor stood, its unit; one per channel. "
-      "Of UFF "
-      "a channel of the run, where the file does not state as much");
+      "COLUMN=DOF [FACTOR] UNIT, e.g. 2=1:+Z N: a column by name or number, the DOF of its sensor, its unit; one per channel. "
+      "UFF: a channel of the run, if the file does not state it");
   channel->allow_extra_args(false);  // what follows is the next word, not one more channel
   command.add_option("--time", arguments.read.time,
                      "Column of the times; default: the one named time or t. Seconds, or as its title states");
-  command.add_option("--rate", arguments.read.rate_hz, "Samples per second, where the file does not state them")
+  command.add_option("--rate", arguments.read.rate_hz, "Samples per second, if the file does not state them")
       ->check(CLI::PositiveNumber);
   command
       .add_option_function<std::vector<std::string>>(
@@ -80,7 +79,7 @@ void declare_estimate(CLI::App& command, FrfArguments& arguments) {
         arguments.options.noise = of_option("--variances", [&] { return records::parse_noise_from(text); });
       },
       "residuals (as the coherence) or scatter over the hits; default: residuals");
-  command.add_option("--highest", arguments.options.highest_hz, "Highest line to make, Hz; default: all")->default_str("");
+  command.add_option("--highest", arguments.options.highest_hz, "Highest line of the FRFs, Hz; default: all")->default_str("");
 }
 
 }  // namespace

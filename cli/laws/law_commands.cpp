@@ -40,8 +40,10 @@ ExitCode plan_laws(const PlanArguments& arguments, const std::string& text, std:
     throw InputError({ErrorKind::usage, arguments.scene.string(), "[[joint.friction]]", problem, remedy});
   };
   const laws::LawScene scene = laws::parse_law_scene(text, arguments.scene);
-  if (!arguments.bound) refuse("scenes of friction laws have no plan but the bound", "add --bound: what the levels will tell");
-  if (!arguments.candidates.empty()) refuse("candidates of a friction scene are levels", "add [[data.levels]] without responses");
+  if (!arguments.bound) {
+    refuse("scenes of friction laws have no plan but the bound", "add --bound: it predicts the standard errors of the force levels");
+  }
+  if (!arguments.candidates.empty()) refuse("candidates of a friction scene are force levels", "add [[data.levels]] without responses");
   check_targets(laws::files_of(scene), {{"--json", arguments.json}});
   const laws::LawBound bound = with_progress("predicting", [&] { return laws::predict_law_bound(scene); });
   if (arguments.json) write_target(*arguments.json, report::law_bound_json(scene, bound), out);

@@ -19,7 +19,7 @@ void declare_columns(CLI::App& command, LoadingCurveArguments& arguments) {
   command.add_option("--unit", arguments.unit, "Of displacements, e.g. mm, or of velocities, e.g. mm/s; default: the header's, else SI");
   command.add_option("--force-unit", arguments.force_unit, "Of forces, e.g. uN or N*m");
   command.add_option("--time-unit", arguments.time_unit, "Of times, e.g. ms");
-  command.add_option("--sign", arguments.sign, "1 or -1: direction of the forces; auto: such that the joint takes energy")
+  command.add_option("--sign", arguments.sign, "1 or -1: direction of the forces; auto: such that the joint is passive")
       ->check(CLI::IsMember({"auto", "1", "-1"}))
       ->capture_default_str();
   command.add_option("--kind", arguments.kind, "loading: loaded once from rest; loops: cut whole cycles out of the record")
@@ -30,7 +30,7 @@ void declare_columns(CLI::App& command, LoadingCurveArguments& arguments) {
 void declare_fit(CLI::App& command, LoadingCurveArguments& arguments) {
   command.add_option("--law", arguments.laws, "Laws to fit, e.g. ren,shoukry; default: all")->delimiter(',');
   command.add_option("--ring", arguments.ring, "Rotary joint: inner and outer radius of its ring, m")->delimiter(',')->expected(2);
-  command.add_option("--limit", arguments.limit, "Preset friction limit, N (N·m)");
+  command.add_option("--limit", arguments.limit, "Given friction limit, N (N·m)");
   command.add_option("--normal-load", arguments.normal_loads, "Normal load, N: one for all files or one for each")->delimiter(',');
   command.add_flag("--friction-coefficient", arguments.friction_coefficient,
                    "One unknown mu: every friction limit is mu times the normal load");

@@ -53,7 +53,7 @@ std::vector<modalfit::Pole> parse_poles(const std::vector<std::string>& texts) {
     const auto damping = colon == std::string::npos ? std::nullopt : number_in(all.substr(colon + 1));
     if (!frequency || !damping || !(*frequency > 0.0 && *damping > 0.0)) {
       throw InputError({ErrorKind::usage, "", "--poles", "'" + text + "' is not FREQUENCY:DAMPING, both positive",
-                        "write e.g. 51.5:0.001,142.2:0.002 (Hz, and ζ or η as --damping says)"});
+                        "write e.g. 51.5:0.001,142.2:0.002 (Hz, and ζ or η according to --damping)"});
     }
     poles.push_back({*frequency, *damping});
   }
@@ -71,10 +71,10 @@ void declare(CLI::App& command, ModalfitArguments& arguments) {
   command
       .add_option_function<std::vector<std::string>>(
           "--poles", [&arguments](const std::vector<std::string>& texts) { arguments.fit.poles = parse_poles(texts); },
-          "Do not search for modes, refine these: FREQUENCY:DAMPING,… in Hz and ζ (η), as the workbench copies them")
+          "Refine these modes in place of a search: FREQUENCY:DAMPING,… in Hz and ζ (η), as the workbench copies them")
       ->delimiter(',')
       ->excludes("--modes");
-  command.add_flag("--real", arguments.fit.kind.real_modes, "Real modes: all coordinates move in phase or in antiphase");
+  command.add_flag("--real", arguments.fit.kind.real_modes, "Real modes: all DOFs move in phase or in antiphase");
   command
       .add_option_function<std::string>(
           "--damping",

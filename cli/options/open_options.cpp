@@ -18,7 +18,7 @@ void add_open_options(CLI::App* command, frf::OpenOptions& open) {
   command->add_option_function<std::string>(
       "--quantity",
       [&open](const std::string& text) { open.quantity = of_option("--quantity", [&] { return frf::parse_quantity(text); }); },
-      "receptance, mobility or accelerance, for files that do not name it or name a wrong one");
+      "receptance, mobility or accelerance, for files without a quantity or with a wrong one");
   const auto checked = [command](const char* name, std::string& to, auto check, const char* what) {
     command->add_option_function<std::string>(
         name,
@@ -29,7 +29,7 @@ void add_open_options(CLI::App* command, frf::OpenOptions& open) {
         what);
   };
   checked("--unit", open.unit, [](const std::string& text) { frf::require_frf_unit(text); },
-          "UFF, CSV, text exports: unit of the FRFs in place of what the file says, e.g. g/lbf");
+          "UFF, CSV, text exports: unit of the FRFs in place of the file's, e.g. g/lbf");
   const auto dofs = [command](const char* name, std::vector<frf::Dof>& to, const char* what) {
     command
         ->add_option_function<std::vector<std::string>>(
@@ -40,12 +40,12 @@ void add_open_options(CLI::App* command, frf::OpenOptions& open) {
   dofs("--response", open.response,
        "Response DOFs, e.g. 4:+Y,4:+RZ, for files without DOFs (MAT, CSV, UFF without directions, text exports); with several "
        "files one each");
-  dofs("--reference", open.reference, "Reference DOFs; default: as the responses");
+  dofs("--reference", open.reference, "Reference DOFs; default: those of the responses");
   command->add_option("--variable", open.variable, "MAT, HDF5, npz: name of the FRF variable; S.field of a struct");
   command->add_option("--frequency-variable", open.frequency_variable,
-                      "The same of the frequencies; of .npy the file that holds them");
+                      "The same for the frequencies; for .npy the file with them");
   checked("--frequency-unit", open.frequency_unit, [](const std::string& text) { frf::hertz_per(text); },
-          "Unit of the frequencies in place of what the file says, e.g. kHz, rad/s or rpm");
+          "Unit of the frequencies in place of the file's, e.g. kHz, rad/s or rpm");
 }
 
 }  // namespace jointid::cli

@@ -21,11 +21,11 @@ void add_pod(CLI::App& app, Chosen& chosen) {
       ->required();
   command->add_option("--channels", arguments->channels, "Names or numbers of the columns (default: all but the time)")
       ->delimiter(',');
-  command->add_option("--mass", arguments->mass, "File of the mass matrix of the channels: modes in its inner product");
+  command->add_option("--mass", arguments->mass, "File of the mass matrix of the channels, the inner product of the modes");
   command->add_option("--stiffness", arguments->stiffness,
                       "File of the stiffness matrix: cosines and MAC with the normal modes, with --mass");
   command->add_option("--compare", arguments->compare,
-                      "File of modes, a column each, a row a channel: cosines and MAC with them");
+                      "File of modes, one column per mode, one row per channel: gives cosines and MAC");
   command->add_flag("--keep-mean", arguments->keep_mean, "Do not remove the mean");
   add_whole_number(command, "--threads", arguments->threads, "0 for all cores; the results do not depend on it",
                    counts_of_threads());

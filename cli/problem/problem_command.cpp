@@ -35,7 +35,7 @@ void declare_problem(CLI::App& app, Chosen& chosen, const ProblemKinds& kinds) {
   add_whole_number(write, "--seed", arguments->options.seed, "Of the noise", {});
   write->add_option("--method", arguments->options.method, "Of the scene, instead of that of the problem")
       ->check(CLI::IsMember(ident::method_words()));
-  write->add_flag("--clean", arguments->options.clean, "Leave the noise out");
+  write->add_flag("--clean", arguments->options.clean, "Without noise");
   write->footer("Example:\n  jointid problem write A1 a1 --seed 7");
 }
 

@@ -26,14 +26,14 @@ void add_response(CLI::App& app, Chosen& chosen) {
   command->add_option("SCENE", arguments->scene, "Scene file (TOML) with [data] or [structure], [[joints]], [force], [response]")
       ->required();
   add_outputs(command, *arguments, "the responses, joints and peaks", "the harmonics of the responses",
-              "FRFs of all levels, harmonics, peaks, loops, curves and motions");
-  command->add_option("--out", arguments->out, "Write what --csv has as a table in HDF5 to this file");
+              "FRFs at all force levels, harmonics, peaks, loops, curves and motions");
+  command->add_option("--out", arguments->out, "Write the table of --csv as HDF5 to this file");
   command->add_option("--curves", arguments->curves,
                       "Write the peaks over the force and [[curves]] to a file: HDF5 by the name .h5, else CSV; - for stdout");
   command->add_option("--history", arguments->history,
                       "Write the motions of [transient] to a file: HDF5 by the name .h5, else CSV; - for stdout");
   command->add_flag("--compare", arguments->compare,
-                    "Instead: error against run time of harmonic balance, Algorithms One and Two, against the exact orbit");
+                    "Instead: errors of harmonic balance and Algorithms One and Two from the exact orbit, over run time");
   command->footer(
       "Examples:\n  jointid response rig.toml --csv response.csv --report response.html\n"
       "  jointid problem write beams-B b && jointid response b/beams-B.toml --compare");

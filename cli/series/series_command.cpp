@@ -10,7 +10,7 @@ namespace {
 const char* const file_text = "Record: text, UFF 58, MATLAB, HDF5 or numpy";
 
 CLI::Option* add_rate(CLI::App* command, std::optional<double>& rate_hz) {
-  return command->add_option("--rate", rate_hz, "Samples per second, where the file does not say")->check(CLI::PositiveNumber);
+  return command->add_option("--rate", rate_hz, "Samples per second, if the file does not state them")->check(CLI::PositiveNumber);
 }
 
 void add_delay(CLI::App& series, Chosen& chosen) {
@@ -19,16 +19,17 @@ void add_delay(CLI::App& series, Chosen& chosen) {
   command->add_option("FILE", a->file, file_text)->required();
   command->add_option("--channel", a->channel, "Name or number of the column (default: the only one beside the time)");
   add_rate(command, a->rate_hz);
-  add_whole_number(command, "--samples", a->samples, "Use the first so many", {100, 200'000, "time grows with their square"});
+  add_whole_number(command, "--samples", a->samples, "Number of samples from the start", {100, 200'000, "time grows with their square"});
   add_whole_number(command, "--cells", a->cells, "Of the histograms of mutual information", {2, 1000, ""});
   add_whole_number(command, "--most-lag", a->most_lag, "Largest lag of mutual information, samples", {2, 100'000, ""});
   add_whole_number(command, "--delay", a->delay, "Of the embedding, samples; 0: first minimum of the mutual information",
                    {0, 100'000, ""});
-  add_whole_number(command, "--dimension", a->dimension, "Of the embedding; 0: the least with at most 1 % false neighbours",
+  add_whole_number(command, "--dimension", a->dimension, "Of the embedding; 0: the smallest with at most 1 % false nearest neighbours",
                    {0, 20, ""});
-  add_whole_number(command, "--most-dimension", a->most_dimension, "Largest dimension tried by false neighbours", {1, 20, ""});
+  add_whole_number(command, "--most-dimension", a->most_dimension, "Largest dimension in the search by false nearest neighbours",
+                   {1, 20, ""});
   add_whole_number(command, "--theiler", a->theiler,
-                   "Neighbours are further apart in time, samples; 0: twice delay times dimension", {0, 100'000, ""});
+                   "Smallest distance of neighbours in time, samples; 0: twice delay times dimension", {0, 100'000, ""});
   add_whole_number(command, "--steps", a->steps, "Of divergence curves, samples", {10, 10'000, ""});
   command->add_option("--wolf", a->wolf, "Wolf's exponent, too: samples over which a pair is followed, e.g. 2,5,10,20")
       ->delimiter(',')
@@ -52,9 +53,9 @@ void add_strain(CLI::App& series, Chosen& chosen) {
   command->add_option("--thickness", a->thickness, "Of the beam, m: strain is half of it times the curvature")
       ->required()
       ->check(CLI::PositiveNumber);
-  command->add_option("--gauges", a->gauges, "Where they are, m from the clamp")->required()->delimiter(',');
-  command->add_option("--points", a->points, "Where displacements are wanted, m (default: the tip)")->delimiter(',');
-  add_whole_number(command, "--shapes", a->shapes, "Of the basis; 0: as many as gauges", {0, 100, ""});
+  command->add_option("--gauges", a->gauges, "Their positions, m from the clamp")->required()->delimiter(',');
+  command->add_option("--points", a->points, "Positions of the displacements, m (default: the tip)")->delimiter(',');
+  add_whole_number(command, "--shapes", a->shapes, "Of the basis; 0: that of the gauges", {0, 100, ""});
   command->add_flag("--static-shapes", a->static_shapes, "Two of them are those of a tip force and a tip moment");
   command->add_option("--output,--csv", a->output, "Write the displacements as CSV to a file, or - for stdout");
   command->add_option("--json", a->json, "Write the map and its noise as JSON to a file, or - for stdout");
@@ -73,20 +74,20 @@ void add_friction(CLI::App& series, Chosen& chosen) {
       ->required();
   command->add_option("--normal", a->normal, "Column of the normal load, N");
   command->add_option("--load", a->load, "Constant normal load, N")->check(CLI::PositiveNumber);
-  command->add_option("--stick-speed", a->stick_speed, "Slower samples stick, m/s: above the noise of the velocity")
+  command->add_option("--stick-speed", a->stick_speed, "Slower samples count as sticking, m/s; above the noise of the velocity")
       ->required()
       ->check(CLI::PositiveNumber);
   add_rate(command, a->rate_hz);
-  command->add_option("--force-delay", a->force_delay, "By how much the force is late, s: `series align` finds it");
+  command->add_option("--force-delay", a->force_delay, "Time delay of the force, s; `series align` finds it");
   add_outputs(command, *a, "the law", "velocity and friction coefficient of the samples", "the law over the samples");
   command->footer("Example:\n  jointid series friction run.csv --velocity v --force F --load 1.86 --stick-speed 0.002");
 }
 
 void add_align(CLI::App& series, Chosen& chosen) {
   auto [command, a] = add_command<SeriesAlignArguments>(
-      series, chosen, "align", "How late the channels of a periodic record are, and the record without it");
+      series, chosen, "align", "Time delays of the channels of a periodic record, and the record without them");
   command->add_option("FILE", a->file, file_text)->required();
-  command->add_option("--reference", a->reference, "Column that is right")->required();
+  command->add_option("--reference", a->reference, "Column without a time delay")->required();
   command->add_option("--frequency", a->frequency_hz, "Of the motion, Hz")->required()->check(CLI::PositiveNumber);
   add_whole_number(command, "--harmonics", a->harmonics, "Fitted together", {1, 50, ""});
   add_rate(command, a->rate_hz);

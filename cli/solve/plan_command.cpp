@@ -20,20 +20,21 @@ namespace jointid::cli {
 
 PlanArguments& add_linear_plan(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<PlanArguments>(
-      app, chosen, "plan", "Say what solving a scene reads, computes and leaves out, without doing it");
+      app, chosen, "plan", "Show what a solution of a scene reads, computes and leaves out, without solving");
   command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
   command->add_option("--json", arguments->json, "Write the plan as JSON to a file, or - for stdout");
   add_force(command);
-  CLI::Option* bound = command->add_flag("--bound", arguments->bound,
-                                         "Predict standard errors from the FRFs of a model or an earlier test, the noise and "
-                                         "[truth] or [identify] start, and what other data would change");
+  CLI::Option* bound = command->add_flag(
+      "--bound", arguments->bound,
+      "Predict standard errors and the effect of other data, from the FRFs of a model or an earlier test, the noise and "
+      "[truth] or [identify] start");
   command
       ->add_option_function<std::vector<std::string>>(
           "--candidates",
           [arguments = arguments](const std::vector<std::string>& texts) {
             arguments->candidates = of_option("--candidates", [&] { return parse_dofs(texts); });
           },
-          "Coordinates of the files that are not measured yet, e.g. 3:+Y,4:+RZ: what would each of them bring?")
+          "Coordinates of the files that count as not measured, e.g. 3:+Y,4:+RZ; the output has the benefit of each")
       ->delimiter(',')
       ->needs(bound);
   command->footer(

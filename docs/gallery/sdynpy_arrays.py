@@ -1,6 +1,6 @@
 """How do I hand over what SDynPy has?
 
-A TransferFunctionArray has no quantity, so that it is told; its .npz is read and written without SDynPy.
+A TransferFunctionArray has no quantity, so you name it. Its .npz is read and written without SDynPy.
 """
 
 import os

@@ -10,7 +10,7 @@ namespace jointid::frf {
 /// A named list of real numbers of a file, e.g. a channel of a time history.
 struct NumberColumn {
   std::string name;
-  std::string unit;  ///< as its header says it, "mm" of "Position [mm]" or "Position (mm)"; else empty
+  std::string unit;  ///< from its header, "mm" of "Position [mm]" or "Position (mm)"; else empty
   std::vector<double> values;
 };
 
@@ -22,8 +22,8 @@ struct Columns {
   std::string file;
   std::vector<NumberColumn> columns;
 
-  /// The place of the column of that name, as it is or else whatever its case, or of that number, from 1. Throws InputError
-  /// (data) for none, which lists the columns, and for a name that several have.
+  /// Index of the column with that name (exact, else in any case), or with that number, from 1. Throws InputError (data), with
+  /// the list of columns, if there is none, and for a name of several columns.
   std::size_t place(std::string_view name_or_number) const;
   const NumberColumn& column(std::string_view name_or_number) const { return columns[place(name_or_number)]; }
 
@@ -39,8 +39,8 @@ struct Columns {
 ///     numbers may have decimal commas (DecimalMark). Lines that begin with # or % are comments. An empty cell is NaN;
 ///   - MATLAB v5 to v7.3 and HDF5 (datasets of the root): every real vector; of a real matrix NAME, whose longer axis counts the
 ///     samples, NAME(1), NAME(2), … Units: column_unit().
-/// Throws InputError naming line and column of what is no number; for more than most_columns or 268 million numbers; and for
-/// variables that unpack to more than 64 times the file (64 MB in any case).
+/// Throws InputError with line and column of a cell that is no number. Also for more than most_columns or 268 million numbers.
+/// Also for variables that unpack to more than 64 times the file (64 MB in any case).
 Columns read_columns(const std::filesystem::path& path);
 
 }  // namespace jointid::frf

@@ -8,8 +8,8 @@
 
 namespace jointid::frf {
 
-/// FRFs in arrays that a caller keeps: views, of which nothing is copied. Shapes as in FrfSet, [F,R,C] and so on, but values and
-/// (co)variances are of the quantity of the header, in SI units. The header names variances or coherences where there are any.
+/// Views of FRFs in arrays that a caller keeps; nothing is copied. Shapes as in FrfSet, [F,R,C] and so on. Values and
+/// (co)variances are of the quantity of the header, in SI units. The header names variances or coherences if there are any.
 struct FrfArrays {
   FrfHeader header;
   std::span<const Complex> values;                   ///< [F,R,C], NaN where not measured
@@ -24,11 +24,11 @@ struct FrfArrays {
   FactorShape factor_shape() const { return {rank, !factor_diagonal.empty()}; }
 };
 
-/// Such arrays as a source: receptances, as ever. Throws InputError where they are not as long as the header says.
+/// Such arrays as a source of receptances. Throws InputError if their lengths disagree with the header.
 std::unique_ptr<FrfSource> from_arrays(std::shared_ptr<const FrfArrays> arrays);
 
-/// Arrays under the name of a file: as long as this lives, open() finds them by its path, so that a scene can name them wherever
-/// it can name a file. The path is of this process alone and of no file system.
+/// Arrays under the name of a file. While this exists, open() finds them by its path, and a scene can name them like a file. The
+/// path is valid in this process alone and in no file system.
 class MemoryFile {
  public:
   /// Throws InputError as from_arrays().

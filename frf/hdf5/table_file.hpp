@@ -18,16 +18,16 @@ struct TableColumn {
   double truth = 0.0;  ///< NaN when there is none
 };
 
-/// What a table of numbers is, HDF5 layout `jointid-table` version 2: root attributes `format`, `version`, `checksum` and the texts;
-/// datasets `column` [C] and `unit` [C] UTF-8, `truth` [C] float64, `rows` [N,C] float64, chunked by columns, `column_checksum` [C] uint64.
-/// Version 1, which is read, too, has no checksums.
+/// Content of a table, HDF5 layout `jointid-table` version 2. Root attributes: `format`, `version`, `checksum` and the texts.
+/// Datasets: `column` [C] and `unit` [C] UTF-8, `truth` [C] float64, `rows` [N,C] float64, chunked by columns, `column_checksum`
+/// [C] uint64. Version 1 has no checksums and is read, too.
 struct TableHeader {
   std::map<std::string, std::string> texts;  ///< root attributes
   std::vector<TableColumn> columns;          ///< at least one
 };
 
-/// Writes a table row by row in order. Without finish() no file appears, with it the file is there whole; equal tables give
-/// equal bytes.
+/// Writes a table row by row in order. The file appears with finish(), complete. Equal tables give equal
+/// bytes.
 class TableWriter {
  public:
   /// Throws InputError when the folder does not take the file.

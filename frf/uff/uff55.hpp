@@ -28,16 +28,16 @@ struct Uff55Mode {
   std::vector<std::complex<double>> shape;   ///< as long as dofs
 };
 
-/// The mode shapes of a universal file, in its order. Datasets 55 of other analyses (static, transient, …) and other data than
-/// three or six components per node, or of strains, stresses and reactions, are passed over. Dataset 164 holds for modal masses,
-/// modal A and B (mass, force·s/length and force/length of the file's units: tonnes where it says mm and N) and for rotations of
-/// shapes beside its lengths. Without one values are taken as SI. Throws InputError when there is none, and where a dataset
-/// breaks the format.
+/// The mode shapes of a universal file, in its order. It skips datasets 55 of other analyses (static, transient, …), of
+/// strains, stresses and reactions, and without three or six components per node. Dataset 164 applies to lengths, to modal
+/// masses, modal A and B (mass, force·s/length and force/length of the file's units: tonnes for mm and N) and to rotations
+/// of shapes. Without it values are taken as SI. Throws InputError if there is no shape, or if a dataset breaks the
+/// format.
 std::vector<Uff55Mode> read_uff55(const std::filesystem::path& path);
 
-/// Writes dataset 151, 164 (SI), 2411 if nodes are known, and a dataset 55 for each mode, by a temporary name: real data for
-/// normal modes, complex for complex ones; three components per node, six when one of the DOFs is a rotation, 0 where the mode has
-/// none. Six significant digits, as the format has it.
+/// Writes dataset 151, 164 (SI), 2411 if nodes are known, and a dataset 55 for each mode, by a temporary name. Data are real for
+/// normal modes, complex for complex ones; three components per node, six if a DOF is a rotation, 0 where the mode has none. The
+/// format has six significant digits.
 void write_uff55(const std::vector<Uff55Mode>& modes, const std::vector<Node>& nodes, const std::filesystem::path& path);
 
 }  // namespace jointid::frf

@@ -13,12 +13,12 @@
 
 namespace jointid::frf {
 
-/// Opens a universal file (UFF 58 and 58b). The file is gone through once and headers are kept; the values of a record are read
-/// when they are asked for. Of binary records that is only the span of lines asked for, and, where a record goes on at the line
-/// at which it ended, up to 32 MB of all FRFs ahead. Text records are read whole and kept: in memory up to 16 MB in all, else in
-/// a temporary file. Every record has its own quantity and units; header().quantity is that of the first FRF. How DOFs, signs,
-/// axes, units and coherences are taken is said at uff::build_catalogue and uff::interpret_ordinate. Throws InputError when the
-/// file holds no FRFs.
+/// Opens a universal file (UFF 58 and 58b). The file is read once for its headers, which are kept; values of a record are
+/// read on request. Of binary records that is only the span of the requested lines; if a record continues at its last line,
+/// up to 32 MB of all FRFs are read ahead. Text records are read whole and kept, in memory up to 16 MB in all, else in a
+/// temporary file. Every record has its own quantity and units; header().quantity is that of the first FRF. For DOFs, signs,
+/// axes, units and coherences see uff::build_catalogue and uff::interpret_ordinate. Throws InputError if the file has no
+/// FRFs.
 std::unique_ptr<FrfSource> open_uff(const std::filesystem::path& path, const OpenOptions& options = {});
 
 /// Whether a file that begins with these bytes (about 200 are enough) is a universal file: '    -1', then a
@@ -30,16 +30,16 @@ struct UffWriteOptions {
   Quantity quantity = Quantity::receptance;
 };
 
-/// Writes the set to a temporary name and renames it: datasets 151, 164 (SI), 2411 if node positions are
-/// known, one 58 for each FRF, and one for each coherence. An FRF that is NaN on all lines is left out; one
-/// that is NaN on some throws InputError, except at 0 Hz of a mobility or accelerance, where 0 is written and
-/// NaN will be read. Variances have no place in the format and are not written. The axis is written as first
-/// + i·step when that gives every line within 1e-6 of a spacing with the ten or so digits that fit the
-/// header's columns, else with an abscissa for every point (in binary as doubles). Values are those of the
-/// axis as written, so a receptance comes back unchanged.
+/// Writes the set to a temporary name and renames it. It has datasets 151, 164 (SI), 2411 if node positions are
+/// known, one 58 for each FRF, and one for each coherence. An FRF that is NaN on all lines is left out. One that
+/// is NaN on some throws InputError, except at 0 Hz of a mobility or accelerance: there 0 is written and NaN
+/// will be read. The format has no place for variances. The axis is written as first + i·step if that gives
+/// every line within 1e-6 of a spacing with the ten or so digits of the header's columns. Else every point has
+/// its abscissa (in binary as doubles). Values are those of the axis as written, so a receptance comes back
+/// unchanged.
 void write_uff(const FrfSet& set, const std::filesystem::path& path, const UffWriteOptions& options = {});
 
-/// What a universal file holds; nothing but headers is read.
+/// Content of a universal file. Only headers are read.
 struct UffSummary {
   struct Count {
     std::string dataset;  ///< e.g. "58b"
@@ -54,7 +54,7 @@ struct UffSummary {
     std::string reference;
     std::uint64_t points = 0;  ///< as declared
     std::string quantity;      ///< e.g. "acceleration / excitation force"
-    std::string unit;          ///< labels as they stand there, or empty
+    std::string unit;          ///< labels as in the file, or empty
     std::string abscissa_unit;
   };
   std::vector<Count> datasets;      ///< in order of first appearance
@@ -62,7 +62,7 @@ struct UffSummary {
 };
 UffSummary summarize_uff(const std::filesystem::path& path);
 
-/// One record 58 or 58b with its values as they stand in the file, whatever its function type and units.
+/// One record 58 or 58b with its values as in the file, whatever its function type and units.
 struct Uff58 {
   UffSummary::Function description;
   std::vector<double> abscissa;

@@ -29,7 +29,7 @@ struct CurveFit {
   double objective = 0.0;                   ///< ΔE (2.58b), or (7.20)
 };
 
-/// Results that are ok may carry findings; others (not_converged, too_few_points) say in `message` why they are not.
+/// Usable results may have findings; others (not_converged, too_few_points) give the reason in `message`.
 struct Fit {
   Status status = Status::ok;
   std::string message;
@@ -38,19 +38,19 @@ struct Fit {
   double objective = 0.0;      ///< sum of the curves'
   double weighted_sum = 0.0;   ///< what was minimised
   double residual_std = 0.0;   ///< √(weighted_sum/(rows − unknowns)): the noise, as the weighting scales it
-  double neighbour_correlation = 0.0;  ///< of the residuals of samples that follow each other; near 0 for independent errors
+  double neighbour_correlation = 0.0;  ///< correlation of neighbouring residuals; near 0 for independent errors
   std::size_t rows = 0, unknowns = 0;
   double aic = 0.0;            ///< rows·ln(weighted_sum/rows) + 2(unknowns + 1); comparable for one set of data and one weighting
   std::vector<std::string> names;                 ///< of the unknowns
   std::vector<std::vector<double>> correlation;   ///< of the unknowns; NaN for undetermined ones
   std::size_t iterations = 0;
-  std::string minimiser;       ///< what was used
-  std::vector<std::string> findings;  ///< what the curves cannot tell, in words
+  std::string minimiser;       ///< the minimiser used
+  std::vector<std::string> findings;  ///< limits of the curves, in words
 };
 
 /// Fits the law of `family` to curves by weighted least squares. Unknowns are the parameters on their ParameterScale. Standard
-/// errors are those of the linearised problem with the noise estimated from the residuals, taken as independent; intervals use
-/// Student's t. Throws InputError for curves that validate() refuses and options that do not go together.
+/// errors are those of the linearised problem. The noise is estimated from the residuals, taken as independent; intervals use
+/// Student's t. Throws InputError for curves that validate() refuses and options that contradict each other.
 Fit fit(std::span<const Curve> curves, const Family& family, const FitOptions& options = {});
 
 /// Fits every family and sorts by AIC, best first; fits that are not usable come last.

@@ -44,7 +44,7 @@ QString option(const char* name, const QStringList& words) {
 }  // namespace
 
 CompareChoices::CompareChoices(QWidget* parent) : QWidget(parent) {
-  named(this, "compare_choices", tr("What is compared"));
+  named(this, "compare_choices", tr("Choices to compare"));
   methods_ = new ChoiceButton("compare_methods", tr("method"), names(ident::method_names()));
   equations_ = new ChoiceButton("compare_equations", tr("equations"), {"nn", "nn nj", "nn jn", "nn nj jj jn"});
   weightings_ = new ChoiceButton("compare_weightings", tr("weighting"), {"none", "WA", "WB", "WBG", "WBS"});

@@ -22,15 +22,15 @@ namespace jointid::gui {
 
 ComparePage::ComparePage(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Compare"));
-  line_ = new JobLine("compare", tr("Status of the comparison"), tr("Stop and keep the ways that are done"));
-  line_->set_cancelled_text(tr("Cancelled before any way was done."));
+  line_ = new JobLine("compare", tr("Status of the comparison"), tr("Stop and keep the finished ways"));
+  line_->set_cancelled_text(tr("Cancelled: no way was finished."));
   choices_ = new CompareChoices;
   chart_ = new Chart("error_against_time", tr("Error against run time"),
-                     tr("Choose what to try, and compare: every way stands here by its error and its run time.\n"
-                        "The scene needs [truth] and [noise]. A click on a point opens that solution."));
+                     tr("Choose what to compare, then press Compare. The diagram shows the error and the run time of every "
+                        "way.\nThe scene needs [truth] and [noise]. A click on a point opens that solution."));
   table_ = new CellTable("ways", tr("Ways, by their error and run time"));
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  auto* both = named(new QSplitter(Qt::Vertical), "chart_and_ways", tr("Picture and table"));
+  auto* both = named(new QSplitter(Qt::Vertical), "chart_and_ways", tr("Diagram and table"));
   both->addWidget(chart_);
   both->addWidget(table_);
   both->setStretchFactor(0, 1);
@@ -57,7 +57,7 @@ ComparePage::ComparePage(QWidget* parent) : QWidget(parent) {
 
 QWidget* ComparePage::make_top() {
   auto* top = named(new QWidget, "compare_top", tr("Comparing"));
-  run_ = push_button("compare", tr("Compare"), tr("Try all ways on the same trials with simulated noise"));
+  run_ = push_button("compare", tr("Compare"), tr("Compare all ways on the same trials with simulated noise"));
   trials_ = number_box("compare_trials", tr("trials"), 1, 200);
   seed_ = number_box("compare_seed", tr("seed"), 0, 1);
   matrix_choice_ = named(new QComboBox, "compare_matrix", tr("Matrix whose error is shown"));
@@ -95,7 +95,7 @@ void ComparePage::run() {
     return [this, comparison = run_comparison(wish, watch, so_far)] {
       show_comparison(comparison);
       const int ways = static_cast<int>(comparison.combinations.size());
-      QString text = comparison.interrupted ? tr("Cancelled; %n way(s) that were done are shown.", nullptr, ways)
+      QString text = comparison.interrupted ? tr("Cancelled: %n finished way(s).", nullptr, ways)
                                             : tr("%n way(s) on the same trials.", nullptr, ways);
       for (const std::string& line : report::left_out_lines(comparison.left_out)) {
         text += "\n" + tr("left out: ") + QString::fromStdString(line);

@@ -51,7 +51,7 @@ CellRows resonance_rows(const tasks::CoupleResult& result) {
   const std::vector<double> all = result.with_all ? result.with_all->resonances_hz : std::vector<double>();
   CellRows out;
   out.columns << Said::tr("resonance (Hz)");
-  if (result.with_all) out.columns << Said::tr("with all conditions (Hz)");
+  if (result.with_all) out.columns << Said::tr("with all compatibility conditions (Hz)");
   for (std::size_t i = 0; i < std::max(result.result.resonances_hz.size(), all.size()); ++i) {
     std::vector<Cell> row = {number_cell(result.result.resonances_hz, i)};
     if (result.with_all) row.push_back(number_cell(all, i));

@@ -41,11 +41,10 @@ bool is_couple_scene(const std::string& text) { return line_of_key(text, "couple
 
 CouplePage::CouplePage(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Coupling"));
-  line_ = new JobLine("couple", tr("Status of the coupling"), tr("Stop; nothing is written then"));
-  plots_ = new PlotMenu(
-      "coupled", tr("Predicted FRFs, and what was measured"),
-      tr("With a scene of coupling, [data] parts and [couple], the assembly's FRFs stand here as its parts and joints "
-         "give them,\nwith what was measured of it, if it is chosen."));
+  line_ = new JobLine("couple", tr("Status of the coupling"), tr("Stop without writing a file"));
+  plots_ = new PlotMenu("coupled", tr("Predicted and measured FRFs"),
+                        tr("This page shows the FRFs of the assembly, predicted from its substructures and joints.\nIt needs a "
+                           "scene with [data] parts and [couple]. Measured FRFs can be drawn over them."));
   auto* both = named(new QSplitter(Qt::Vertical), "coupled_and_tables", tr("Diagram and tables"));
   both->addWidget(plots_);
   both->addWidget(make_tables());
@@ -63,11 +62,10 @@ CouplePage::CouplePage(QWidget* parent) : QWidget(parent) {
 
 QWidget* CouplePage::make_top() {
   auto* top = named(new QWidget, "couple_top", tr("Coupling"));
-  run_ = push_button("couple", tr("Couple"), tr("Predict the assembly's FRFs; they are written beside the scene"));
-  bounds_ =
-      named(new QCheckBox(tr("bounds")), "couple_bounds", tr("Bounds"),
-            tr("Leave out conditions that the others nearly imply, and compute with them as well: what is right lies between"));
-  auto* measured = push_button("couple_measured", tr("Measured…"), tr("Choose FRFs of the real assembly, to compare with"));
+  run_ = push_button("couple", tr("Couple"), tr("Predict the FRFs of the assembly and write them beside the scene"));
+  bounds_ = named(new QCheckBox(tr("bounds")), "couple_bounds", tr("Bounds"),
+                  tr("Compute without redundant compatibility conditions, and with all of them: the true FRF lies between"));
+  auto* measured = push_button("couple_measured", tr("Measured…"), tr("Choose measured FRFs of the assembly for comparison"));
   names_ = named(new QLabel, "couple_names", tr("Measured files"));
   names_->setTextFormat(Qt::PlainText);
   command_ = push_button("couple_command", tr("Copy as command"), tr("Copy the command line that writes the same file"));
@@ -82,12 +80,12 @@ QWidget* CouplePage::make_top() {
 
 QTabWidget* CouplePage::make_tables() {
   resonances_ = new CellTable("couple_resonances", tr("Resonances of the assembly"));
-  errors_ = new CellTable("couple_errors", tr("Errors of the predicted FRFs, worst first"));
-  conditions_ = new CellTable("couple_conditions", tr("Conditions, and who is left out"));
-  tables_ = named(new QTabWidget, "couple_tables", tr("Resonances, errors and conditions"));
+  errors_ = new CellTable("couple_errors", tr("Errors of the predicted FRFs, largest first"));
+  conditions_ = new CellTable("couple_conditions", tr("Compatibility conditions, used and left out"));
+  tables_ = named(new QTabWidget, "couple_tables", tr("Resonances, errors and compatibility"));
   tables_->addTab(resonances_, tr("Resonances"));
   tables_->addTab(errors_, tr("Errors"));
-  tables_->addTab(conditions_, tr("Conditions"));
+  tables_->addTab(conditions_, tr("Compatibility"));
   return tables_;
 }
 
@@ -136,7 +134,7 @@ QString CouplePage::result_file() const {
 
 void CouplePage::run() {
   if (!scene_ || is_busy()) return;
-  if (file_.isEmpty()) return line_->say(tr("Save the scene first: the FRFs of the assembly lie beside it."), true);
+  if (file_.isEmpty()) return line_->say(tr("Save the scene first. The FRFs of the assembly are written beside it."), true);
   CoupleWish wish{*scene_, as_path(result_file()), bounds_->isChecked()};
   for (const QString& file : measured_) wish.measured.push_back(as_path(file));
   line_->say(tr("Coupling …"));
@@ -155,7 +153,7 @@ void CouplePage::show_coupled() {
              result.status != ident::Status::ok);
   if (result.records.empty()) return plots_->show_groups({});
   plots_->show_groups({{QString(), report::predicted_plots(result.frequency_hz, coupled_->frfs, most_points)},
-                       {tr("conditions of S"), report::condition_plots(result, most_points)},
+                       {tr("condition number of S"), report::condition_plots(result, most_points)},
                        {tr("alpha"), alphas(*coupled_)}});
   resonances_->show_rows(resonance_rows(result));
   errors_->show_rows(coupling_errors(*coupled_));

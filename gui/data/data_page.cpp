@@ -63,12 +63,12 @@ DataPage::DataPage(QWidget* parent) : QWidget(parent) {
 }
 
 void DataPage::add_left() {
-  tree_ = named(new QTreeWidget, "files", tr("Files"), tr("The files that the scene names"));
+  tree_ = named(new QTreeWidget, "files", tr("Files"), tr("Files of the scene"));
   tree_->setHeaderHidden(true);
   about_ = named(new QLabel, "about_file", tr("About the file"));
   about_->setWordWrap(true);
   about_->setTextFormat(Qt::PlainText);
-  figure_ = named(new QComboBox, "grid_figure", tr("Colour by"), tr("What the cells of the grid show"));
+  figure_ = named(new QComboBox, "grid_figure", tr("Colour by"), tr("Quantity that colours the cells"));
   figure_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   everywhere_ = named(new QCheckBox(tr("in all files")), "everywhere", tr("Draw the chosen FRFs of all files that have them"),
                       tr("Draw the chosen FRFs of all files that have them, one over the other"));

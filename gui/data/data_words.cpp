@@ -22,7 +22,7 @@ QString about(const frf::FrfHeader& header) {
   const auto noise = [&]() -> QString {
     if (header.noise == frf::NoiseRecord::coherence) return Said::tr("coherence of %1 averages").arg(header.averages);
     if (header.noise == frf::NoiseRecord::variance) return Said::tr("variances");
-    return Said::tr("nothing of its noise");
+    return Said::tr("noise not stated");
   };
   QString text = Said::tr("%1, %2 lines, %3 to %4 Hz; %5 × %6 FRFs; %7")
                      .arg(QString::fromStdString(frf::name(header.quantity)))

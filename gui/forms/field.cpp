@@ -49,7 +49,7 @@ Field::Field(std::string table, std::string key, std::optional<ValueKind> as_wri
   const bool is_choice = kind_ == ValueKind::word || kind_ == ValueKind::flag;
   row->addWidget(is_choice ? make_choice() : make_line(), 1);
   if (!as_written && names_files(table_, key_)) row->addWidget(make_files_button());
-  error_ = named(new QLabel, "field_error", tr("What is wrong with %1").arg(accessible_name(table_, key_)));
+  error_ = named(new QLabel, "field_error", tr("Error in %1").arg(accessible_name(table_, key_)));
   error_->setWordWrap(true);
   error_->setTextFormat(Qt::PlainText);
   error_->hide();
@@ -91,7 +91,7 @@ QWidget* Field::make_choice() {
 
 QWidget* Field::make_files_button() {
   auto* button = named(new QToolButton, "choose_files", tr("Choose files of %1").arg(accessible_name(table_, key_)),
-                       tr("Choose files that are added"));
+                       tr("Choose files to add"));
   button->setText(QStringLiteral("…"));
   button->setFocusPolicy(Qt::StrongFocus);
   connect(button, &QToolButton::clicked, this, &Field::choose_files);
@@ -139,7 +139,7 @@ void Field::show_value(const std::string& value) {
   if (pending_) return;
   const ShownValue shown = shown_value(kind_, value);
   set_shown(q(shown.text), shown.is_locked);
-  input()->setToolTip(shown.is_locked ? tr("There are comments in this value: edit it in the text.") : hint_);
+  input()->setToolTip(shown.is_locked ? tr("This value contains comments. Edit it in the text.") : hint_);
   if (line_ != nullptr) line_->setPlaceholderText(hint_);
 }
 

@@ -62,7 +62,7 @@ void SceneForm::build() {
     add_section(table, *column);
     if (is_of_several(table)) add_choice(sections_.back());
     if (table != any_file) continue;
-    files_ = new ChoiceRow("file_choice", tr("File that the fields are of"), false);
+    files_ = new ChoiceRow("file_choice", tr("File of these fields"), false);
     static_cast<QFormLayout*>(sections_.back().box->layout())->insertRow(0, tr("file"), files_);
     connect(files_, &ChoiceRow::changed, this, &SceneForm::show_again);
   }
@@ -110,7 +110,7 @@ void SceneForm::build_as_written() {
 /// Which of several, and its name.
 void SceneForm::add_joints(QVBoxLayout& column) {
   add_box(all_joints, title_of(all_joints), column);
-  joints_ = new ChoiceRow("joint_choice", tr("Joint that the fields are of"), true);
+  joints_ = new ChoiceRow("joint_choice", tr("Joint of these fields"), true);
   static_cast<QFormLayout*>(sections_.back().box->layout())->addRow(tr("joint"), joints_);
   add_field(sections_.back(), "name");
   connect(joints_, &ChoiceRow::changed, this, &SceneForm::show_again);
@@ -129,7 +129,7 @@ void SceneForm::add_joints(QVBoxLayout& column) {
 /// Which of several tables, and buttons for more and fewer.
 void SceneForm::add_choice(Section& section) {
   const std::string table = section.table;
-  auto* choice = new ChoiceRow((table + "_choice").c_str(), tr("Table that the fields are of: %1").arg(title_of(table)), true);
+  auto* choice = new ChoiceRow((table + "_choice").c_str(), tr("Table of these fields: %1").arg(title_of(table)), true);
   static_cast<QFormLayout*>(section.box->layout())->insertRow(1, tr("table"), choice);
   several_[table] = choice;
   connect(choice, &ChoiceRow::changed, this, &SceneForm::show_again);
@@ -158,7 +158,7 @@ void SceneForm::add_box(const std::string& table, const QString& title, QVBoxLay
   auto* rows = new QFormLayout(box);
   rows->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   rows->setRowWrapPolicy(QFormLayout::WrapLongRows);
-  auto* error = named(new QLabel, "section_error", tr("What is wrong with these fields"));
+  auto* error = named(new QLabel, "section_error", tr("Errors in these fields"));
   error->setWordWrap(true);
   error->setTextFormat(Qt::PlainText);
   error->hide();
@@ -172,9 +172,8 @@ void SceneForm::add_field(Section& section, const std::string& key, std::optiona
   auto* label = new QLabel(q(key).replace('_', ' '));
   label->setBuddy(field->input());
   static_cast<QFormLayout*>(section.box->layout())->addRow(label, field);
-  connect(field, &Field::changed, this, [this, table = section.table, key](const std::string& value) {
-    Q_EMIT edit_wanted(path_of(table), key, value);
-  });
+  connect(field, &Field::changed, this,
+          [this, table = section.table, key](const std::string& value) { Q_EMIT edit_wanted(path_of(table), key, value); });
   section.fields.push_back(field);
 }
 

@@ -168,7 +168,7 @@ void SceneForm::show_section(const Section& section) {
     if (!shown) continue;
     const auto value = value_of(text_, table, field->key());
     if (in_one_value || (!value && !tables_below(text_, below(table, field->key())).empty()))
-      field->lock(in_one_value ? tr("The file is written as one value in the text.") : tr("It is a table of its own in the text."));
+      field->lock(in_one_value ? tr("The text has this file as one value.") : tr("This is a separate table in the text."));
     else
       field->show_value(value.value_or(""));
   }

@@ -38,7 +38,8 @@ std::vector<frf::Dof> references_of(const std::vector<LoadedFile>& files) {
 }
 
 Saveable saveable(const StructureView& view) {
-  return {[&view](const QString& ending) { return view.picture(ending); }, [&view](char separator) { return view.table(separator); }};
+  return {[&view](const QString& ending) { return view.picture(ending); },
+          [&view](char separator) { return view.table(separator); }};
 }
 
 }  // namespace
@@ -48,8 +49,8 @@ GeometryPage::GeometryPage(QWidget* parent) : QWidget(parent) {
   worker_ = new Worker(this);
   view_ = new StructureView;
   motion_ = new MotionBar;
-  list_ = named(new QListWidget, "dofs", tr("Measured DOFs; ticked: of the joint"),
-                tr("Space ticks a DOF: it goes into [joint] dofs, or out of it"));
+  list_ = named(new QListWidget, "dofs", tr("Measured DOFs. Ticked: joint DOFs"),
+                tr("Space adds a DOF to [joint] dofs, or removes it"));
   status_ = named(new QLabel, "geometry_status", tr("About the structure"));
   status_->setWordWrap(true);
   status_->setTextFormat(Qt::PlainText);
@@ -143,7 +144,7 @@ void GeometryPage::show_structure(const Structure& structure) {
     }
   }
   motion_->set_references(references_of(*files_));
-  status_->setText(tr("%1 nodes, %2 lines, %3 DOFs. Click an arrow, or tick a DOF, to take it into the joint or out of it.")
+  status_->setText(tr("%1 nodes, %2 lines, %3 DOFs. Click an arrow, or tick a DOF, to add it to the joint or remove it.")
                        .arg(structure.nodes.size())
                        .arg(structure.lines.size())
                        .arg(structure.dofs.size() + structure.unplaced.size()));

@@ -42,8 +42,8 @@ QToolButton* toggle(const char* name, const QString& text, const QString& hint) 
 
 MotionBar::MotionBar(QWidget* parent) : QWidget(parent) {
   named(this, "geometry_top", tr("Motion"));
-  source_ = named(new QComboBox, "force_at", tr("What moves the structure"),
-                  tr("A harmonic force at a reference of the assembly, or a mode of the page Modes or of a file"));
+  source_ = named(new QComboBox, "force_at", tr("Excitation or mode shape"),
+                  tr("A harmonic force at a reference of the assembly, or a mode shape from the page Modes or from a file"));
   source_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   frequency_ = named(new QDoubleSpinBox, "force_frequency", tr("Frequency of the force"), tr("Follows the cursor of the plots"));
   frequency_->setRange(0.0, 1e6);
@@ -52,7 +52,7 @@ MotionBar::MotionBar(QWidget* parent) : QWidget(parent) {
   frequency_->findChild<QLineEdit*>()->setAccessibleName(tr("Frequency of the force"));
   play_ = toggle("play", tr("Move"), tr("Show the motion"));
   hold_ = toggle("hold", tr("Hold"), tr("Hold the motion at its phase"));
-  auto* shapes = push_button("shapes_file", tr("Shapes…"), tr("Take mode shapes from a universal file (dataset 55)"));
+  auto* shapes = push_button("shapes_file", tr("Shapes…"), tr("Read mode shapes from a universal file (dataset 55)"));
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->addLayout(row_of({source_, frequency_, play_, hold_}, {shapes}));
@@ -75,7 +75,7 @@ QLayout* MotionBar::make_look() {
   speed_ = slider("speed", tr("Speed"), 1, 100, 30);
   phase_ = slider("phase", tr("Phase in degrees"), 0, last_degree, 0);
   joint_ = named(new QCheckBox(tr("joint")), "joint_only", tr("Deflection of the joint"),
-                 tr("Show how the nodes of the joint move against each other, and nothing else"));
+                 tr("Show only the relative motion of the joint's nodes"));
   auto* undeformed = named(new QCheckBox(tr("undeformed")), "undeformed", tr("Show the structure at rest, too"));
   undeformed->setChecked(true);
   auto* numbers = named(new QCheckBox(tr("numbers")), "node_numbers", tr("Show the numbers of nodes"));

@@ -84,8 +84,8 @@ void StructureView::paint(QPainter& painter) const {
   if (structure_.nodes.empty()) {
     painter.setPen(use.weak_text);
     painter.drawText(rect().adjusted(20, 20, -20, -20), Qt::AlignCenter | Qt::TextWordWrap,
-                     tr("The files of the scene say no positions of nodes (UFF datasets 15 and 2411, node_position in HDF5).\n"
-                        "Joint DOFs can be chosen in the list all the same."));
+                     tr("The files of the scene have no positions of nodes (UFF datasets 15 and 2411, node_position in "
+                        "HDF5).\nYou can choose joint DOFs in the list."));
     return;
   }
   painter.setPen(QPen(shape_.empty() ? use.text : use.weak_text, shape_.empty() ? 1.5 : 1.0));
@@ -108,7 +108,8 @@ void StructureView::paintEvent(QPaintEvent* event) {
 }
 
 QByteArray StructureView::picture(const QString& ending) const {
-  return picture_of(size(), [this](QPainter& painter) { paint(painter); }, ending);
+  return picture_of(
+      size(), [this](QPainter& painter) { paint(painter); }, ending);
 }
 
 std::string StructureView::table(char separator) const {

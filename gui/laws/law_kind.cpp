@@ -25,10 +25,11 @@ struct Identified {
 std::vector<TableMenu::Named> tables_of(const laws::LawScene& scene, const laws::LawIdentification& found) {
   std::vector<TableMenu::Named> out;
   for (std::size_t j = 0; j < found.fit().joints.size(); ++j) {
-    out.emplace_back(q(scene.joints[j].beside.name + ": " + found.laws()[j]), rows_of(report::joint_table(found.fit().joints[j])));
+    out.emplace_back(q(scene.joints[j].beside.name + ": " + found.laws()[j]),
+                     rows_of(report::joint_table(found.fit().joints[j])));
   }
   out.emplace_back(Said::tr("laws compared"), rows_of(report::law_table(found)));
-  out.emplace_back(Said::tr("residuals by level"), rows_of(report::level_table(scene, found)));
+  out.emplace_back(Said::tr("residuals by force level"), rows_of(report::level_table(scene, found)));
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
     out.emplace_back(Said::tr("%1 without a law").arg(q(scene.joints[j].beside.name)), rows_of(report::direct_table(found, j)));
   }
@@ -54,15 +55,16 @@ Findings bounds_of(const laws::LawScene& scene, const laws::LawBound& bound) {
   Findings out;
   out.is_bad = bound.all.joints.empty();
   out.said = q(out.is_bad ? std::string(response::word(bound.all.status)) : laws::laws_text(bound.laws)) + "\n" +
-             (bound.assumed ? Said::tr("The laws are assumed as the scene says them.")
-                            : Said::tr("The laws are those of the measured levels."));
+             (bound.assumed ? Said::tr("The laws are those of the scene (assumed).")
+                            : Said::tr("The laws are those of the measured force levels."));
   for (std::size_t j = 0; j < bound.all.joints.size(); ++j) {
     out.tables.emplace_back(q(scene.joints[j].beside.name + ": " + bound.laws[j]),
                             rows_of(report::joint_table(bound.all.joints[j])));
   }
   if (!bound.worth.empty()) {
-    out.tables.emplace_back(bound.measured > 0 ? Said::tr("which level to measure next") : Said::tr("what each level is worth"),
-                            rows_of(report::worth_table(scene, bound)));
+    out.tables.emplace_back(
+        bound.measured > 0 ? Said::tr("force level to measure next") : Said::tr("benefit of each force level"),
+        rows_of(report::worth_table(scene, bound)));
   }
   std::vector<std::string> remarks = bound.all.unseen;
   remarks.insert(remarks.end(), bound.notes.begin(), bound.notes.end());
@@ -77,7 +79,7 @@ Findings study_of(const laws::LawScene& scene, const std::shared_ptr<const laws:
   out.said = q(report::law_study_summary(*study)).trimmed();
   out.tables = {{Said::tr("errors and intervals"), rows_of(report::law_values_table(*study))},
                 {Said::tr("remarks"), remark_rows(study->notes)}};
-  out.plots = {{Said::tr("values found"), report::law_study_plots(*study)}};
+  out.plots = {{Said::tr("results"), report::law_study_plots(*study)}};
   out.outputs = {{"html", [scene, study] { return report::law_study_page(scene, *study); }},
                  {"json", [study] { return report::law_study_json(*study); }},
                  {"csv", [study] { return report::law_study_csv(*study); }}};
@@ -127,18 +129,18 @@ SceneKind law_kind() {
        QStringLiteral("jointid solve"),
        {}},
       {Said::tr("Bounds"), Said::tr("Predict bounds"),
-       Said::tr("What the levels will tell, and which to measure next, as `jointid plan --bound` does"),
+       Said::tr("Predict the standard errors and the force level to measure next, as `jointid plan --bound` does"),
        QStringLiteral("jointid plan"), QStringLiteral(" --bound")},
       {Said::tr("Study"),
        Said::tr("Simulate tests"),
-       Said::tr("How large errors are and how often intervals hold, over simulated tests, as `jointid study` does"),
+       Said::tr("Errors and coverage of the intervals over simulated tests, as `jointid study` does"),
        QStringLiteral("jointid study"),
        {},
        true}};
   kind.plots = Said::tr("Stiffness and damping of the joints over their motion");
-  kind.plot_hint =
-      Said::tr("With a scene of friction laws from vibration, [[joint.friction]] and [[data.levels]], the joints' stiffness and damping "
-               "over their motion stand here, without a law and by the laws that were found.");
+  kind.plot_hint = Said::tr(
+      "This page shows stiffness and damping of the joints over their motion, without a law and by the identified laws. It needs "
+      "a scene with [[joint.friction]] and [[data.levels]].");
   kind.tables = Said::tr("Joints, laws, residuals");
   kind.is_of = has_laws;
   kind.read = read_laws;

@@ -20,9 +20,9 @@
 #include "gui/page/job_line.hpp"
 #include "gui/page/plot_menu.hpp"
 #include "gui/table/cell_table.hpp"
-#include "tasks/loading_curve/loading_curve_fit.hpp"
 #include "report/loading_curve/loading_curve_plots.hpp"
 #include "report/loading_curve/loading_curve_tables.hpp"
+#include "tasks/loading_curve/loading_curve_fit.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -34,7 +34,7 @@ QString status_text(const tasks::LoadingCurveResult& report) {
   if (!report.fits.empty()) {
     const friction::Fit& best = report.fits.front();
     lines << (tasks::some_usable(report) ? LoadingCurvePage::tr("Best law by AIC: %1, %2").arg(q(best.law), q(best.title))
-                                          : q(name(best.status)) + ": " + q(best.message));
+                                         : q(name(best.status)) + ": " + q(best.message));
     for (const std::string& finding : best.findings) lines << q(finding);
   }
   for (const std::string& note : report.data.notes) lines << q(note);
@@ -46,12 +46,11 @@ QString status_text(const tasks::LoadingCurveResult& report) {
 LoadingCurvePage::LoadingCurvePage(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Loading curves"));
   let_drop_files(*this, [this](const QStringList& files) { open(files); });
-  line_ = new JobLine("curve", tr("Status of the fits"), tr("Stop and keep the laws that are fitted"));
+  line_ = new JobLine("curve", tr("Status of the fits"), tr("Stop and keep the fitted laws"));
   choices_ = new LoadingCurveChoices;
-  plots_ =
-      new PlotMenu("curve_plots", tr("Curves and what is fitted to them"),
-                   tr("Drop a measured curve here, or choose it: columns of displacement and force, from rest or in cycles,\n"
-                      "or k_e and d_e over amplitude. Fit, and the laws stand over it, with their residuals below."));
+  plots_ = new PlotMenu("curve_plots", tr("Measured and fitted curves"),
+                        tr("Drop a measured curve here, or choose it: columns of displacement and force, from rest or in "
+                           "cycles,\nor k_e and d_e over amplitude. Fit draws the laws over it, with their residuals below."));
   auto* both = named(new QSplitter(Qt::Vertical), "curves_and_laws", tr("Curves and laws"));
   both->addWidget(plots_);
   both->addWidget(make_tables());
@@ -74,7 +73,7 @@ QWidget* LoadingCurvePage::make_top() {
   auto* top = named(new QWidget, "curve_top", tr("Fitting laws"));
   auto* choose = push_button("curve_files", tr("Files…"), tr("Choose measured curves: text, MATLAB or HDF5 with columns"));
   fit_ = push_button("curve_fit", tr("Fit"), tr("Fit the laws to the curves"));
-  command_ = push_button("curve_command", tr("Copy as command"), tr("Copy the command line that fits the same"));
+  command_ = push_button("curve_command", tr("Copy as command"), tr("Copy the command line with the same fit"));
   names_ = named(new QLabel, "curve_names", tr("Files"));
   names_->setTextFormat(Qt::PlainText);
   auto* rows = new QVBoxLayout(top);
@@ -125,7 +124,7 @@ void LoadingCurvePage::open(const QStringList& files) {
     for (const frf::NumberColumn& column : frf::read_columns(path).columns) columns << q(column.name);
     return [this, columns] {
       choices_->offer(columns);
-      line_->say(tr("Columns: %1. Those that are not chosen are found by their names.").arg(columns.join(QStringLiteral(", "))));
+      line_->say(tr("Columns: %1. Columns that you do not choose are found by name.").arg(columns.join(QStringLiteral(", "))));
     };
   });
   show_buttons();
@@ -160,7 +159,7 @@ void LoadingCurvePage::show_report(std::shared_ptr<const tasks::LoadingCurveResu
   plots_->show_groups({{tr("curve"), report::curves_and_residuals(*report_, most_curves)},
                        {tr("k_e, d_e and energy"), report::equivalents_plots(*report_)},
                        {tr("slip"), report::slip_distribution(*report_)},
-                       {tr("loops in turn"), report::loops_in_turn(*report_)}});
+                       {tr("loops in sequence"), report::loops_in_turn(*report_)}});
   laws_->show_rows(rows_of(report::laws_table(*report_)));
   loops_->show_rows(rows_of(report::loops_table(*report_)));
   tables_->setTabVisible(tables_->indexOf(loops_), !report_->of_loops.empty());

@@ -7,7 +7,7 @@
 namespace jointid::gui {
 
 ChoiceButton::ChoiceButton(const char* name, const QString& title, const QStringList& words, QWidget* parent)
-    : ChoiceButton(name, title, words, tr("as in the scene"), tr("What to try; nothing chosen: as in the scene"), parent) {}
+    : ChoiceButton(name, title, words, tr("as in the scene"), tr("Choices to compare. None: as in the scene"), parent) {}
 
 ChoiceButton::ChoiceButton(const char* name, const QString& title, const QStringList& words, const QString& none,
                            const QString& hint, QWidget* parent)

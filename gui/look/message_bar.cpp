@@ -19,7 +19,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
   label_->setWordWrap(true);
   label_->setTextFormat(Qt::PlainText);
   label_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-  action_ = named(new QPushButton, "message_action", tr("Do what the message offers"));
+  action_ = named(new QPushButton, "message_action", tr("Action that the message offers"));
   auto* close = named(new QToolButton, "message_close", tr("Close the message"));
   close->setText(QStringLiteral("×"));
   close->setAutoRaise(true);

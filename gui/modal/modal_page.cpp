@@ -32,11 +32,10 @@ constexpr std::size_t most_lines_behind = 2000;
 
 ModalPage::ModalPage(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Modes"));
-  line_ = new JobLine("modal", tr("Status of the modal fit"), tr("Stop and keep the modes that are found"));
+  line_ = new JobLine("modal", tr("Status of the modal fit"), tr("Stop and keep the modes found so far"));
   chart_ = new Chart("stabilisation", tr("Stabilisation diagram"),
-                     tr("Find modes, and the poles of all orders stand here.\n"
-                        "A click on a pole takes it as a mode, a click on one of a mode leaves it; Ctrl+Z undoes.\n"
-                        "← and → go from pole to pole, Enter is a click; wheel, + and − zoom."));
+                     tr("Find modes shows the poles of all orders here.\nClick a pole to take it as a mode, or a pole of a mode "
+                        "to remove it; Ctrl+Z undoes.\n← and → go from pole to pole, Enter is a click; wheel, + and − zoom."));
   chart_->let_zoom();
   auto* both = named(new QSplitter(Qt::Vertical), "diagram_and_modes", tr("Diagram and modes"));
   both->addWidget(chart_);
@@ -53,23 +52,22 @@ ModalPage::ModalPage(QWidget* parent) : QWidget(parent) {
 
 QWidget* ModalPage::make_top() {
   auto* top = named(new QWidget, "modal_top", tr("Fitting modes"));
-  find_ = push_button("modal_find", tr("Find modes"), tr("Seek all modes that stand out of the noise"));
-  structure_ = named(new QComboBox, "modal_structure", tr("Part, or assembly"));
+  find_ = push_button("modal_find", tr("Find modes"), tr("Find all modes above the noise"));
+  structure_ = named(new QComboBox, "modal_structure", tr("Substructure or assembly"));
   structure_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   low_ = frequency_box("modal_low", tr("Lowest frequency"), tr("from"));
   high_ = frequency_box("modal_high", tr("Highest frequency"), tr("to"));
-  damping_ = named(new QComboBox, "modal_damping", tr("Damping"), tr("How modes are damped"));
+  damping_ = named(new QComboBox, "modal_damping", tr("Damping"), tr("Damping model of the modes"));
   for (const auto damping : {modalfit::Damping::viscous, modalfit::Damping::hysteretic})
     damping_->addItem(q(modalfit::name(damping)));
-  real_ =
-      named(new QCheckBox(tr("real modes")), "modal_real", tr("Real modes"), tr("All coordinates move in phase or in antiphase"));
+  real_ = named(new QCheckBox(tr("real modes")), "modal_real", tr("Real modes"), tr("All DOFs move in phase or in antiphase"));
   undo_ = push_button("modal_undo", tr("Undo"), tr("Undo the last pick (Ctrl+Z in the diagram)"));
   redo_ = push_button("modal_redo", tr("Redo"), tr("Pick again (Ctrl+Shift+Z in the diagram)"));
-  none_ = push_button("modal_none", tr("None"), tr("Leave all modes, to pick poles one by one"));
-  command_ = push_button("modal_command", tr("Copy as command"), tr("Copy the command line that gives the same modes"));
+  none_ = push_button("modal_none", tr("None"), tr("Remove all modes, to pick poles one by one"));
+  command_ = push_button("modal_command", tr("Copy as command"), tr("Copy the command line with the same modes"));
   shapes_ = push_button("modal_shapes", tr("Shapes…"), tr("Write the mode shapes as `jointid modalfit --shapes` does (UFF 55)"));
   regenerated_ =
-      push_button("modal_regenerated", tr("FRFs…"), tr("Write the FRFs of the modes as `jointid modalfit --regenerate` does"));
+      push_button("modal_regenerated", tr("FRFs…"), tr("Write the synthesised FRFs as `jointid modalfit --regenerate` does"));
   auto* rows = new QVBoxLayout(top);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->addLayout(row_of({find_, line_->cancel_button(), structure_, low_, high_}, {}));
@@ -78,10 +76,10 @@ QWidget* ModalPage::make_top() {
 }
 
 QWidget* ModalPage::make_results() {
-  modes_ = new CellTable("modes", tr("Modes with standard deviations; Delete leaves one"));
+  modes_ = new CellTable("modes", tr("Modes with standard errors. Delete removes one"));
   modes_->setSelectionBehavior(QAbstractItemView::SelectRows);
   mac_ = new CellTable("mac", tr("MAC of all modes"));
-  errors_ = new CellTable("synthesis_errors", tr("Error of all FRFs in dB, away from antiresonances"));
+  errors_ = new CellTable("synthesis_errors", tr("Error of all FRFs in dB, without antiresonances"));
   results_ = named(new QTabWidget, "modal_results", tr("Modes and FRFs"));
   results_->addTab(make_frf_tab(), tr("FRFs"));
   results_->addTab(modes_, tr("Modes"));
@@ -91,11 +89,12 @@ QWidget* ModalPage::make_results() {
 }
 
 QWidget* ModalPage::make_frf_tab() {
-  auto* tab = named(new QWidget, "modal_frfs", tr("Measured FRFs, and those of the modes"));
+  auto* tab = named(new QWidget, "modal_frfs", tr("Measured and synthesised FRFs"));
   response_ = named(new QComboBox, "modal_response", tr("Response"));
   reference_ = named(new QComboBox, "modal_reference", tr("Reference"));
   for (QComboBox* box : {response_, reference_}) box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  plot_ = new FrfPlot(tr("Find modes, and what they give stands here over the measured FRFs, anew after every pick."));
+  plot_ =
+      new FrfPlot(tr("Find modes draws the FRFs synthesised from the modes over the measured ones. Every pick updates them."));
   plot_->offer(View::difference);
   auto* column = new QVBoxLayout(tab);
   column->setContentsMargins(0, 4, 0, 0);
@@ -120,7 +119,7 @@ void ModalPage::connect_all() {
     if (!file.isEmpty()) write_shapes(file);
   });
   connect(regenerated_, &QPushButton::clicked, this, [this] {
-    const QString file = choose_file_to_save(this, tr("Write the FRFs of the modes"), {}, tr("FRFs (*.h5 *.uff *.mat *.csv)"),
+    const QString file = choose_file_to_save(this, tr("Write the synthesised FRFs"), {}, tr("FRFs (*.h5 *.uff *.mat *.csv)"),
                                              QStringLiteral("h5"));
     if (!file.isEmpty()) write_regenerated(file);
   });

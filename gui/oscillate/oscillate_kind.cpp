@@ -23,7 +23,7 @@ std::vector<PlotMenu::Named> plots_of(const OscillateResult& run) {
 
 /// What the command tells in lines.
 CellRows line_rows(const OscillateResult& run) {
-  CellRows out{{Said::tr("of"), Said::tr("what was found")}, {}, {}};
+  CellRows out{{Said::tr("of"), Said::tr("results")}, {}, {}};
   const auto add = [&](const QString& of, const std::string& line) { out.cells.push_back({Cell{of}, Cell{q(line)}}); };
   add(Said::tr("motion"), report::motion_line(run));
   if (run.orbit) add(Said::tr("periodic orbit"), report::orbit_line(run));
@@ -35,8 +35,8 @@ CellRows line_rows(const OscillateResult& run) {
 std::vector<TableMenu::Named> tables_of(const OscillateResult& run) {
   std::vector<TableMenu::Named> out{{Said::tr("motion and orbit"), line_rows(run)}};
   if (run.modes) {
-    out.emplace_back(Said::tr("shares of modes"), rows_of(report::fractions_table(*run.modes)));
-    out.emplace_back(Said::tr("shapes of modes"), rows_of(report::shapes_table(run)));
+    out.emplace_back(Said::tr("energy of modes"), rows_of(report::fractions_table(*run.modes)));
+    out.emplace_back(Said::tr("mode shapes"), rows_of(report::shapes_table(run)));
   }
   if (run.orbit && run.orbit->converged)
     out.emplace_back(Said::tr("multipliers"), rows_of(report::multipliers_table(*run.orbit)));
@@ -50,7 +50,7 @@ Findings findings_of(const std::shared_ptr<const OscillateResult>& run) {
   Findings out;
   const std::string failure = tasks::failure_of(*run);
   out.is_bad = !failure.empty();
-  out.said = out.is_bad ? q(failure) : Said::tr("Everything that was asked for was found.");
+  out.said = out.is_bad ? q(failure) : Said::tr("All results were found.");
   out.plots = plots_of(*run);
   out.tables = tables_of(*run);
   out.outputs = {{"html", [run] { return report::oscillate_report(*run); }},
@@ -78,13 +78,14 @@ SceneKind oscillate_kind() {
   kind.title = Said::tr("Stick-slip motion");
   kind.jobs = {{{},
                 Said::tr("Integrate"),
-                Said::tr("Integrate the motion exactly, and find what else the scene asks for, as `jointid oscillate` does"),
+                Said::tr("Integrate the motion exactly and compute the other results of the scene, as `jointid oscillate` does"),
                 QStringLiteral("jointid oscillate"),
                 {}}};
   kind.plots = Said::tr("Phase planes, contact, modes, bifurcations");
   kind.plot_hint = Said::tr(
-      "With a scene of a system with one friction contact, [system], [friction] and [motion], its phase planes and Poincaré "
-      "sections stand here, the contact, proper orthogonal modes, bifurcation diagram and reduced models.");
+      "This page shows phase planes and Poincaré sections of a system with one friction contact. It also shows the contact, "
+      "proper orthogonal modes, the bifurcation diagram and reduced models. It needs a scene with [system], [friction] and "
+      "[motion].");
   kind.tables = Said::tr("Orbit, modes, exponents, reduced models");
   kind.is_of = [](const std::string& text) { return has_table(text, "motion"); };
   kind.read = read_oscillation;

@@ -16,10 +16,10 @@ namespace jointid::gui {
 
 FindingsPage::FindingsPage(const Names& names, QWidget* parent) : QWidget(parent) {
   setAccessibleName(names.title);
-  line_ = new JobLine(names.name, names.status, tr("Stop; nothing is shown then"));
+  line_ = new JobLine(names.name, names.status, tr("Stop without showing results"));
   outputs_ = new OutputButtons(names.name, *line_);
   command_ =
-      push_button((names.name + "_command").c_str(), tr("Copy as command"), tr("Copy the command line that finds the same"));
+      push_button((names.name + "_command").c_str(), tr("Copy as command"), tr("Copy the command line with the same results"));
   plots_ = new PlotMenu((names.name + "_plots").c_str(), names.plots, names.plot_hint);
   tables_ = new TableMenu(names.name + "_tables", names.tables);
   auto* both = named(new QSplitter(Qt::Vertical), (names.name + "_both").c_str(), tr("Diagram and tables"));

@@ -24,7 +24,7 @@ ScenePage::ScenePage(SceneKind kind, QWidget* parent)
 
 QWidget* ScenePage::make_top() {
   auto* top = named(new QWidget, (kind_.name + "_top").c_str(), kind_.title);
-  jobs_ = named(new QComboBox, (kind_.name + "_jobs").c_str(), tr("What the scene is asked for"));
+  jobs_ = named(new QComboBox, (kind_.name + "_jobs").c_str(), tr("Task of the scene"));
   for (const SceneJob& each : kind_.jobs) jobs_->addItem(each.title);
   trials_ = number_box((kind_.name + "_trials").c_str(), tr("trials"), 2, usual_trials);
   run_ = push_button((kind_.name + "_run").c_str(), job().run, job().run_hint);

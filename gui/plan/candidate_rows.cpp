@@ -9,7 +9,7 @@
 namespace jointid::gui {
 namespace {
 
-QString factor(double value) { return std::isfinite(value) ? q(digits(value, "%.3g")) : Said::tr("no longer fixed"); }
+QString factor(double value) { return std::isfinite(value) ? q(digits(value, "%.3g")) : Said::tr("no longer determined"); }
 
 /// How much of the bound goes: 0 to 1.
 double gain(const tasks::BoundChange& change) { return std::clamp(1.0 - change.mean, 0.0, 1.0); }
@@ -18,9 +18,7 @@ double gain(const tasks::BoundChange& change) { return std::clamp(1.0 - change.m
 
 CellRows candidate_rows(const tasks::BoundReport& report) {
   CellRows out{
-      {Said::tr("candidate"), Said::tr("bounds times (mean)"), Said::tr("bounds times (worst)"), Said::tr("what it brings")},
-      {},
-      {}};
+      {Said::tr("candidate"), Said::tr("bounds times (mean)"), Said::tr("bounds times (worst)"), Said::tr("benefit")}, {}, {}};
   std::vector<tasks::BoundChange> ranked = report.with_more;
   std::ranges::stable_sort(ranked, {}, [](const tasks::BoundChange& change) { return std::pair(change.mean, change.worst); });
   for (const tasks::BoundChange& change : ranked) {

@@ -23,11 +23,11 @@
 namespace jointid::gui {
 
 PlanPage::PlanPage(QWidget* parent) : QWidget(parent) {
-  setAccessibleName(tr("Before measuring"));
+  setAccessibleName(tr("Test planning"));
   worker_ = new Worker(this);
   status_ = named(new QLabel, "bound_status", tr("Status of the prediction"));
   progress_ = new JobProgress("bound_progress");
-  bounds_ = new CellTable("bound_table", tr("Smallest errors, and what leaving out data would change"));
+  bounds_ = new CellTable("bound_table", tr("Smallest standard errors, and the effect of leaving out data"));
   ranking_ = new CellTable("candidate_table", tr("Candidates, best first"));
   auto* both = named(new QSplitter(Qt::Vertical), "bounds_and_candidates", tr("Bounds and candidates"));
   both->addWidget(bounds_);
@@ -38,15 +38,14 @@ PlanPage::PlanPage(QWidget* parent) : QWidget(parent) {
   all->addWidget(make_top());
   all->addLayout(status_row(status_, progress_));
   all->addWidget(both, 1);
-  say(tr("The smallest errors that FRFs of a model or an earlier test allow, for the joint of [truth] or [identify] start, with "
-         "the "
-         "errors of [noise] or of the files."),
+  say(tr("This page shows the smallest standard errors that FRFs of a model or of an earlier test allow. It takes the joint of "
+         "[truth] or [identify] start, and the noise of [noise] or of the files."),
       false);
   connect(worker_, &Worker::failed, this, [this](const InputError& error) {
     say(QString::fromUtf8(error.what()), true);
     Q_EMIT failed(error);
   });
-  connect(worker_, &Worker::cancelled, this, [this] { say(tr("Cancelled before anything was predicted."), false); });
+  connect(worker_, &Worker::cancelled, this, [this] { say(tr("Cancelled: nothing is predicted."), false); });
   connect(worker_, &Worker::busy_changed, this, [this](bool busy) {
     progress_->set_busy(busy);
     cancel_->setEnabled(busy);
@@ -58,15 +57,15 @@ PlanPage::PlanPage(QWidget* parent) : QWidget(parent) {
 
 QWidget* PlanPage::make_top() {
   auto* top = named(new QWidget, "plan_top", tr("Predicting"));
-  predict_ = push_button("predict", tr("Predict"), tr("Predict the smallest errors, and rank the candidates (F7)"));
-  cancel_ = push_button("predict_cancel", tr("Cancel"), tr("Stop and show what is done"));
+  predict_ = push_button("predict", tr("Predict"), tr("Predict the smallest standard errors and rank the candidates (F7)"));
+  cancel_ = push_button("predict_cancel", tr("Cancel"), tr("Stop and show the results so far"));
   cancel_->setEnabled(false);
   candidates_ = named(new QLineEdit, "candidates", tr("Candidates"),
-                      tr("Coordinates of the files that count as not measured; the plan predicts what each would add"));
+                      tr("DOFs of the files that count as not measured. The plan predicts the benefit of each"));
   candidates_->setPlaceholderText(tr("candidates, not measured so far: 3:+Y, 4:+RZ"));
   completer_ = new ListCompleter(*candidates_, tr("DOFs to choose from"));
   candidates_->setCompleter(completer_);
-  auto* command = push_button("predict_command", tr("Copy as command"), tr("Copy the command line that predicts the same"));
+  auto* command = push_button("predict_command", tr("Copy as command"), tr("Copy the command line with the same prediction"));
   auto* tables = push_button("predict_save", tr("Tables…"), tr("Save both tables as CSV"));
   auto* rows = new QVBoxLayout(top);
   rows->setContentsMargins(0, 0, 0, 0);
@@ -118,7 +117,7 @@ void PlanPage::show_report(const tasks::BoundReport& report) {
   without.with_more.clear();
   bounds_->show_rows(bound_rows(without));
   ranking_->show_rows(candidate_rows(report));
-  say(report.interrupted ? tr("Cancelled: not all changes of the data were looked at.") : tr("Bounds are predicted."),
+  say(report.interrupted ? tr("Cancelled: some changes of the data are not predicted.") : tr("Bounds are predicted."),
       report.interrupted);
 }
 

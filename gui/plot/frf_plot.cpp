@@ -68,7 +68,7 @@ void FrfPlot::add_controls() {
   for (const auto quantity : {frf::Quantity::receptance, frf::Quantity::mobility, frf::Quantity::accelerance}) {
     quantities_->addItem(QString::fromStdString(frf::name(quantity)), static_cast<int>(quantity));
   }
-  exclude_ = button("plot_exclude", tr("Exclude"), tr("While pressed, dragging leaves a band out of the identification"));
+  exclude_ = button("plot_exclude", tr("Exclude"), tr("While pressed, drag to leave a band out of the identification"));
   exclude_->setCheckable(true);
   exclude_->hide();
   auto* all = button("plot_all", tr("All"), tr("Show all frequencies (Home, or a double click)"));

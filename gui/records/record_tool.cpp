@@ -111,7 +111,7 @@ Findings find_modes(const Files& files, const ToolValues& values, const Worker::
   out.tables = {{Said::tr("values"), rows_of(report::pod_values_table(found->pod))},
                 {Said::tr("modes"), rows_of(report::pod_shapes_table(*found))}};
   if (found->cosines.size() > 0)
-    out.tables.emplace_back(Said::tr("beside other modes"), rows_of(report::pod_comparison_table(*found)));
+    out.tables.emplace_back(Said::tr("comparison with other modes"), rows_of(report::pod_comparison_table(*found)));
   out.tables.emplace_back(Said::tr("remarks"), remark_rows(remarks));
   out.outputs = {{"html", [found] { return report::pod_page(*found); }},
                  {"json", [found] { return report::pod_json(*found); }},
@@ -133,8 +133,8 @@ Findings find_delays(const Files& files, const ToolValues& values, const Worker:
   out.said = said(report::delay_summary(*found), found->remarks);
   out.plots = {{Said::tr("delay and dimension"), report::delay_plots(*found)},
                {Said::tr("divergence"), report::divergence_plots(*found)}};
-  out.tables = {{Said::tr("answers"), rows_of(report::answers_table(*found))},
-                {Said::tr("false neighbours"), rows_of(report::neighbours_table(*found))},
+  out.tables = {{Said::tr("results"), rows_of(report::answers_table(*found))},
+                {Said::tr("false nearest neighbours"), rows_of(report::neighbours_table(*found))},
                 {Said::tr("recurrences"), rows_of(report::recurrences_table(*found))},
                 {Said::tr("remarks"), remark_rows(found->remarks)}};
   out.outputs = {{"html", [found] { return report::delay_page(*found); }},
@@ -220,16 +220,16 @@ RecordTool pod_tool() {
   return {"pod",
           Said::tr("Proper orthogonal modes"),
           QStringLiteral("jointid pod"),
-          Said::tr("The channels' uncorrelated shapes stand here, with their shares of the mean square; several files are "
-                   "further samples."),
+          Said::tr("This page shows the proper orthogonal modes of the channels, with their shares of the mean square. Several "
+                   "files count as further samples."),
           true,
-          {{Kind::columns, "--channels", Said::tr("channels"), Said::tr("Channels; none chosen: all but the time")},
+          {{Kind::columns, "--channels", Said::tr("channels"), Said::tr("Channels. None chosen: all but the time")},
            {Kind::file, "--mass", Said::tr("mass matrix"),
-            Said::tr("File of the mass matrix of the channels: modes in its inner product")},
+            Said::tr("File of the mass matrix of the channels, the inner product of the modes")},
            {Kind::file, "--stiffness", Said::tr("stiffness matrix"),
-            Said::tr("File of the stiffness matrix: cosines and MAC with the normal modes, with the mass matrix")},
+            Said::tr("File of the stiffness matrix. With the mass matrix it gives cosines and MAC with the normal modes")},
            {Kind::file, "--compare", Said::tr("other modes"),
-            Said::tr("File of modes, a column each, a row a channel: cosines and MAC with them")},
+            Said::tr("File of modes: one column per mode, one row per channel. Gives cosines and MAC")},
            {Kind::flag, "--keep-mean", Said::tr("keep the mean"), Said::tr("Do not remove the mean of each channel")}},
           find_modes};
 }
@@ -239,17 +239,17 @@ RecordTool delay_tool() {
       "delay",
       Said::tr("Delay and dimension"),
       QStringLiteral("jointid series delay"),
-      Said::tr("Mutual information, false neighbours, correlation sum and divergence of one channel stand here."),
+      Said::tr("This page shows mutual information, false nearest neighbours, correlation sum and divergence of one channel."),
       false,
-      {{Kind::column, "--channel", Said::tr("channel"), Said::tr("Channel; not chosen: the only one beside the time")},
-       {Kind::number, "--rate", Said::tr("samples per second"), Said::tr("Samples per second, where the file does not say")},
+      {{Kind::column, "--channel", Said::tr("channel"), Said::tr("Channel. None chosen: the only one beside the time")},
+       {Kind::number, "--rate", Said::tr("samples per second"), Said::tr("Samples per second, if the file does not state them")},
        {Kind::number, "--samples", QStringLiteral("20000"),
-        Said::tr("Use the first so many samples; time grows with their square")},
-       {Kind::number, "--delay", Said::tr("delay"), Said::tr("Delay in samples; empty: first minimum of the mutual information")},
+        Said::tr("Number of samples from the start. The run time grows with its square")},
+       {Kind::number, "--delay", Said::tr("delay"), Said::tr("Delay in samples. Empty: first minimum of the mutual information")},
        {Kind::number, "--dimension", Said::tr("dimension"),
-        Said::tr("Dimension; empty: the least with at most 1 % false neighbours")},
+        Said::tr("Dimension. Empty: the smallest with at most 1 % false nearest neighbours")},
        {Kind::number, "--theiler", Said::tr("Theiler window"),
-        Said::tr("Neighbours are further apart in time, in samples; empty: twice delay times dimension")}},
+        Said::tr("Smallest distance of neighbours in time, in samples. Empty: twice delay times dimension")}},
       find_delays};
 }
 
@@ -258,18 +258,18 @@ RecordTool contact_tool() {
       "friction",
       Said::tr("Friction of a contact"),
       QStringLiteral("jointid series friction"),
-      Said::tr("The friction coefficient over the relative velocity stands here, and the law that falls with it."),
+      Said::tr("This page shows the friction coefficient over the relative velocity, and the fitted law."),
       false,
       {{Kind::column, "--velocity", Said::tr("relative velocity"), Said::tr("Column of the relative velocity, m/s")},
        {Kind::column, "--force", Said::tr("friction force"),
         Said::tr("Column of the friction force, N, with the sign of the velocity while it slips")},
-       {Kind::column, "--normal", Said::tr("normal load"), Said::tr("Column of the normal load, N; or a constant one beside")},
+       {Kind::column, "--normal", Said::tr("normal load"), Said::tr("Column of the normal load, N, unless it is constant")},
        {Kind::number, "--load", Said::tr("constant load in N"), Said::tr("Constant normal load, N, instead of a column")},
        {Kind::number, "--stick-speed", Said::tr("sticks below m/s"),
-        Said::tr("Slower samples stick, m/s: above the noise of the velocity")},
-       {Kind::number, "--force-delay", Said::tr("force late by s"),
-        Said::tr("By how much the force is late, s: `jointid series align` finds it")},
-       {Kind::number, "--rate", Said::tr("samples per second"), Said::tr("Samples per second, where the file does not say")}},
+        Said::tr("Slower samples count as sticking, m/s. Choose it above the noise of the velocity")},
+       {Kind::number, "--force-delay", Said::tr("delay of force in s"),
+        Said::tr("Time delay of the force, s; `jointid series align` finds it")},
+       {Kind::number, "--rate", Said::tr("samples per second"), Said::tr("Samples per second, if the file does not state them")}},
       find_contact_law};
 }
 
@@ -277,33 +277,34 @@ RecordTool strain_tool() {
   return {"strain",
           Said::tr("Displacements from strain gauges"),
           QStringLiteral("jointid series strain"),
-          Said::tr("The displacements of a clamped beam stand here, and what errors of the strains do to them."),
+          Said::tr("This page shows the displacements of a clamped beam, and their sensitivity to errors of the strains."),
           false,
           {{Kind::columns, "--channels", Said::tr("gauges' channels"),
-            Said::tr("Channels of the gauges; none chosen: all but the time")},
+            Said::tr("Channels of the strain gauges. None chosen: all but the time")},
            {Kind::number, "--length", Said::tr("length in m"), Said::tr("Length of the beam, m")},
            {Kind::number, "--thickness", Said::tr("thickness in m"),
-            Said::tr("Thickness of the beam, m: strain is half of it times the curvature")},
+            Said::tr("Thickness of the beam, m. The strain is half of it times the curvature")},
            {Kind::number, "--gauges", Said::tr("gauges at m"),
-            Said::tr("Where the gauges are, m from the clamp, in the order of their channels: 0.05,0.1")},
-           {Kind::number, "--points", Said::tr("points at m"), Said::tr("Where displacements are wanted, m; empty: the tip")},
-           {Kind::number, "--shapes", Said::tr("shapes"), Said::tr("Shapes of the beam; empty: as many as gauges")},
+            Said::tr("Positions of the gauges, m from the clamp, in the order of their channels: 0.05,0.1")},
+           {Kind::number, "--points", Said::tr("points at m"), Said::tr("Positions of the displacements, m. Empty: the tip")},
+           {Kind::number, "--shapes", Said::tr("shapes"), Said::tr("Number of shapes of the beam. Empty: that of the gauges")},
            {Kind::flag, "--static-shapes", Said::tr("static shapes"),
             Said::tr("Two of the shapes are those of a tip force and a tip moment")}},
           find_displacements};
 }
 
 RecordTool align_tool() {
-  return {"align",
-          Said::tr("Time delays of channels"),
-          QStringLiteral("jointid series align"),
-          Said::tr("The channels of a periodic record stand here, as measured and without their delays."),
-          false,
-          {{Kind::column, "--reference", Said::tr("reference"), Said::tr("Column that is right")},
-           {Kind::number, "--frequency", Said::tr("frequency in Hz"), Said::tr("Frequency of the motion, Hz")},
-           {Kind::number, "--harmonics", Said::tr("harmonics"), Said::tr("Harmonics fitted together; empty: 3")},
-           {Kind::number, "--rate", Said::tr("samples per second"), Said::tr("Samples per second, where the file does not say")}},
-          find_late_channels};
+  return {
+      "align",
+      Said::tr("Time delays of channels"),
+      QStringLiteral("jointid series align"),
+      Said::tr("This page shows the channels of a periodic record, as measured and without their time delays."),
+      false,
+      {{Kind::column, "--reference", Said::tr("reference"), Said::tr("Column without a time delay")},
+       {Kind::number, "--frequency", Said::tr("frequency in Hz"), Said::tr("Frequency of the motion, Hz")},
+       {Kind::number, "--harmonics", Said::tr("harmonics"), Said::tr("Harmonics fitted together. Empty: 3")},
+       {Kind::number, "--rate", Said::tr("samples per second"), Said::tr("Samples per second, if the file does not state them")}},
+      find_late_channels};
 }
 
 }  // namespace

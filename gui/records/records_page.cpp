@@ -39,15 +39,15 @@ std::vector<std::filesystem::path> inputs_of(const RecordTool& tool, const QStri
 }  // namespace
 
 RecordsPage::RecordsPage(QWidget* parent)
-    : FindingsPage({"records", tr("Time records"), tr("Status of the time records"), tr("What the records say"),
-                    tr("Drop a time record here, or choose it: text, UFF 58, MATLAB, HDF5 or numpy, a column a channel.\n"
-                       "Choose what is asked of it and its channels, and run."),
-                    tr("Numbers of the records")},
+    : FindingsPage({"records", tr("Time records"), tr("Status of the time records"), tr("Results of the time records"),
+                    tr("Drop a time record here, or choose it: text, UFF 58, MATLAB, HDF5 or numpy, one column per "
+                       "channel.\nChoose an analysis and the channels, then run it."),
+                    tr("Tables of the time records")},
                    parent),
       all_(record_tools()) {
   let_drop_files(*this, [this](const QStringList& files) { open(files); });
   add_above(make_top());
-  forms_ = named(new QStackedWidget, "records_forms", tr("What the tool wants to know"));
+  forms_ = named(new QStackedWidget, "records_forms", tr("Options of the analysis"));
   for (const RecordTool& each : all_) forms_->addWidget(new ToolForm(each));
   forms_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   add_above(forms_);
@@ -58,9 +58,9 @@ RecordsPage::RecordsPage(QWidget* parent)
 QWidget* RecordsPage::make_top() {
   auto* top = named(new QWidget, "records_top", tr("Time records"));
   auto* choose = push_button("records_files", tr("Files…"), tr("Choose time records: text, UFF 58, MATLAB, HDF5 or numpy"));
-  tool_ = named(new QComboBox, "records_tool", tr("What is asked of the records"));
+  tool_ = named(new QComboBox, "records_tool", tr("Analysis of the time records"));
   for (const RecordTool& each : all_) tool_->addItem(each.title);
-  run_ = push_button("records_run", tr("Run"), tr("Ask it of the records, as the command does"));
+  run_ = push_button("records_run", tr("Run"), tr("Run the analysis, as the command does"));
   names_ = named(new QLabel, "records_names", tr("Files"));
   names_->setTextFormat(Qt::PlainText);
   names_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // long names make no page wide
@@ -113,7 +113,7 @@ void RecordsPage::open(const QStringList& files) {
 void RecordsPage::run() {
   if (files_.isEmpty() || is_busy()) return;
   if (files_.size() > 1 && !tool().takes_several) {
-    line()->say(tr("%1 takes one file, and %2 were opened.").arg(tool().title).arg(files_.size()), true);
+    line()->say(tr("%1 takes one file; %2 were opened.").arg(tool().title).arg(files_.size()), true);
     return;
   }
   const ToolValues values = form().values();

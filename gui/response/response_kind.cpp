@@ -44,8 +44,8 @@ std::vector<TableMenu::Named> tables_of(const tasks::ResponseScene& scene, const
 Findings findings_of(const std::shared_ptr<const Responded>& all) {
   Findings out;
   out.is_bad = !tasks::all_converged(all->run);
-  out.said = out.is_bad ? Said::tr("Not everything was found; what is missing is left out of tables and plots.")
-                        : Said::tr("Everything that was asked for was found.");
+  out.said =
+      out.is_bad ? Said::tr("Some results are missing. Tables and plots leave them out.") : Said::tr("All results were found.");
   out.plots = plots_of(all->run);
   out.tables = tables_of(all->scene, all->run);
   out.outputs = {{"html", [all] { return report::response_report(all->scene, all->run); }},
@@ -72,14 +72,15 @@ SceneKind response_kind() {
   kind.name = "response";
   kind.title = Said::tr("Response");
   kind.jobs = {{{},
-                Said::tr("Find responses"),
-                Said::tr("Find the periodic responses, and what else the scene asks for, as `jointid response` does"),
+                Said::tr("Compute responses"),
+                Said::tr("Compute the periodic responses and the other results of the scene, as `jointid response` does"),
                 QStringLiteral("jointid response"),
                 {}}};
   kind.plots = Said::tr("Responses over frequency and force, loops, motions");
   kind.plot_hint = Said::tr(
-      "With a scene of a structure with friction joints, [structure] or [data] parts, [[joints]], [force] and [response], "
-      "its FRFs at all force levels stand here, peaks over the level, harmonics, loops of the joints, and motions.");
+      "This page shows the FRFs of a structure with friction joints at all force levels. It also shows peaks over the force "
+      "level, harmonics, hysteresis loops and motions. It needs a scene with [structure] or [data] parts, [[joints]], [force] "
+      "and [response].");
   kind.tables = Said::tr("Peaks, points, curves and remarks");
   kind.is_of = [](const std::string& text) { return has_table(text, "response"); };
   kind.read = read_responses;

@@ -46,7 +46,7 @@ SceneEditor::SceneEditor(QWidget* parent) : QPlainTextEdit(parent) {
   layout_ = new AnnotatedLayout(document);
   document->setDocumentLayout(layout_);
   setDocument(document);
-  named(this, "scene_editor", tr("Scene"), tr("The scene as text (TOML). Ctrl+Space offers what can be written here."));
+  named(this, "scene_editor", tr("Scene"), tr("The scene as text (TOML). Ctrl+Space lists the valid words."));
   setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   document->setDefaultFont(font());
   setLineWrapMode(NoWrap);

@@ -50,8 +50,8 @@
 <context>
     <name>ChoiceButton</name>
     <message>
-        <source>What to try; nothing chosen: as in the scene</source>
-        <translation>Was zu versuchen ist; nichts gewählt: wie in der Szene</translation>
+        <source>Choices to compare. None: as in the scene</source>
+        <translation>Zu vergleichende Möglichkeiten. Keine: wie in der Szene</translation>
     </message>
     <message>
         <source>as in the scene</source>
@@ -80,7 +80,7 @@
 <context>
     <name>CompareChoices</name>
     <message>
-        <source>What is compared</source>
+        <source>Choices to compare</source>
         <translation>Was verglichen wird</translation>
     </message>
     <message>
@@ -116,16 +116,16 @@
     </message>
     <message>
         <source>Status of the comparison</source>
-        <translation>Stand des Vergleichs</translation>
+        <translation>Status des Vergleichs</translation>
     </message>
     <message>
         <source>Error against run time</source>
         <translation>Fehler über Rechenzeit</translation>
     </message>
     <message>
-        <source>Choose what to try, and compare: every way stands here by its error and its run time.
+        <source>Choose what to compare, then press Compare. The diagram shows the error and the run time of every way.
 The scene needs [truth] and [noise]. A click on a point opens that solution.</source>
-        <translation>Wählen Sie, was zu versuchen ist, und vergleichen Sie: jeder Weg steht hier bei seinem Fehler und seiner Rechenzeit.
+        <translation>Wählen Sie, was verglichen wird, dann „Vergleich“. Das Diagramm zeigt Fehler und Rechenzeit jedes Wegs.
 Die Szene braucht [truth] und [noise]. Ein Klick auf einen Punkt öffnet diese Lösung.</translation>
     </message>
     <message>
@@ -133,23 +133,23 @@ Die Szene braucht [truth] und [noise]. Ein Klick auf einen Punkt öffnet diese L
         <translation>Wege, nach Fehler und Rechenzeit</translation>
     </message>
     <message>
-        <source>Picture and table</source>
-        <translation>Bild und Tabelle</translation>
+        <source>Diagram and table</source>
+        <translation>Diagramm und Tabelle</translation>
     </message>
     <message>
-        <source>Cancelled before any way was done.</source>
-        <translation>Abgebrochen, bevor ein Weg fertig war.</translation>
+        <source>Cancelled: no way was finished.</source>
+        <translation>Abgebrochen: kein Weg war fertig.</translation>
     </message>
     <message>
         <source>Comparing</source>
         <translation>Vergleichen</translation>
     </message>
     <message>
-        <source>Try all ways on the same trials with simulated noise</source>
-        <translation>Alle Wege an denselben Versuchen mit simuliertem Rauschen erproben</translation>
+        <source>Compare all ways on the same trials with simulated noise</source>
+        <translation>Alle Wege an denselben Versuchen mit simuliertem Rauschen vergleichen</translation>
     </message>
     <message>
-        <source>Stop and keep the ways that are done</source>
+        <source>Stop and keep the finished ways</source>
         <translation>Anhalten und die fertigen Wege behalten</translation>
     </message>
     <message>
@@ -177,10 +177,10 @@ Die Szene braucht [truth] und [noise]. Ein Klick auf einen Punkt öffnet diese L
         <translation>Wird verglichen …</translation>
     </message>
     <message numerus="yes">
-        <source>Cancelled; %n way(s) that were done are shown.</source>
+        <source>Cancelled: %n finished way(s).</source>
         <translation>
-            <numerusform>Abgebrochen; ein fertiger Weg ist gezeigt.</numerusform>
-            <numerusform>Abgebrochen; %n fertige Wege sind gezeigt.</numerusform>
+            <numerusform>Abgebrochen: ein fertiger Weg.</numerusform>
+            <numerusform>Abgebrochen: %n fertige Wege.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -207,21 +207,21 @@ Die Szene braucht [truth] und [noise]. Ein Klick auf einen Punkt öffnet diese L
     </message>
     <message>
         <source>Status of the coupling</source>
-        <translation>Stand der Kopplung</translation>
+        <translation>Status der Kopplung</translation>
     </message>
     <message>
-        <source>Stop; nothing is written then</source>
-        <translation>Anhalten; dann wird nichts geschrieben</translation>
+        <source>Stop without writing a file</source>
+        <translation>Anhalten, ohne eine Datei zu schreiben</translation>
     </message>
     <message>
-        <source>Predicted FRFs, and what was measured</source>
-        <translation>Vorhergesagte FRFs, und was gemessen wurde</translation>
+        <source>Predicted and measured FRFs</source>
+        <translation>Vorhergesagte und gemessene FRFs</translation>
     </message>
     <message>
-        <source>With a scene of coupling, [data] parts and [couple], the assembly&apos;s FRFs stand here as its parts and joints give them,
-with what was measured of it, if it is chosen.</source>
-        <translation>Bei einer Szene der Kopplung, [data] parts und [couple], stehen hier die FRFs des Zusammenbaus, wie Teile und Fügestellen sie ergeben,
-mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
+        <source>This page shows the FRFs of the assembly, predicted from its substructures and joints.
+It needs a scene with [data] parts and [couple]. Measured FRFs can be drawn over them.</source>
+        <translation>Diese Seite zeigt die FRFs des Zusammenbaus, vorhergesagt aus Substrukturen und Fügestellen.
+Sie braucht eine Szene mit [data] parts und [couple]. Gemessene FRFs lassen sich darüber zeichnen.</translation>
     </message>
     <message>
         <source>Diagram and tables</source>
@@ -232,8 +232,8 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
         <translation>Koppeln</translation>
     </message>
     <message>
-        <source>Predict the assembly&apos;s FRFs; they are written beside the scene</source>
-        <translation>Die FRFs des Zusammenbaus vorhersagen; sie werden neben die Szene geschrieben</translation>
+        <source>Predict the FRFs of the assembly and write them beside the scene</source>
+        <translation>Die FRFs des Zusammenbaus vorhersagen und neben die Szene schreiben</translation>
     </message>
     <message>
         <source>bounds</source>
@@ -244,16 +244,16 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
         <translation>Schranken</translation>
     </message>
     <message>
-        <source>Leave out conditions that the others nearly imply, and compute with them as well: what is right lies between</source>
-        <translation>Bedingungen weglassen, die aus den übrigen fast folgen, und auch mit ihnen rechnen: das Richtige liegt dazwischen</translation>
+        <source>Compute without redundant compatibility conditions, and with all of them: the true FRF lies between</source>
+        <translation>Ohne redundante Kompatibilitätsbedingungen rechnen, und mit allen: die wahre FRF liegt dazwischen</translation>
     </message>
     <message>
         <source>Measured…</source>
         <translation>Gemessen …</translation>
     </message>
     <message>
-        <source>Choose FRFs of the real assembly, to compare with</source>
-        <translation>FRFs des wirklichen Zusammenbaus zum Vergleich wählen</translation>
+        <source>Choose measured FRFs of the assembly for comparison</source>
+        <translation>Gemessene FRFs des Zusammenbaus zum Vergleich wählen</translation>
     </message>
     <message>
         <source>Measured files</source>
@@ -272,16 +272,16 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
         <translation>Resonanzen des Zusammenbaus</translation>
     </message>
     <message>
-        <source>Errors of the predicted FRFs, worst first</source>
-        <translation>Fehler der vorhergesagten FRFs, der schlimmste zuerst</translation>
+        <source>Errors of the predicted FRFs, largest first</source>
+        <translation>Fehler der vorhergesagten FRFs, der größte zuerst</translation>
     </message>
     <message>
-        <source>Conditions, and who is left out</source>
-        <translation>Bedingungen, und welche wegbleiben</translation>
+        <source>Compatibility conditions, used and left out</source>
+        <translation>Kompatibilitätsbedingungen, verwendete und ausgelassene</translation>
     </message>
     <message>
-        <source>Resonances, errors and conditions</source>
-        <translation>Resonanzen, Fehler und Bedingungen</translation>
+        <source>Resonances, errors and compatibility</source>
+        <translation>Resonanzen, Fehler und Kompatibilität</translation>
     </message>
     <message>
         <source>Resonances</source>
@@ -292,12 +292,12 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
         <translation>Fehler</translation>
     </message>
     <message>
-        <source>Conditions</source>
-        <translation>Bedingungen</translation>
+        <source>Compatibility</source>
+        <translation>Kompatibilität</translation>
     </message>
     <message>
-        <source>Save the scene first: the FRFs of the assembly lie beside it.</source>
-        <translation>Speichern Sie zuerst die Szene: die FRFs des Zusammenbaus liegen daneben.</translation>
+        <source>Save the scene first. The FRFs of the assembly are written beside it.</source>
+        <translation>Speichern Sie zuerst die Szene. Die FRFs des Zusammenbaus werden daneben geschrieben.</translation>
     </message>
     <message>
         <source>Coupling …</source>
@@ -308,8 +308,8 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
         <translation>geschrieben nach %1</translation>
     </message>
     <message>
-        <source>conditions of S</source>
-        <translation>Bedingungen von S</translation>
+        <source>condition number of S</source>
+        <translation>Konditionszahl von S</translation>
     </message>
     <message>
         <source>alpha</source>
@@ -335,8 +335,8 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
         <translation>Dateien</translation>
     </message>
     <message>
-        <source>The files that the scene names</source>
-        <translation>Die Dateien, die die Szene nennt</translation>
+        <source>Files of the scene</source>
+        <translation>Dateien der Szene</translation>
     </message>
     <message>
         <source>About the file</source>
@@ -347,8 +347,8 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
         <translation>Farbe nach</translation>
     </message>
     <message>
-        <source>What the cells of the grid show</source>
-        <translation>Was die Zellen des Rasters zeigen</translation>
+        <source>Quantity that colours the cells</source>
+        <translation>Größe, die die Zellen färbt</translation>
     </message>
     <message>
         <source>in all files</source>
@@ -376,7 +376,7 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
     </message>
     <message>
         <source>FRFs of the file: responses down, references across</source>
-        <translation>FRFs der Datei: Antworten nach unten, Anregungen nach rechts</translation>
+        <translation>FRFs der Datei: Antworten nach unten, Referenzen nach rechts</translation>
     </message>
     <message>
         <source>Files and grid</source>
@@ -388,7 +388,7 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
     </message>
     <message>
         <source>substructures</source>
-        <translation>Teile</translation>
+        <translation>Substrukturen</translation>
     </message>
     <message>
         <source>assembly</source>
@@ -398,8 +398,8 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
 <context>
     <name>Field</name>
     <message>
-        <source>What is wrong with %1</source>
-        <translation>Was an %1 falsch ist</translation>
+        <source>Error in %1</source>
+        <translation>Fehler in %1</translation>
     </message>
     <message>
         <source>Names to choose from</source>
@@ -414,27 +414,27 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
         <translation>Dateien für %1 wählen</translation>
     </message>
     <message>
-        <source>Choose files that are added</source>
-        <translation>Dateien wählen, die hinzukommen</translation>
+        <source>Choose files to add</source>
+        <translation>Dateien zum Hinzufügen wählen</translation>
     </message>
     <message>
-        <source>There are comments in this value: edit it in the text.</source>
-        <translation>In diesem Wert stehen Kommentare: ändern Sie ihn im Text.</translation>
+        <source>This value contains comments. Edit it in the text.</source>
+        <translation>Dieser Wert enthält Kommentare. Ändern Sie ihn im Text.</translation>
     </message>
 </context>
 <context>
     <name>FindingsPage</name>
     <message>
-        <source>Stop; nothing is shown then</source>
-        <translation>Anhalten; dann wird nichts gezeigt</translation>
+        <source>Stop without showing results</source>
+        <translation>Anhalten, ohne Ergebnisse zu zeigen</translation>
     </message>
     <message>
         <source>Copy as command</source>
         <translation>Als Befehl kopieren</translation>
     </message>
     <message>
-        <source>Copy the command line that finds the same</source>
-        <translation>Die Befehlszeile kopieren, die dasselbe findet</translation>
+        <source>Copy the command line with the same results</source>
+        <translation>Die Befehlszeile mit denselben Ergebnissen kopieren</translation>
     </message>
     <message>
         <source>Diagram and tables</source>
@@ -453,7 +453,7 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
     </message>
     <message>
         <source>response %1, reference %2: %3</source>
-        <translation>Antwort %1, Anregung %2: %3</translation>
+        <translation>Antwort %1, Referenz %2: %3</translation>
     </message>
     <message>
         <source>joint DOF</source>
@@ -511,8 +511,8 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
         <translation>Auslassen</translation>
     </message>
     <message>
-        <source>While pressed, dragging leaves a band out of the identification</source>
-        <translation>Solange gedrückt, lässt Ziehen ein Band bei der Identifikation aus</translation>
+        <source>While pressed, drag to leave a band out of the identification</source>
+        <translation>Solange gedrückt: Ziehen lässt ein Band bei der Identifikation aus</translation>
     </message>
     <message>
         <source>All</source>
@@ -547,27 +547,27 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
     </message>
     <message>
         <source>Reference</source>
-        <translation>Anregung</translation>
+        <translation>Referenz</translation>
     </message>
     <message>
         <source>all runs</source>
         <translation>alle Läufe</translation>
     </message>
     <message>
-        <source>Draw what the joints of all runs give</source>
-        <translation>Zeichnen, was die Fügestellen aller Läufe ergeben</translation>
+        <source>Draw the synthesised FRFs of all runs</source>
+        <translation>Die synthetisierten FRFs aller Läufe zeichnen</translation>
     </message>
     <message>
-        <source>Draw what the joints of all runs of the session give, one over the other</source>
-        <translation>Was die Fügestellen aller Läufe der Sitzung ergeben, übereinander zeichnen</translation>
+        <source>Draw the FRFs synthesised with the joint of every run of the session</source>
+        <translation>Die mit der Fügestelle jedes Laufs der Sitzung synthetisierten FRFs zeichnen</translation>
     </message>
     <message>
         <source>Error of the synthesised FRF</source>
         <translation>Fehler der synthetisierten FRF</translation>
     </message>
     <message>
-        <source>Solve, and the assembly&apos;s FRFs stand here as measured and as the joint gives them.</source>
-        <translation>Nach dem Lösen stehen hier die FRFs des Zusammenbaus, gemessen und wie die Fügestelle sie ergibt.</translation>
+        <source>After solving, this tab shows the FRFs of the assembly, measured and synthesised with the joint.</source>
+        <translation>Nach dem Lösen zeigt dieser Reiter die FRFs des Zusammenbaus, gemessen und mit der Fügestelle synthetisiert.</translation>
     </message>
     <message>
         <source>error %1 dB (rms)</source>
@@ -592,12 +592,12 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
         <translation>Geometrie</translation>
     </message>
     <message>
-        <source>Measured DOFs; ticked: of the joint</source>
-        <translation>Gemessene DOFs; angekreuzt: der Fügestelle</translation>
+        <source>Measured DOFs. Ticked: joint DOFs</source>
+        <translation>Gemessene DOFs. Angekreuzt: DOFs der Fügestelle</translation>
     </message>
     <message>
-        <source>Space ticks a DOF: it goes into [joint] dofs, or out of it</source>
-        <translation>Leertaste kreuzt ein DOF an: es kommt in [joint] dofs, oder heraus</translation>
+        <source>Space adds a DOF to [joint] dofs, or removes it</source>
+        <translation>Leertaste nimmt ein DOF in [joint] dofs auf oder heraus</translation>
     </message>
     <message>
         <source>About the structure</source>
@@ -608,8 +608,8 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
         <translation>DOFs und Struktur</translation>
     </message>
     <message>
-        <source>%1 nodes, %2 lines, %3 DOFs. Click an arrow, or tick a DOF, to take it into the joint or out of it.</source>
-        <translation>%1 Knoten, %2 Linien, %3 DOFs. Klicken Sie einen Pfeil an, oder kreuzen Sie ein DOF an, um es in die Fügestelle zu nehmen oder heraus.</translation>
+        <source>%1 nodes, %2 lines, %3 DOFs. Click an arrow, or tick a DOF, to add it to the joint or remove it.</source>
+        <translation>%1 Knoten, %2 Linien, %3 DOFs. Klicken Sie einen Pfeil an, oder kreuzen Sie ein DOF an, um es der Fügestelle zuzuordnen oder herauszunehmen.</translation>
     </message>
     <message>
         <source>The assembly under a force at %1, at its line %2 Hz.</source>
@@ -742,12 +742,12 @@ Fügestelle: %1</translation>
         <translation>… und äquivalente Dämpfungen</translation>
     </message>
     <message>
-        <source>Unit of displacements; empty: as the header says, else m</source>
-        <translation>Einheit der Wege; leer: wie der Kopf sagt, sonst m</translation>
+        <source>Unit of displacements. Empty: that of the header, else m</source>
+        <translation>Einheit der Wege. Leer: die des Kopfs, sonst m</translation>
     </message>
     <message>
-        <source>Unit of forces; empty: as the header says, else N</source>
-        <translation>Einheit der Kräfte; leer: wie der Kopf sagt, sonst N</translation>
+        <source>Unit of forces. Empty: that of the header, else N</source>
+        <translation>Einheit der Kräfte. Leer: die des Kopfs, sonst N</translation>
     </message>
     <message>
         <source>Loaded once from rest, or cycles</source>
@@ -770,20 +770,20 @@ Fügestelle: %1</translation>
         <translation>Anzupassende Gesetze; nichts gewählt: alle</translation>
     </message>
     <message>
-        <source>Preset friction limit</source>
+        <source>Given friction limit</source>
         <translation>Vorgegebene Reibgrenze</translation>
     </message>
     <message>
-        <source>Preset friction limit; 0: not known</source>
-        <translation>Vorgegebene Reibgrenze; 0: unbekannt</translation>
+        <source>Given friction limit. 0: unknown</source>
+        <translation>Vorgegebene Reibgrenze. 0: unbekannt</translation>
     </message>
     <message>
         <source>limit </source>
         <translation>Grenze </translation>
     </message>
     <message>
-        <source>limit: to be found</source>
-        <translation>Grenze: gesucht</translation>
+        <source>limit: unknown</source>
+        <translation>Grenze: unbekannt</translation>
     </message>
 </context>
 <context>
@@ -798,21 +798,21 @@ Fügestelle: %1</translation>
     </message>
     <message>
         <source>Status of the fits</source>
-        <translation>Stand der Anpassungen</translation>
+        <translation>Status der Anpassungen</translation>
     </message>
     <message>
-        <source>Stop and keep the laws that are fitted</source>
+        <source>Stop and keep the fitted laws</source>
         <translation>Anhalten und die angepassten Gesetze behalten</translation>
     </message>
     <message>
-        <source>Curves and what is fitted to them</source>
-        <translation>Kurven und was an sie angepasst ist</translation>
+        <source>Measured and fitted curves</source>
+        <translation>Gemessene und angepasste Kurven</translation>
     </message>
     <message>
         <source>Drop a measured curve here, or choose it: columns of displacement and force, from rest or in cycles,
-or k_e and d_e over amplitude. Fit, and the laws stand over it, with their residuals below.</source>
+or k_e and d_e over amplitude. Fit draws the laws over it, with their residuals below.</source>
         <translation>Ziehen Sie eine gemessene Kurve hierher, oder wählen Sie sie: Spalten von Weg und Kraft, aus der Ruhe oder in Zyklen,
-oder k_e und d_e über der Amplitude. Nach dem Anpassen stehen die Gesetze darüber, darunter ihre Residuen.</translation>
+oder k_e und d_e über der Amplitude. „Anpassen“ zeichnet die Gesetze darüber, mit ihren Residuen darunter.</translation>
     </message>
     <message>
         <source>Curves and laws</source>
@@ -843,8 +843,8 @@ oder k_e und d_e über der Amplitude. Nach dem Anpassen stehen die Gesetze darü
         <translation>Als Befehl kopieren</translation>
     </message>
     <message>
-        <source>Copy the command line that fits the same</source>
-        <translation>Die Befehlszeile kopieren, die dasselbe anpasst</translation>
+        <source>Copy the command line with the same fit</source>
+        <translation>Die Befehlszeile mit derselben Anpassung kopieren</translation>
     </message>
     <message>
         <source>Files</source>
@@ -887,8 +887,8 @@ oder k_e und d_e über der Amplitude. Nach dem Anpassen stehen die Gesetze darü
         <translation>Schleifen</translation>
     </message>
     <message>
-        <source>Columns: %1. Those that are not chosen are found by their names.</source>
-        <translation>Spalten: %1. Nicht gewählte werden an ihren Namen gefunden.</translation>
+        <source>Columns: %1. Columns that you do not choose are found by name.</source>
+        <translation>Spalten: %1. Nicht gewählte Spalten werden am Namen erkannt.</translation>
     </message>
     <message>
         <source>Fitting …</source>
@@ -907,7 +907,7 @@ oder k_e und d_e über der Amplitude. Nach dem Anpassen stehen die Gesetze darü
         <translation>Schlupf</translation>
     </message>
     <message>
-        <source>loops in turn</source>
+        <source>loops in sequence</source>
         <translation>Schleifen der Reihe nach</translation>
     </message>
     <message>
@@ -922,39 +922,39 @@ oder k_e und d_e über der Amplitude. Nach dem Anpassen stehen die Gesetze darü
         <translation>jointid workbench</translation>
     </message>
     <message>
-        <source>Drop FRF files of the parts and of the assembly here, or a scene.
+        <source>Drop FRF files of the substructures and of the assembly here, or a scene.
 
-Ctrl+O opens them, Ctrl+N begins an empty scene.</source>
-        <translation>Ziehen Sie FRF-Dateien der Teile und des Zusammenbaus hierher, oder eine Szene.
+Ctrl+O opens files, Ctrl+N starts an empty scene.</source>
+        <translation>Ziehen Sie FRF-Dateien der Substrukturen und des Zusammenbaus hierher, oder eine Szene.
 
-Strg+O öffnet sie, Strg+N beginnt eine leere Szene.</translation>
+Strg+O öffnet Dateien, Strg+N beginnt eine leere Szene.</translation>
     </message>
     <message>
-        <source>How to begin</source>
-        <translation>Wie man beginnt</translation>
+        <source>Getting started</source>
+        <translation>Erste Schritte</translation>
     </message>
     <message>
         <source>Projects</source>
         <translation>Projekte</translation>
     </message>
     <message>
-        <source>Projects, or how to begin</source>
-        <translation>Projekte, oder wie man beginnt</translation>
+        <source>Projects, or getting started</source>
+        <translation>Projekte, oder erste Schritte</translation>
     </message>
     <message>
         <source>Content</source>
         <translation>Inhalt</translation>
     </message>
     <message numerus="yes">
-        <source>Looking at %n file(s) …</source>
+        <source>Reading %n file(s) …</source>
         <translation>
-            <numerusform>Eine Datei wird betrachtet …</numerusform>
-            <numerusform>%n Dateien werden betrachtet …</numerusform>
+            <numerusform>Eine Datei wird gelesen …</numerusform>
+            <numerusform>%n Dateien werden gelesen …</numerusform>
         </translation>
     </message>
     <message>
-        <source>This scene was proposed from the files; why stands above it. Look at it, then save it.</source>
-        <translation>Diese Szene ist ein Vorschlag aus den Dateien; die Gründe stehen darüber. Sehen Sie sie durch und speichern Sie sie.</translation>
+        <source>This scene is a proposal from the files. Its comments give the reasons. Check it, then save it.</source>
+        <translation>Diese Szene ist ein Vorschlag aus den Dateien. Ihre Kommentare nennen die Gründe. Prüfen Sie sie und speichern Sie sie.</translation>
     </message>
     <message>
         <source>Save the scene</source>
@@ -981,8 +981,8 @@ Strg+O öffnet sie, Strg+N beginnt eine leere Szene.</translation>
         <translation>Die Sprache wechselt mit dem nächsten Start.</translation>
     </message>
     <message>
-        <source>Begin anew now</source>
-        <translation>Jetzt neu beginnen</translation>
+        <source>Restart now</source>
+        <translation>Jetzt neu starten</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -1045,7 +1045,7 @@ Strg+O öffnet sie, Strg+N beginnt eine leere Szene.</translation>
         <translation>&amp;Wiederholen</translation>
     </message>
     <message>
-        <source>Go to what is &amp;wrong</source>
+        <source>Go to &amp;error</source>
         <translation>Zum &amp;Fehler gehen</translation>
     </message>
     <message>
@@ -1089,8 +1089,8 @@ Strg+O öffnet sie, Strg+N beginnt eine leere Szene.</translation>
         <translation>&amp;Geometrie</translation>
     </message>
     <message>
-        <source>S&amp;olution</source>
-        <translation>&amp;Lösung</translation>
+        <source>S&amp;olve</source>
+        <translation>&amp;Lösen</translation>
     </message>
     <message>
         <source>&amp;Compare</source>
@@ -1101,8 +1101,8 @@ Strg+O öffnet sie, Strg+N beginnt eine leere Szene.</translation>
         <translation>S&amp;tudie</translation>
     </message>
     <message>
-        <source>&amp;Before measuring</source>
-        <translation>&amp;Vor der Messung</translation>
+        <source>Test pl&amp;anning</source>
+        <translation>&amp;Versuchsplanung</translation>
     </message>
     <message>
         <source>&amp;Next project</source>
@@ -1137,8 +1137,8 @@ Strg+O öffnet sie, Strg+N beginnt eine leere Szene.</translation>
         <translation>F5</translation>
     </message>
     <message>
-        <source>&amp;Bounds before measuring</source>
-        <translation>&amp;Schranken vor der Messung</translation>
+        <source>Predict &amp;bounds</source>
+        <translation>&amp;Schranken vorhersagen</translation>
     </message>
     <message>
         <source>F7</source>
@@ -1163,10 +1163,10 @@ Strg+O öffnet sie, Strg+N beginnt eine leere Szene.</translation>
     <message>
         <source>jointid workbench %1
 
-Finds joints from measured FRFs. Sources under BSD-3-Clause; this program links QCustomPlot and is passed on under the GPL, version 3.</source>
+Identifies joints from measured FRFs. Sources under BSD-3-Clause; this program links QCustomPlot and is passed on under the GPL, version 3.</source>
         <translation>jointid workbench %1
 
-Bestimmt Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; dieses Programm bindet QCustomPlot ein und wird unter der GPL, Version 3, weitergegeben.</translation>
+Identifiziert Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; dieses Programm bindet QCustomPlot ein und wird unter der GPL, Version 3, weitergegeben.</translation>
     </message>
     <message>
         <source>&amp;Modes</source>
@@ -1190,7 +1190,7 @@ Bestimmt Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; dieses
     </message>
     <message>
         <source>Stic&amp;k-slip motion</source>
-        <translation>&amp;Haftgleitbewegung</translation>
+        <translation>Stic&amp;k-Slip-Bewegung</translation>
     </message>
     <message>
         <source>Time r&amp;ecords</source>
@@ -1204,8 +1204,8 @@ Bestimmt Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; dieses
         <translation>Meldung</translation>
     </message>
     <message>
-        <source>Do what the message offers</source>
-        <translation>Tun, was die Meldung anbietet</translation>
+        <source>Action that the message offers</source>
+        <translation>Aktion, die die Meldung anbietet</translation>
     </message>
     <message>
         <source>Close the message</source>
@@ -1220,22 +1220,22 @@ Bestimmt Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; dieses
     </message>
     <message>
         <source>Status of the modal fit</source>
-        <translation>Stand der Modalanalyse</translation>
+        <translation>Status der Modalanalyse</translation>
     </message>
     <message>
-        <source>Stop and keep the modes that are found</source>
-        <translation>Anhalten und die gefundenen Moden behalten</translation>
+        <source>Stop and keep the modes found so far</source>
+        <translation>Anhalten und die bisher gefundenen Moden behalten</translation>
     </message>
     <message>
         <source>Stabilisation diagram</source>
         <translation>Stabilisierungsdiagramm</translation>
     </message>
     <message>
-        <source>Find modes, and the poles of all orders stand here.
-A click on a pole takes it as a mode, a click on one of a mode leaves it; Ctrl+Z undoes.
+        <source>Find modes shows the poles of all orders here.
+Click a pole to take it as a mode, or a pole of a mode to remove it; Ctrl+Z undoes.
 ← and → go from pole to pole, Enter is a click; wheel, + and − zoom.</source>
-        <translation>Nach dem Suchen stehen hier die Pole aller Ordnungen.
-Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt sie weg; Strg+Z macht rückgängig.
+        <translation>„Moden suchen“ zeigt hier die Pole aller Ordnungen.
+Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode entfernt sie; Strg+Z macht rückgängig.
 ← und → gehen von Pol zu Pol, Eingabe ist ein Klick; Rad, + und − vergrößern.</translation>
     </message>
     <message>
@@ -1251,12 +1251,12 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Moden suchen</translation>
     </message>
     <message>
-        <source>Seek all modes that stand out of the noise</source>
-        <translation>Alle Moden suchen, die aus dem Rauschen ragen</translation>
+        <source>Find all modes above the noise</source>
+        <translation>Alle Moden über dem Rauschen suchen</translation>
     </message>
     <message>
-        <source>Part, or assembly</source>
-        <translation>Teil oder Zusammenbau</translation>
+        <source>Substructure or assembly</source>
+        <translation>Substruktur oder Zusammenbau</translation>
     </message>
     <message>
         <source>Lowest frequency</source>
@@ -1279,8 +1279,8 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Dämpfung</translation>
     </message>
     <message>
-        <source>How modes are damped</source>
-        <translation>Wie Moden gedämpft sind</translation>
+        <source>Damping model of the modes</source>
+        <translation>Dämpfungsmodell der Moden</translation>
     </message>
     <message>
         <source>real modes</source>
@@ -1291,8 +1291,8 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Reelle Moden</translation>
     </message>
     <message>
-        <source>All coordinates move in phase or in antiphase</source>
-        <translation>Alle Koordinaten bewegen sich gleich- oder gegenphasig</translation>
+        <source>All DOFs move in phase or in antiphase</source>
+        <translation>Alle DOFs bewegen sich gleich- oder gegenphasig</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -1315,16 +1315,16 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Keine</translation>
     </message>
     <message>
-        <source>Leave all modes, to pick poles one by one</source>
-        <translation>Alle Moden weglassen, um Pole einzeln zu wählen</translation>
+        <source>Remove all modes, to pick poles one by one</source>
+        <translation>Alle Moden entfernen, um Pole einzeln zu wählen</translation>
     </message>
     <message>
         <source>Copy as command</source>
         <translation>Als Befehl kopieren</translation>
     </message>
     <message>
-        <source>Copy the command line that gives the same modes</source>
-        <translation>Die Befehlszeile kopieren, die dieselben Moden ergibt</translation>
+        <source>Copy the command line with the same modes</source>
+        <translation>Die Befehlszeile mit denselben Moden kopieren</translation>
     </message>
     <message>
         <source>Shapes…</source>
@@ -1339,20 +1339,20 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>FRFs …</translation>
     </message>
     <message>
-        <source>Write the FRFs of the modes as `jointid modalfit --regenerate` does</source>
-        <translation>Die FRFs der Moden schreiben wie `jointid modalfit --regenerate`</translation>
+        <source>Write the synthesised FRFs as `jointid modalfit --regenerate` does</source>
+        <translation>Die synthetisierten FRFs schreiben wie `jointid modalfit --regenerate`</translation>
     </message>
     <message>
-        <source>Modes with standard deviations; Delete leaves one</source>
-        <translation>Moden mit Standardabweichungen; Entf lässt eine weg</translation>
+        <source>Modes with standard errors. Delete removes one</source>
+        <translation>Moden mit Standardfehlern. Entf entfernt eine</translation>
     </message>
     <message>
         <source>MAC of all modes</source>
         <translation>MAC aller Moden</translation>
     </message>
     <message>
-        <source>Error of all FRFs in dB, away from antiresonances</source>
-        <translation>Fehler aller FRFs in dB, fern von Antiresonanzen</translation>
+        <source>Error of all FRFs in dB, without antiresonances</source>
+        <translation>Fehler aller FRFs in dB, ohne Antiresonanzen</translation>
     </message>
     <message>
         <source>Modes and FRFs</source>
@@ -1371,8 +1371,8 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Fehler</translation>
     </message>
     <message>
-        <source>Measured FRFs, and those of the modes</source>
-        <translation>Gemessene FRFs, und die der Moden</translation>
+        <source>Measured and synthesised FRFs</source>
+        <translation>Gemessene und synthetisierte FRFs</translation>
     </message>
     <message>
         <source>Response</source>
@@ -1380,11 +1380,11 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
     </message>
     <message>
         <source>Reference</source>
-        <translation>Anregung</translation>
+        <translation>Referenz</translation>
     </message>
     <message>
-        <source>Find modes, and what they give stands here over the measured FRFs, anew after every pick.</source>
-        <translation>Nach dem Suchen steht hier über den gemessenen FRFs, was die Moden ergeben, neu nach jeder Wahl.</translation>
+        <source>Find modes draws the FRFs synthesised from the modes over the measured ones. Every pick updates them.</source>
+        <translation>„Moden suchen“ zeichnet die aus den Moden synthetisierten FRFs über die gemessenen. Jede Wahl erneuert sie.</translation>
     </message>
     <message>
         <source>Write the mode shapes</source>
@@ -1395,8 +1395,8 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Universal Files (*.uff)</translation>
     </message>
     <message>
-        <source>Write the FRFs of the modes</source>
-        <translation>Die FRFs der Moden schreiben</translation>
+        <source>Write the synthesised FRFs</source>
+        <translation>Die synthetisierten FRFs schreiben</translation>
     </message>
     <message>
         <source>FRFs (*.h5 *.uff *.mat *.csv)</source>
@@ -1415,7 +1415,7 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
     </message>
     <message>
         <source>No modes are found yet.</source>
-        <translation>Noch sind keine Moden gefunden.</translation>
+        <translation>Noch keine Moden gefunden.</translation>
     </message>
     <message>
         <source>Written to %1.</source>
@@ -1429,12 +1429,12 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Bewegung</translation>
     </message>
     <message>
-        <source>What moves the structure</source>
-        <translation>Was die Struktur bewegt</translation>
+        <source>Excitation or mode shape</source>
+        <translation>Anregung oder Eigenform</translation>
     </message>
     <message>
-        <source>A harmonic force at a reference of the assembly, or a mode of the page Modes or of a file</source>
-        <translation>Eine harmonische Kraft an einer Anregung des Zusammenbaus, oder eine Mode der Seite Moden oder einer Datei</translation>
+        <source>A harmonic force at a reference of the assembly, or a mode shape from the page Modes or from a file</source>
+        <translation>Eine harmonische Kraft an einer Referenz des Zusammenbaus, oder eine Eigenform von der Seite Moden oder aus einer Datei</translation>
     </message>
     <message>
         <source>Frequency of the force</source>
@@ -1469,8 +1469,8 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Formen …</translation>
     </message>
     <message>
-        <source>Take mode shapes from a universal file (dataset 55)</source>
-        <translation>Eigenformen aus einem Universal File nehmen (Datensatz 55)</translation>
+        <source>Read mode shapes from a universal file (dataset 55)</source>
+        <translation>Eigenformen aus einem Universal File lesen (Datensatz 55)</translation>
     </message>
     <message>
         <source>Amplitude</source>
@@ -1493,8 +1493,8 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Verformung der Fügestelle</translation>
     </message>
     <message>
-        <source>Show how the nodes of the joint move against each other, and nothing else</source>
-        <translation>Nur zeigen, wie sich die Knoten der Fügestelle gegeneinander bewegen</translation>
+        <source>Show only the relative motion of the joint&apos;s nodes</source>
+        <translation>Nur die Relativbewegung der Knoten der Fügestelle zeigen</translation>
     </message>
     <message>
         <source>undeformed</source>
@@ -1583,16 +1583,16 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
 <context>
     <name>PlanPage</name>
     <message>
-        <source>Before measuring</source>
-        <translation>Vor der Messung</translation>
+        <source>Test planning</source>
+        <translation>Versuchsplanung</translation>
     </message>
     <message>
         <source>Status of the prediction</source>
-        <translation>Stand der Vorhersage</translation>
+        <translation>Status der Vorhersage</translation>
     </message>
     <message>
-        <source>Smallest errors, and what leaving out data would change</source>
-        <translation>Kleinste Fehler, und was ein Weglassen von Daten änderte</translation>
+        <source>Smallest standard errors, and the effect of leaving out data</source>
+        <translation>Kleinste Standardfehler, und was ein Weglassen von Daten ändert</translation>
     </message>
     <message>
         <source>Candidates, best first</source>
@@ -1603,12 +1603,12 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Schranken und Kandidaten</translation>
     </message>
     <message>
-        <source>The smallest errors that FRFs of a model or an earlier test allow, for the joint of [truth] or [identify] start, with the errors of [noise] or of the files.</source>
-        <translation>Die kleinsten Fehler, die FRFs eines Modells oder einer früheren Messung zulassen, für die Fügestelle von [truth] oder [identify] start, mit den Fehlern von [noise] oder der Dateien.</translation>
+        <source>This page shows the smallest standard errors that FRFs of a model or of an earlier test allow. It takes the joint of [truth] or [identify] start, and the noise of [noise] or of the files.</source>
+        <translation>Diese Seite zeigt die kleinsten Standardfehler, die FRFs eines Modells oder einer früheren Messung zulassen. Sie nimmt die Fügestelle von [truth] oder [identify] start und das Rauschen von [noise] oder der Dateien.</translation>
     </message>
     <message>
-        <source>Cancelled before anything was predicted.</source>
-        <translation>Abgebrochen, bevor etwas vorhergesagt war.</translation>
+        <source>Cancelled: nothing is predicted.</source>
+        <translation>Abgebrochen: nichts ist vorhergesagt.</translation>
     </message>
     <message>
         <source>Predicting</source>
@@ -1619,24 +1619,24 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Vorhersagen</translation>
     </message>
     <message>
-        <source>Predict the smallest errors, and rank the candidates (F7)</source>
-        <translation>Die kleinsten Fehler vorhersagen und die Kandidaten ordnen (F7)</translation>
+        <source>Predict the smallest standard errors and rank the candidates (F7)</source>
+        <translation>Die kleinsten Standardfehler vorhersagen und die Kandidaten ordnen (F7)</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Stop and show what is done</source>
-        <translation>Anhalten und zeigen, was fertig ist</translation>
+        <source>Stop and show the results so far</source>
+        <translation>Anhalten und die bisherigen Ergebnisse zeigen</translation>
     </message>
     <message>
         <source>Candidates</source>
         <translation>Kandidaten</translation>
     </message>
     <message>
-        <source>Coordinates of the files that count as not measured; the plan predicts what each would add</source>
-        <translation>Koordinaten der Dateien, die als nicht gemessen gelten; der Plan sagt voraus, was jede beiträgt</translation>
+        <source>DOFs of the files that count as not measured. The plan predicts the benefit of each</source>
+        <translation>DOFs der Dateien, die als nicht gemessen gelten. Der Plan sagt den Nutzen jedes DOFs voraus</translation>
     </message>
     <message>
         <source>candidates, not measured so far: 3:+Y, 4:+RZ</source>
@@ -1651,8 +1651,8 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Als Befehl kopieren</translation>
     </message>
     <message>
-        <source>Copy the command line that predicts the same</source>
-        <translation>Die Befehlszeile kopieren, die dasselbe vorhersagt</translation>
+        <source>Copy the command line with the same prediction</source>
+        <translation>Die Befehlszeile mit derselben Vorhersage kopieren</translation>
     </message>
     <message>
         <source>Tables…</source>
@@ -1667,8 +1667,8 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Wird vorhergesagt …</translation>
     </message>
     <message>
-        <source>Cancelled: not all changes of the data were looked at.</source>
-        <translation>Abgebrochen: nicht alle Änderungen der Daten wurden betrachtet.</translation>
+        <source>Cancelled: some changes of the data are not predicted.</source>
+        <translation>Abgebrochen: einige Änderungen der Daten sind nicht vorhergesagt.</translation>
     </message>
     <message>
         <source>Bounds are predicted.</source>
@@ -1704,8 +1704,8 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
 <context>
     <name>Project</name>
     <message>
-        <source>What is wrong with the scene</source>
-        <translation>Was an der Szene falsch ist</translation>
+        <source>Error in the scene</source>
+        <translation>Fehler in der Szene</translation>
     </message>
     <message>
         <source>Scene and pages</source>
@@ -1752,8 +1752,8 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Studie</translation>
     </message>
     <message>
-        <source>Before measuring</source>
-        <translation>Vor der Messung</translation>
+        <source>Test planning</source>
+        <translation>Versuchsplanung</translation>
     </message>
     <message>
         <source>The scene is complete.</source>
@@ -1768,7 +1768,7 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>sie ist größer als 16 MiB</translation>
     </message>
     <message>
-        <source>it is no text in UTF-8</source>
+        <source>it is not text in UTF-8</source>
         <translation>sie ist kein Text in UTF-8</translation>
     </message>
     <message>
@@ -1784,16 +1784,16 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>%1 ist verschwunden oder lässt sich nicht lesen: %2</translation>
     </message>
     <message>
-        <source>%1 was changed by another program, and here.</source>
-        <translation>%1 wurde von einem anderen Programm geändert, und hier.</translation>
+        <source>%1 was changed here and by another program.</source>
+        <translation>%1 wurde hier und von einem anderen Programm geändert.</translation>
     </message>
     <message>
-        <source>Take the other one</source>
-        <translation>Die andere nehmen</translation>
+        <source>Load the file again</source>
+        <translation>Die Datei neu laden</translation>
     </message>
     <message>
-        <source>%1 was changed by another program and read again.</source>
-        <translation>%1 wurde von einem anderen Programm geändert und neu gelesen.</translation>
+        <source>%1 was changed by another program and is loaded again.</source>
+        <translation>%1 wurde von einem anderen Programm geändert und ist neu geladen.</translation>
     </message>
     <message>
         <source>Modes</source>
@@ -1816,7 +1816,7 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Kurven</translation>
     </message>
     <message>
-        <source>Plan</source>
+        <source>Planning</source>
         <translation>Planung</translation>
     </message>
     <message>
@@ -1825,7 +1825,7 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
     </message>
     <message>
         <source>Stick-slip</source>
-        <translation>Haftgleiten</translation>
+        <translation>Stick-Slip</translation>
     </message>
     <message>
         <source>Time records</source>
@@ -1866,25 +1866,25 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
     </message>
     <message>
         <source>Status of the time records</source>
-        <translation>Stand der Zeitverläufe</translation>
+        <translation>Status der Zeitverläufe</translation>
     </message>
     <message>
-        <source>What the records say</source>
-        <translation>Was die Zeitverläufe sagen</translation>
+        <source>Results of the time records</source>
+        <translation>Ergebnisse der Zeitverläufe</translation>
     </message>
     <message>
-        <source>Drop a time record here, or choose it: text, UFF 58, MATLAB, HDF5 or numpy, a column a channel.
-Choose what is asked of it and its channels, and run.</source>
+        <source>Drop a time record here, or choose it: text, UFF 58, MATLAB, HDF5 or numpy, one column per channel.
+Choose an analysis and the channels, then run it.</source>
         <translation>Einen Zeitverlauf hier ablegen oder wählen: Text, UFF 58, MATLAB, HDF5 oder numpy, jeder Kanal eine Spalte.
-Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
+Eine Auswertung und die Kanäle wählen, dann ausführen.</translation>
     </message>
     <message>
-        <source>Numbers of the records</source>
-        <translation>Zahlen der Zeitverläufe</translation>
+        <source>Tables of the time records</source>
+        <translation>Tabellen der Zeitverläufe</translation>
     </message>
     <message>
-        <source>What the tool wants to know</source>
-        <translation>Was das Werkzeug wissen will</translation>
+        <source>Options of the analysis</source>
+        <translation>Optionen der Auswertung</translation>
     </message>
     <message>
         <source>Files…</source>
@@ -1895,16 +1895,16 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Zeitverläufe wählen: Text, UFF 58, MATLAB, HDF5 oder numpy</translation>
     </message>
     <message>
-        <source>What is asked of the records</source>
-        <translation>Was die Zeitverläufe gefragt werden</translation>
+        <source>Analysis of the time records</source>
+        <translation>Auswertung der Zeitverläufe</translation>
     </message>
     <message>
         <source>Run</source>
         <translation>Ausführen</translation>
     </message>
     <message>
-        <source>Ask it of the records, as the command does</source>
-        <translation>Die Zeitverläufe danach fragen, wie der Befehl es tut</translation>
+        <source>Run the analysis, as the command does</source>
+        <translation>Die Auswertung ausführen, wie der Befehl es tut</translation>
     </message>
     <message>
         <source>Files</source>
@@ -1915,8 +1915,8 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Kanäle: %1</translation>
     </message>
     <message>
-        <source>%1 takes one file, and %2 were opened.</source>
-        <translation>%1 nimmt eine Datei, und %2 wurden geöffnet.</translation>
+        <source>%1 takes one file; %2 were opened.</source>
+        <translation>%1 nimmt eine Datei; %2 wurden geöffnet.</translation>
     </message>
 </context>
 <context>
@@ -1970,8 +1970,8 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Rauschen</translation>
     </message>
     <message>
-        <source>Noise: gross errors</source>
-        <translation>Rauschen: grobe Fehler</translation>
+        <source>Noise: outlier lines</source>
+        <translation>Rauschen: Ausreißer-Linien</translation>
     </message>
     <message>
         <source>Truth</source>
@@ -1986,24 +1986,24 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Orte in m: { &quot;4&quot; = [0.9, 0, 0], … }</translation>
     </message>
     <message>
-        <source>files of the parts without the joint</source>
-        <translation>Dateien der Teile ohne die Fügestelle</translation>
+        <source>files of the substructures, without the joint</source>
+        <translation>Dateien der Substrukturen, ohne die Fügestelle</translation>
     </message>
     <message>
-        <source>files of the parts with the joint</source>
-        <translation>Dateien der Teile mit der Fügestelle</translation>
+        <source>files of the assembly, with the joint</source>
+        <translation>Dateien des Zusammenbaus, mit der Fügestelle</translation>
     </message>
     <message>
-        <source>whether an FRF that is not there is taken from its transpose</source>
-        <translation>ob eine fehlende FRF aus ihrer Transponierten genommen wird</translation>
+        <source>whether reciprocity replaces a missing FRF: H_ij by H_ji</source>
+        <translation>ob Reziprozität eine fehlende FRF ersetzt: H_ij durch H_ji</translation>
     </message>
     <message>
-        <source>whose FRFs their modal models replace: substructures, assembly</source>
-        <translation>wessen FRFs durch ihre Modalmodelle ersetzt werden: substructures, assembly</translation>
+        <source>FRFs to synthesise from modal models: substructures, assembly</source>
+        <translation>aus Modalmodellen zu synthetisierende FRFs: substructures, assembly</translation>
     </message>
     <message>
-        <source>what files do not say themselves, and what is wrong in them</source>
-        <translation>was Dateien nicht selbst sagen, und was in ihnen falsch ist</translation>
+        <source>missing information and corrections, file by file</source>
+        <translation>fehlende Angaben und Korrekturen, Datei für Datei</translation>
     </message>
     <message>
         <source>lowest and highest frequency in Hz: 400, 1000</source>
@@ -2026,16 +2026,16 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>halbe ausgelassene Breite, relativ: 0.01</translation>
     </message>
     <message>
-        <source>coordinates of both sides: 4:+Y, 4:+RZ, 5:+Y, 5:+RZ</source>
-        <translation>Koordinaten beider Seiten: 4:+Y, 4:+RZ, 5:+Y, 5:+RZ</translation>
+        <source>interface DOFs of both sides: 4:+Y, 4:+RZ, 5:+Y, 5:+RZ</source>
+        <translation>DOFs der Schnittstelle, beide Seiten: 4:+Y, 4:+RZ, 5:+Y, 5:+RZ</translation>
     </message>
     <message>
         <source>bands that are identified separately, in Hz: [[100, 200], [200, 400]]</source>
         <translation>einzeln identifizierte Bänder in Hz: [[100, 200], [200, 400]]</translation>
     </message>
     <message>
-        <source>pairs that are joined rigidly before: [[&quot;4:+X&quot;, &quot;5:+X&quot;]]</source>
-        <translation>Paare, die vorher starr verbunden werden: [[&quot;4:+X&quot;, &quot;5:+X&quot;]]</translation>
+        <source>pairs coupled rigidly beforehand: [[&quot;4:+X&quot;, &quot;5:+X&quot;]]</source>
+        <translation>vorher starr gekoppelte Paare: [[&quot;4:+X&quot;, &quot;5:+X&quot;]]</translation>
     </message>
     <message>
         <source>which elements are unknown</source>
@@ -2070,8 +2070,8 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>N/m, N, N·m: [[1e4, -1e4], [-1e4, 1e4]]</translation>
     </message>
     <message>
-        <source>the way of identification</source>
-        <translation>der Weg der Identifikation</translation>
+        <source>method of identification</source>
+        <translation>Methode der Identifikation</translation>
     </message>
     <message>
         <source>blocks of the assembly to explain: nn, nj, jj, jn</source>
@@ -2082,12 +2082,12 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>der Gleichungen linearer Methoden</translation>
     </message>
     <message>
-        <source>drops equations whose sides differ by less: 0 to 2</source>
-        <translation>lässt Gleichungen weg, deren Seiten sich um weniger unterscheiden: 0 bis 2</translation>
+        <source>drops equations whose sides differ by less than Δ: 0 to 2</source>
+        <translation>lässt Gleichungen weg, deren Seiten sich um weniger als Δ unterscheiden: 0 bis 2</translation>
     </message>
     <message>
-        <source>which numerical way the method takes</source>
-        <translation>welchen numerischen Weg die Methode nimmt</translation>
+        <source>numerical solver of the method</source>
+        <translation>numerischer Löser der Methode</translation>
     </message>
     <message>
         <source>start of iterations: { stiffness = [[1e6, -1e6], [-1e6, 1e6]] }</source>
@@ -2102,12 +2102,12 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>woher die Varianzen der FRFs kommen</translation>
     </message>
     <message>
-        <source>whether a law replaces the variances of files</source>
-        <translation>ob ein Gesetz die Varianzen der Dateien ersetzt</translation>
+        <source>whether a noise model replaces the variances of files</source>
+        <translation>ob ein Rauschmodell die Varianzen der Dateien ersetzt</translation>
     </message>
     <message>
-        <source>known beside the data, value and deviation: { &quot;K(1,1)&quot; = [6.6e5, 1e4] }</source>
-        <translation>neben den Daten bekannt, Wert und Abweichung: { &quot;K(1,1)&quot; = [6.6e5, 1e4] }</translation>
+        <source>prior knowledge, value and standard deviation: { &quot;K(1,1)&quot; = [6.6e5, 1e4] }</source>
+        <translation>Vorwissen, Wert und Standardabweichung: { &quot;K(1,1)&quot; = [6.6e5, 1e4] }</translation>
     </message>
     <message>
         <source>of unknowns: { &quot;K(1,1)&quot; = [0, 1e6], &quot;D.a&quot; = &quot;positive&quot; }</source>
@@ -2126,12 +2126,12 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>der Zufallszahlen des Bootstraps</translation>
     </message>
     <message>
-        <source>the law of the measurement errors</source>
-        <translation>das Gesetz der Messfehler</translation>
+        <source>model of the measurement noise</source>
+        <translation>Modell des Messrauschens</translation>
     </message>
     <message>
-        <source>size of the errors relative to |H|: 0.01</source>
-        <translation>Größe der Fehler, bezogen auf |H|: 0.01</translation>
+        <source>noise relative to |H|: 0.01</source>
+        <translation>Rauschen, bezogen auf |H|: 0.01</translation>
     </message>
     <message>
         <source>of a hammer test: 0.998</source>
@@ -2146,32 +2146,32 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>der Mittelungen: 0 bis 1</translation>
     </message>
     <message>
-        <source>constant error relative to the rms of the FRF</source>
-        <translation>konstanter Fehler, bezogen auf den Effektivwert der FRF</translation>
+        <source>constant noise relative to the rms of the FRF</source>
+        <translation>konstantes Rauschen, bezogen auf den Effektivwert der FRF</translation>
     </message>
     <message>
-        <source>lines with larger errors: { share = 0.02, factor = 10 }</source>
-        <translation>Linien mit größeren Fehlern: { share = 0.02, factor = 10 }</translation>
+        <source>outlier lines: { share = 0.02, factor = 10 }</source>
+        <translation>Ausreißer-Linien: { share = 0.02, factor = 10 }</translation>
     </message>
     <message>
-        <source>share of the lines with larger errors: 0.02</source>
-        <translation>Anteil der Linien mit größeren Fehlern: 0.02</translation>
+        <source>share of outlier lines: 0.02</source>
+        <translation>Anteil der Ausreißer-Linien: 0.02</translation>
     </message>
     <message>
-        <source>how many times larger: 10</source>
-        <translation>wievielmal größer: 10</translation>
+        <source>factor of their noise: 10</source>
+        <translation>Faktor ihres Rauschens: 10</translation>
     </message>
     <message>
-        <source>probability that a direction is noted the wrong way round</source>
-        <translation>Wahrscheinlichkeit, dass eine Richtung verkehrt notiert ist</translation>
+        <source>probability of a flipped sensor direction</source>
+        <translation>Wahrscheinlichkeit einer vertauschten Sensorrichtung</translation>
     </message>
     <message>
-        <source>standard deviation of a DOF&apos;s place, in m</source>
-        <translation>Standardabweichung des Orts eines DOFs, in m</translation>
+        <source>standard deviation of a DOF&apos;s position, in m</source>
+        <translation>Standardabweichung der Position eines DOFs, in m</translation>
     </message>
     <message>
-        <source>whether an FRF and its transpose share their errors</source>
-        <translation>ob eine FRF und ihre Transponierte die Fehler teilen</translation>
+        <source>whether reciprocal pairs H_ij, H_ji share their noise</source>
+        <translation>ob reziproke Paare H_ij, H_ji ihr Rauschen teilen</translation>
     </message>
     <message>
         <source>planning</source>
@@ -2206,15 +2206,15 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Standardfehler</translation>
     </message>
     <message>
-        <source>Finds joints from measured FRFs</source>
-        <translation>Bestimmt Fügestellen aus gemessenen FRFs</translation>
+        <source>Identifies joints from measured FRFs</source>
+        <translation>Identifiziert Fügestellen aus gemessenen FRFs</translation>
     </message>
     <message>
-        <source>scenes, or FRF files to make a new scene of</source>
+        <source>scenes, or FRF files for a new scene</source>
         <translation>Szenen, oder FRF-Dateien für eine neue Szene</translation>
     </message>
     <message>
-        <source>no longer fixed</source>
+        <source>no longer determined</source>
         <translation>nicht mehr bestimmt</translation>
     </message>
     <message>
@@ -2230,8 +2230,8 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Schranken mal (schlechteste)</translation>
     </message>
     <message>
-        <source>what it brings</source>
-        <translation>was er bringt</translation>
+        <source>benefit</source>
+        <translation>Nutzen</translation>
     </message>
     <message>
         <source>computed over measured (dB)</source>
@@ -2310,8 +2310,8 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Rechenzeit (s)</translation>
     </message>
     <message>
-        <source>%1 of the run in front</source>
-        <translation>%1 gegenüber dem Lauf vorn</translation>
+        <source>%1 of the selected run</source>
+        <translation>%1 des gewählten Laufs</translation>
     </message>
     <message>
         <source>run </source>
@@ -2354,12 +2354,12 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>DOFs der Fügestelle</translation>
     </message>
     <message>
-        <source>other responses</source>
-        <translation>übrige Antworten</translation>
+        <source>internal responses</source>
+        <translation>innere Antworten</translation>
     </message>
     <message>
-        <source>other references</source>
-        <translation>übrige Anregungen</translation>
+        <source>internal references</source>
+        <translation>innere Referenzen</translation>
     </message>
     <message>
         <source>%1, %2 to %3 Hz</source>
@@ -2410,16 +2410,16 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>relativ, oder Schranken mal (schlechteste)</translation>
     </message>
     <message>
-        <source>smallest error</source>
-        <translation>kleinster Fehler</translation>
+        <source>smallest standard error</source>
+        <translation>kleinster Standardfehler</translation>
     </message>
     <message>
-        <source>not fixed by the data</source>
+        <source>not determined by the data</source>
         <translation>durch die Daten nicht bestimmt</translation>
     </message>
     <message>
-        <source>without a coordinate</source>
-        <translation>ohne eine Koordinate</translation>
+        <source>without a DOF</source>
+        <translation>ohne ein DOF</translation>
     </message>
     <message>
         <source>without lines</source>
@@ -2458,10 +2458,6 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Wert und Intervall</translation>
     </message>
     <message>
-        <source>not determined by the data</source>
-        <translation>durch die Daten nicht bestimmt</translation>
-    </message>
-    <message>
         <source>finding</source>
         <translation>Befund</translation>
     </message>
@@ -2486,8 +2482,8 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>gemessen</translation>
     </message>
     <message>
-        <source>regenerated</source>
-        <translation>nachgerechnet</translation>
+        <source>synthesised</source>
+        <translation>synthetisiert</translation>
     </message>
     <message>
         <source>trials: </source>
@@ -2514,8 +2510,8 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Resonanz (Hz)</translation>
     </message>
     <message>
-        <source>with all conditions (Hz)</source>
-        <translation>mit allen Bedingungen (Hz)</translation>
+        <source>with all compatibility conditions (Hz)</source>
+        <translation>mit allen Kompatibilitätsbedingungen (Hz)</translation>
     </message>
     <message>
         <source>missing lines</source>
@@ -2538,8 +2534,8 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Kohärenz aus %1 Mittelungen</translation>
     </message>
     <message>
-        <source>nothing of its noise</source>
-        <translation>nichts über das Rauschen</translation>
+        <source>noise not stated</source>
+        <translation>Rauschen nicht angegeben</translation>
     </message>
     <message>
         <source>%1, %2 lines, %3 to %4 Hz; %5 × %6 FRFs; %7</source>
@@ -2554,12 +2550,12 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>aus den Moden</translation>
     </message>
     <message>
-        <source>gains and delays of sensors with what is known of them: { gain = 0.01 }</source>
-        <translation>Verstärkungen und Laufzeiten von Sensoren mit dem, was von ihnen bekannt ist: { gain = 0.01 }</translation>
+        <source>uncertain gains and time delays of sensors: { gain = 0.01 }</source>
+        <translation>unsichere Verstärkungen und Zeitverzögerungen von Sensoren: { gain = 0.01 }</translation>
     </message>
     <message>
-        <source>masses of sensors, in kg, and how sure they are</source>
-        <translation>Massen von Sensoren, in kg, und wie sicher sie sind</translation>
+        <source>mass loading by sensors, in kg, and its uncertainty</source>
+        <translation>Massen von Sensoren, in kg, und ihre Unsicherheit</translation>
     </message>
     <message>
         <source>of studies: standard deviation of the gain of every sensor: 0.01</source>
@@ -2570,47 +2566,47 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>für Studien: Standardabweichung der Masse jedes Sensors, in kg</translation>
     </message>
     <message>
-        <source>Data: what a file does not say, and what is wrong in it</source>
-        <translation>Daten: was eine Datei nicht sagt und was in ihr falsch ist</translation>
+        <source>Data: missing information and corrections of a file</source>
+        <translation>Daten: fehlende Angaben und Korrekturen einer Datei</translation>
     </message>
     <message>
         <source>Joints</source>
         <translation>Fügestellen</translation>
     </message>
     <message>
-        <source>receptance, mobility or accelerance, whatever the file says</source>
-        <translation>receptance, mobility oder accelerance, was die Datei auch sagt</translation>
+        <source>receptance, mobility or accelerance, in place of the file&apos;s</source>
+        <translation>receptance, mobility oder accelerance, anstelle der Angabe der Datei</translation>
     </message>
     <message>
         <source>of its responses: 4:+Y, 5:+Y</source>
         <translation>ihrer Antworten: 4:+Y, 5:+Y</translation>
     </message>
     <message>
-        <source>of its references; without them those of the responses</source>
-        <translation>ihrer Referenzen; ohne sie die der Antworten</translation>
+        <source>of its references. Empty: those of the responses</source>
+        <translation>ihrer Referenzen. Leer: die der Antworten</translation>
     </message>
     <message>
-        <source>of its FRFs, where it says none or a wrong one: g/lbf</source>
-        <translation>ihrer FRFs, wo sie keine oder eine falsche nennt: g/lbf</translation>
+        <source>of its FRFs, if missing or wrong: g/lbf</source>
+        <translation>ihrer FRFs, wenn sie fehlt oder falsch ist: g/lbf</translation>
     </message>
     <message>
-        <source>the variable of a MATLAB file that has the FRFs</source>
-        <translation>die Variable einer MATLAB-Datei mit den FRFs</translation>
+        <source>variable of a MATLAB file with the FRFs</source>
+        <translation>Variable einer MATLAB-Datei mit den FRFs</translation>
     </message>
     <message>
-        <source>the variable that holds its frequencies</source>
-        <translation>die Variable mit ihren Frequenzen</translation>
+        <source>variable with its frequencies</source>
+        <translation>Variable mit ihren Frequenzen</translation>
     </message>
     <message>
         <source>of the structure as weighed, hung free, in kg</source>
         <translation>der frei hängenden Struktur, gewogen, in kg</translation>
     </message>
     <message>
-        <source>of its frequencies, where it says none or a wrong one: kHz, rad/s</source>
-        <translation>ihrer Frequenzen, wo sie keine oder eine falsche nennt: kHz, rad/s</translation>
+        <source>of its frequencies, if missing or wrong: kHz, rad/s</source>
+        <translation>ihrer Frequenzen, wenn sie fehlt oder falsch ist: kHz, rad/s</translation>
     </message>
     <message>
-        <source>true frequency over that of the file: 0.5 to 2</source>
+        <source>true frequency divided by that of the file: 0.5 to 2</source>
         <translation>wahre Frequenz durch die der Datei: 0.5 bis 2</translation>
     </message>
     <message>
@@ -2618,24 +2614,24 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Sensoren: { &quot;ALT&quot; = &quot;NEU&quot; }, { &quot;4:+Y&quot; = &quot;5:+Y&quot; }</translation>
     </message>
     <message>
-        <source>the same of hammer or shaker: { &quot;4:+Y&quot; = &quot;5:+Y&quot; }</source>
-        <translation>dasselbe von Hammer oder Shaker: { &quot;4:+Y&quot; = &quot;5:+Y&quot; }</translation>
+        <source>hammer or shaker: { &quot;4:+Y&quot; = &quot;5:+Y&quot; }</source>
+        <translation>Hammer oder Shaker: { &quot;4:+Y&quot; = &quot;5:+Y&quot; }</translation>
     </message>
     <message>
         <source>whether the file has the complex conjugates</source>
         <translation>ob die Datei die konjugiert Komplexen hat</translation>
     </message>
     <message>
-        <source>by which its responses lag, in s: 20e-6</source>
-        <translation>um die ihre Antworten nacheilen, in s: 20e-6</translation>
+        <source>time delay of its responses, in s: 20e-6</source>
+        <translation>Zeitverzögerung ihrer Antworten, in s: 20e-6</translation>
     </message>
     <message>
-        <source>true FRF over that of the file: 9.80665, or { &quot;4:+Y&quot; = 1.02 }</source>
+        <source>true FRF divided by that of the file: 9.80665, or { &quot;4:+Y&quot; = 1.02 }</source>
         <translation>wahre FRF durch die der Datei: 9.80665 oder { &quot;4:+Y&quot; = 1.02 }</translation>
     </message>
     <message>
-        <source>the same of hammer or shaker: { &quot;4:+Y&quot; = 1.02 }</source>
-        <translation>dasselbe von Hammer oder Shaker: { &quot;4:+Y&quot; = 1.02 }</translation>
+        <source>of hammer or shaker: { &quot;4:+Y&quot; = 1.02 }</source>
+        <translation>von Hammer oder Shaker: { &quot;4:+Y&quot; = 1.02 }</translation>
     </message>
     <message>
         <source>sensors with the wrong sign: 4:+Y</source>
@@ -2646,12 +2642,12 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Richtungen von Hammer oder Shaker mit falschem Vorzeichen: 4:+Y</translation>
     </message>
     <message>
-        <source>that the structure carried, in kg: { &quot;4:+Y&quot; = 0.005 }</source>
-        <translation>die die Struktur trug, in kg: { &quot;4:+Y&quot; = 0.005 }</translation>
+        <source>mass of the sensors, in kg: { &quot;4:+Y&quot; = 0.005 }</source>
+        <translation>Masse der Sensoren, in kg: { &quot;4:+Y&quot; = 0.005 }</translation>
     </message>
     <message>
-        <source>which of these masses are there at a time</source>
-        <translation>welche dieser Massen gleichzeitig da sind</translation>
+        <source>which of these masses are mounted at the same time</source>
+        <translation>welche dieser Massen gleichzeitig montiert sind</translation>
     </message>
     <message>
         <source>of the joint, before its unknowns: left</source>
@@ -2662,8 +2658,8 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Gesetze im Vergleich</translation>
     </message>
     <message>
-        <source>residuals by level</source>
-        <translation>Residuen nach Kraftstufe</translation>
+        <source>residuals by force level</source>
+        <translation>Residuen nach Kraftniveau</translation>
     </message>
     <message>
         <source>%1 without a law</source>
@@ -2679,19 +2675,19 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
     </message>
     <message>
         <source>Identify laws</source>
-        <translation>Gesetze bestimmen</translation>
+        <translation>Gesetze identifizieren</translation>
     </message>
     <message>
         <source>Identify the friction laws of the joints from vibration at several force levels, as `jointid solve` does</source>
-        <translation>Bestimmt die Reibgesetze der Fügestellen aus Schwingungen bei mehreren Kraftstufen, wie `jointid solve`</translation>
+        <translation>Die Reibgesetze der Fügestellen aus Schwingungen bei mehreren Kraftniveaus identifizieren, wie `jointid solve`</translation>
     </message>
     <message>
         <source>Stiffness and damping of the joints over their motion</source>
         <translation>Steifigkeit und Dämpfung der Fügestellen über ihrer Bewegung</translation>
     </message>
     <message>
-        <source>With a scene of friction laws from vibration, [[joint.friction]] and [[data.levels]], the joints&apos; stiffness and damping over their motion stand here, without a law and by the laws that were found.</source>
-        <translation>Mit einer Szene von Reibgesetzen aus Schwingungen, [[joint.friction]] und [[data.levels]], stehen hier Steifigkeit und Dämpfung der Fügestellen über ihrer Bewegung, ohne Gesetz und nach den gefundenen Gesetzen.</translation>
+        <source>This page shows stiffness and damping of the joints over their motion, without a law and by the identified laws. It needs a scene with [[joint.friction]] and [[data.levels]].</source>
+        <translation>Diese Seite zeigt Steifigkeit und Dämpfung der Fügestellen über ihrer Bewegung, ohne Gesetz und nach den identifizierten Gesetzen. Sie braucht eine Szene mit [[joint.friction]] und [[data.levels]].</translation>
     </message>
     <message>
         <source>Joints, laws, residuals</source>
@@ -2742,43 +2738,43 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Bemerkungen</translation>
     </message>
     <message>
-        <source>Not everything was found; what is missing is left out of tables and plots.</source>
-        <translation>Nicht alles wurde gefunden; was fehlt, steht nicht in Tabellen und Bildern.</translation>
+        <source>Some results are missing. Tables and plots leave them out.</source>
+        <translation>Einige Ergebnisse fehlen. Tabellen und Bilder lassen sie aus.</translation>
     </message>
     <message>
-        <source>Everything that was asked for was found.</source>
-        <translation>Alles, wonach gefragt war, wurde gefunden.</translation>
+        <source>All results were found.</source>
+        <translation>Alle Ergebnisse wurden gefunden.</translation>
     </message>
     <message>
         <source>Response</source>
         <translation>Antwort</translation>
     </message>
     <message>
-        <source>Find responses</source>
+        <source>Compute responses</source>
         <translation>Antworten berechnen</translation>
     </message>
     <message>
-        <source>Find the periodic responses, and what else the scene asks for, as `jointid response` does</source>
-        <translation>Berechnet die periodischen Antworten, und wonach die Szene sonst fragt, wie `jointid response`</translation>
+        <source>Compute the periodic responses and the other results of the scene, as `jointid response` does</source>
+        <translation>Die periodischen Antworten und die anderen Ergebnisse der Szene berechnen, wie `jointid response`</translation>
     </message>
     <message>
         <source>Responses over frequency and force, loops, motions</source>
         <translation>Antworten über Frequenz und Kraft, Hysteresen, Bewegungen</translation>
     </message>
     <message>
-        <source>With a scene of a structure with friction joints, [structure] or [data] parts, [[joints]], [force] and [response], its FRFs at all force levels stand here, peaks over the level, harmonics, loops of the joints, and motions.</source>
-        <translation>Mit einer Szene einer Struktur mit Reibfügestellen, [structure] oder [data] parts, [[joints]], [force] und [response], stehen hier ihre FRFs bei allen Kraftstufen, Spitzen über der Stufe, Harmonische, Hysteresen der Fügestellen und Bewegungen.</translation>
+        <source>This page shows the FRFs of a structure with friction joints at all force levels. It also shows peaks over the force level, harmonics, hysteresis loops and motions. It needs a scene with [structure] or [data] parts, [[joints]], [force] and [response].</source>
+        <translation>Diese Seite zeigt die FRFs einer Struktur mit Reibfügestellen bei allen Kraftniveaus. Sie zeigt auch Spitzen über dem Kraftniveau, Harmonische, Hysteresen und Bewegungen. Sie braucht eine Szene mit [structure] oder [data] parts, [[joints]], [force] und [response].</translation>
     </message>
     <message>
         <source>Peaks, points, curves and remarks</source>
         <translation>Spitzen, Punkte, Kurven und Bemerkungen</translation>
     </message>
     <message>
-        <source>Data: gains and delays that are not known exactly</source>
-        <translation>Daten: nicht genau bekannte Verstärkungen und Laufzeiten</translation>
+        <source>Data: uncertain gains and time delays</source>
+        <translation>Daten: unsichere Verstärkungen und Zeitverzögerungen</translation>
     </message>
     <message>
-        <source>Data: masses of sensors</source>
+        <source>Data: mass loading by sensors</source>
         <translation>Daten: Massen der Sensoren</translation>
     </message>
     <message>
@@ -2786,80 +2782,80 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Virtuelle Punkte</translation>
     </message>
     <message>
-        <source>whose sensors; without them those of all DOFs: 4:+Y, 5:+Y</source>
-        <translation>wessen Sensoren; ohne Angabe die aller Freiheitsgrade: 4:+Y, 5:+Y</translation>
+        <source>DOFs of the sensors. Empty: all DOFs. 4:+Y, 5:+Y</source>
+        <translation>DOFs der Sensoren. Leer: alle DOFs. 4:+Y, 5:+Y</translation>
     </message>
     <message>
-        <source>in which files; without them in all</source>
-        <translation>in welchen Dateien; ohne Angabe in allen</translation>
+        <source>files. Empty: all</source>
+        <translation>Dateien. Leer: alle</translation>
     </message>
     <message>
-        <source>whether of sensors (response) or of hammer and shaker (reference)</source>
-        <translation>ob von Sensoren (response) oder von Hammer und Shaker (reference)</translation>
+        <source>of sensors (response), or of hammer and shaker (reference)</source>
+        <translation>von Sensoren (response), oder von Hammer und Shaker (reference)</translation>
     </message>
     <message>
         <source>standard deviation of the gain about 1: 0.01</source>
         <translation>Standardabweichung der Verstärkung um 1: 0.01</translation>
     </message>
     <message>
-        <source>standard deviation of the delay about 0, in s: 1e-6</source>
-        <translation>Standardabweichung der Laufzeit um 0, in s: 1e-6</translation>
+        <source>standard deviation of the time delay about 0, in s: 1e-6</source>
+        <translation>Standardabweichung der Zeitverzögerung um 0, in s: 1e-6</translation>
     </message>
     <message>
-        <source>standard deviation of a sensor&apos;s turn towards other axes, in rad: 0.02</source>
-        <translation>Standardabweichung der Verdrehung eines Sensors zu anderen Achsen, in rad: 0.02</translation>
+        <source>standard deviation of a sensor&apos;s misalignment, in rad: 0.02</source>
+        <translation>Standardabweichung der Fehlausrichtung eines Sensors, in rad: 0.02</translation>
     </message>
     <message>
-        <source>between what one error is the same: files, nothing (none) or all</source>
-        <translation>wozwischen ein Fehler derselbe ist: Dateien (files), nichts (none) oder alles (all)</translation>
+        <source>one error is shared by: files, nothing (none) or all</source>
+        <translation>ein Fehler gilt gemeinsam für: Dateien (files), nichts (none) oder alles (all)</translation>
     </message>
     <message>
-        <source>where the roving sensor weighed while it measured: 4:+Y, 5:+Y</source>
-        <translation>wo der wandernde Sensor wog, während er maß: 4:+Y, 5:+Y</translation>
+        <source>responses of the roving sensor: 4:+Y, 5:+Y</source>
+        <translation>Antworten des wandernden Sensors: 4:+Y, 5:+Y</translation>
     </message>
     <message>
-        <source>in which files</source>
-        <translation>in welchen Dateien</translation>
+        <source>files</source>
+        <translation>Dateien</translation>
     </message>
     <message>
-        <source>of the sensor, which is removed, in kg: 0.003</source>
-        <translation>des Sensors, die herausgerechnet wird, in kg: 0.003</translation>
+        <source>of the sensor, in kg; its effect is removed: 0.003</source>
+        <translation>des Sensors, in kg; ihre Wirkung wird herausgerechnet: 0.003</translation>
     </message>
     <message>
-        <source>of what is left of it, in kg; without it the mass is known exactly</source>
-        <translation>dessen, was davon bleibt, in kg; ohne Angabe ist die Masse genau bekannt</translation>
+        <source>standard deviation of that mass, in kg. Empty: exactly known</source>
+        <translation>Standardabweichung dieser Masse, in kg. Leer: genau bekannt</translation>
     </message>
     <message>
         <source>VP and a number: VP1</source>
         <translation>VP und eine Nummer: VP1</translation>
     </message>
     <message>
-        <source>in m, where its rotations turn: [0.9, 0, 0]</source>
-        <translation>in m, worum seine Drehungen drehen: [0.9, 0, 0]</translation>
+        <source>in m, the centre of its rotations: [0.9, 0, 0]</source>
+        <translation>in m, der Mittelpunkt seiner Drehungen: [0.9, 0, 0]</translation>
     </message>
     <message>
-        <source>where three motions do: that of its two translations</source>
-        <translation>wo drei Bewegungen genügen: die seiner zwei Verschiebungen</translation>
+        <source>for three motions only: the plane of its two translations</source>
+        <translation>nur für drei Bewegungen: die Ebene seiner zwei Verschiebungen</translation>
     </message>
     <message>
-        <source>further motions of the interface: ex, ey</source>
-        <translation>weitere Bewegungen der Schnittstelle: ex, ey</translation>
+        <source>interface deformation modes (flexible): ex, ey</source>
+        <translation>Verformungsmoden der Schnittstelle (flexibel): ex, ey</translation>
     </message>
     <message>
-        <source>responses round it: 11:+X, 11:+Y, 12:+Z</source>
+        <source>responses around it: 11:+X, 11:+Y, 12:+Z</source>
         <translation>Antworten um ihn herum: 11:+X, 11:+Y, 12:+Z</translation>
     </message>
     <message>
-        <source>references round it: 31:+X, 31:+Y, 32:+Z</source>
-        <translation>Anregungen um ihn herum: 31:+X, 31:+Y, 32:+Z</translation>
+        <source>references around it: 31:+X, 31:+Y, 32:+Z</source>
+        <translation>Referenzen um ihn herum: 31:+X, 31:+Y, 32:+Z</translation>
     </message>
     <message>
-        <source>of sensors beside the axes: { &quot;13:+Y&quot; = [0, 0.6, 0.8] }</source>
-        <translation>von Sensoren neben den Achsen: { &quot;13:+Y&quot; = [0, 0.6, 0.8] }</translation>
+        <source>of sensors not along an axis: { &quot;13:+Y&quot; = [0, 0.6, 0.8] }</source>
+        <translation>von Sensoren nicht entlang einer Achse: { &quot;13:+Y&quot; = [0, 0.6, 0.8] }</translation>
     </message>
     <message>
-        <source>of impacts beside the axes: { &quot;33:+Y&quot; = [0, 0.6, 0.8] }</source>
-        <translation>von Schlägen neben den Achsen: { &quot;33:+Y&quot; = [0, 0.6, 0.8] }</translation>
+        <source>of impacts not along an axis: { &quot;33:+Y&quot; = [0, 0.6, 0.8] }</source>
+        <translation>von Schlägen nicht entlang einer Achse: { &quot;33:+Y&quot; = [0, 0.6, 0.8] }</translation>
     </message>
     <message>
         <source>of sensors in the fit: { &quot;13:+Y&quot; = 0.5 }</source>
@@ -2870,8 +2866,8 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>von Schlägen bei der Anpassung: { &quot;33:+Y&quot; = 0.5 }</translation>
     </message>
     <message>
-        <source>in which files; without them in all that have its sensors</source>
-        <translation>in welchen Dateien; ohne Angabe in allen, die seine Sensoren haben</translation>
+        <source>files. Empty: all that have its sensors</source>
+        <translation>Dateien. Leer: alle, die seine Sensoren haben</translation>
     </message>
     <message>
         <source>contact</source>
@@ -2879,7 +2875,7 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
     </message>
     <message>
         <source>proper orthogonal modes</source>
-        <translation>orthogonale Eigenformen (POD)</translation>
+        <translation>orthogonale Moden (POD)</translation>
     </message>
     <message>
         <source>bifurcation diagram</source>
@@ -2890,8 +2886,8 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>reduzierte Modelle</translation>
     </message>
     <message>
-        <source>what was found</source>
-        <translation>was gefunden wurde</translation>
+        <source>results</source>
+        <translation>Ergebnisse</translation>
     </message>
     <message>
         <source>periodic orbit</source>
@@ -2902,12 +2898,12 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Bewegung und Bahn</translation>
     </message>
     <message>
-        <source>shares of modes</source>
+        <source>energy of modes</source>
         <translation>Anteile der Formen</translation>
     </message>
     <message>
-        <source>shapes of modes</source>
-        <translation>Gestalt der Formen</translation>
+        <source>mode shapes</source>
+        <translation>Eigenformen</translation>
     </message>
     <message>
         <source>multipliers</source>
@@ -2919,39 +2915,39 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
     </message>
     <message>
         <source>Stick-slip motion</source>
-        <translation>Haftgleitbewegung</translation>
+        <translation>Stick-Slip-Bewegung</translation>
     </message>
     <message>
         <source>Integrate</source>
         <translation>Integrieren</translation>
     </message>
     <message>
-        <source>Integrate the motion exactly, and find what else the scene asks for, as `jointid oscillate` does</source>
-        <translation>Die Bewegung genau integrieren und finden, wonach die Szene sonst fragt, wie `jointid oscillate` es tut</translation>
+        <source>Integrate the motion exactly and compute the other results of the scene, as `jointid oscillate` does</source>
+        <translation>Die Bewegung genau integrieren und die anderen Ergebnisse der Szene berechnen, wie `jointid oscillate`</translation>
     </message>
     <message>
         <source>Phase planes, contact, modes, bifurcations</source>
-        <translation>Phasenebenen, Kontakt, Formen, Verzweigungen</translation>
+        <translation>Phasenebenen, Kontakt, Moden, Verzweigungen</translation>
     </message>
     <message>
-        <source>With a scene of a system with one friction contact, [system], [friction] and [motion], its phase planes and Poincaré sections stand here, the contact, proper orthogonal modes, bifurcation diagram and reduced models.</source>
-        <translation>Mit der Szene eines Systems mit einem Reibkontakt, [system], [friction] und [motion], stehen hier seine Phasenebenen und Poincaré-Schnitte, der Kontakt, orthogonale Eigenformen, Verzweigungsdiagramm und reduzierte Modelle.</translation>
+        <source>This page shows phase planes and Poincaré sections of a system with one friction contact. It also shows the contact, proper orthogonal modes, the bifurcation diagram and reduced models. It needs a scene with [system], [friction] and [motion].</source>
+        <translation>Diese Seite zeigt Phasenebenen und Poincaré-Schnitte eines Systems mit einem Reibkontakt. Sie zeigt auch den Kontakt, orthogonale Moden (POD), das Verzweigungsdiagramm und reduzierte Modelle. Sie braucht eine Szene mit [system], [friction] und [motion].</translation>
     </message>
     <message>
         <source>Orbit, modes, exponents, reduced models</source>
-        <translation>Bahn, Formen, Exponenten, reduzierte Modelle</translation>
+        <translation>Bahn, Moden, Exponenten, reduzierte Modelle</translation>
     </message>
     <message>
         <source>modes</source>
-        <translation>Formen</translation>
+        <translation>Moden</translation>
     </message>
     <message>
         <source>values</source>
         <translation>Werte</translation>
     </message>
     <message>
-        <source>beside other modes</source>
-        <translation>neben anderen Formen</translation>
+        <source>comparison with other modes</source>
+        <translation>Vergleich mit anderen Moden</translation>
     </message>
     <message>
         <source>delay and dimension</source>
@@ -2959,19 +2955,15 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
     </message>
     <message>
         <source>divergence</source>
-        <translation>Auseinanderlaufen</translation>
+        <translation>Divergenz</translation>
     </message>
     <message>
-        <source>answers</source>
-        <translation>Antworten</translation>
-    </message>
-    <message>
-        <source>false neighbours</source>
-        <translation>falsche Nachbarn</translation>
+        <source>false nearest neighbours</source>
+        <translation>falsche nächste Nachbarn</translation>
     </message>
     <message>
         <source>recurrences</source>
-        <translation>Wiederkehr</translation>
+        <translation>Rekurrenzen</translation>
     </message>
     <message>
         <source>friction over velocity</source>
@@ -2983,43 +2975,43 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
     </message>
     <message>
         <source>Proper orthogonal modes</source>
-        <translation>Orthogonale Eigenformen (POD)</translation>
+        <translation>Orthogonale Moden (POD)</translation>
     </message>
     <message>
-        <source>The channels&apos; uncorrelated shapes stand here, with their shares of the mean square; several files are further samples.</source>
-        <translation>Hier stehen die unkorrelierten Formen der Kanäle mit ihren Anteilen am mittleren Quadrat; mehrere Dateien sind weitere Abtastwerte.</translation>
+        <source>This page shows the proper orthogonal modes of the channels, with their shares of the mean square. Several files count as further samples.</source>
+        <translation>Diese Seite zeigt die orthogonalen Moden (POD) der Kanäle mit ihren Anteilen am mittleren Quadrat. Mehrere Dateien gelten als weitere Abtastwerte.</translation>
     </message>
     <message>
         <source>channels</source>
         <translation>Kanäle</translation>
     </message>
     <message>
-        <source>Channels; none chosen: all but the time</source>
-        <translation>Kanäle; keiner gewählt: alle außer der Zeit</translation>
+        <source>Channels. None chosen: all but the time</source>
+        <translation>Kanäle. Keiner gewählt: alle außer der Zeit</translation>
     </message>
     <message>
         <source>mass matrix</source>
         <translation>Massenmatrix</translation>
     </message>
     <message>
-        <source>File of the mass matrix of the channels: modes in its inner product</source>
-        <translation>Datei der Massenmatrix der Kanäle: Formen in ihrem Skalarprodukt</translation>
+        <source>File of the mass matrix of the channels, the inner product of the modes</source>
+        <translation>Datei der Massenmatrix der Kanäle, des Skalarprodukts der Moden</translation>
     </message>
     <message>
         <source>stiffness matrix</source>
         <translation>Steifigkeitsmatrix</translation>
     </message>
     <message>
-        <source>File of the stiffness matrix: cosines and MAC with the normal modes, with the mass matrix</source>
-        <translation>Datei der Steifigkeitsmatrix: Kosinus und MAC mit den Eigenformen, zusammen mit der Massenmatrix</translation>
+        <source>File of the stiffness matrix. With the mass matrix it gives cosines and MAC with the normal modes</source>
+        <translation>Datei der Steifigkeitsmatrix. Mit der Massenmatrix ergibt sie Kosinus und MAC mit den Eigenmoden</translation>
     </message>
     <message>
         <source>other modes</source>
-        <translation>andere Formen</translation>
+        <translation>andere Moden</translation>
     </message>
     <message>
-        <source>File of modes, a column each, a row a channel: cosines and MAC with them</source>
-        <translation>Datei von Formen, jede eine Spalte, jeder Kanal eine Zeile: Kosinus und MAC mit ihnen</translation>
+        <source>File of modes: one column per mode, one row per channel. Gives cosines and MAC</source>
+        <translation>Datei von Moden: je Mode eine Spalte, je Kanal eine Zeile. Ergibt Kosinus und MAC</translation>
     </message>
     <message>
         <source>keep the mean</source>
@@ -3034,60 +3026,60 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Verzögerung und Dimension</translation>
     </message>
     <message>
-        <source>Mutual information, false neighbours, correlation sum and divergence of one channel stand here.</source>
-        <translation>Hier stehen Transinformation, falsche Nachbarn, Korrelationssumme und Auseinanderlaufen eines Kanals.</translation>
+        <source>This page shows mutual information, false nearest neighbours, correlation sum and divergence of one channel.</source>
+        <translation>Diese Seite zeigt Transinformation, falsche nächste Nachbarn, Korrelationssumme und Divergenz eines Kanals.</translation>
     </message>
     <message>
         <source>channel</source>
         <translation>Kanal</translation>
     </message>
     <message>
-        <source>Channel; not chosen: the only one beside the time</source>
-        <translation>Kanal; nicht gewählt: der einzige neben der Zeit</translation>
+        <source>Channel. None chosen: the only one beside the time</source>
+        <translation>Kanal. Keiner gewählt: der einzige neben der Zeit</translation>
     </message>
     <message>
         <source>samples per second</source>
         <translation>Abtastwerte je Sekunde</translation>
     </message>
     <message>
-        <source>Samples per second, where the file does not say</source>
-        <translation>Abtastwerte je Sekunde, wo die Datei es nicht sagt</translation>
+        <source>Samples per second, if the file does not state them</source>
+        <translation>Abtastwerte je Sekunde, wenn die Datei sie nicht nennt</translation>
     </message>
     <message>
-        <source>Use the first so many samples; time grows with their square</source>
-        <translation>So viele Abtastwerte vom Anfang; die Zeit wächst mit ihrem Quadrat</translation>
+        <source>Number of samples from the start. The run time grows with its square</source>
+        <translation>Zahl der Abtastwerte vom Anfang. Die Rechenzeit wächst mit ihrem Quadrat</translation>
     </message>
     <message>
         <source>delay</source>
         <translation>Verzögerung</translation>
     </message>
     <message>
-        <source>Delay in samples; empty: first minimum of the mutual information</source>
-        <translation>Verzögerung in Abtastwerten; leer: erstes Minimum der Transinformation</translation>
+        <source>Delay in samples. Empty: first minimum of the mutual information</source>
+        <translation>Verzögerung in Abtastwerten. Leer: erstes Minimum der Transinformation</translation>
     </message>
     <message>
         <source>dimension</source>
         <translation>Dimension</translation>
     </message>
     <message>
-        <source>Dimension; empty: the least with at most 1 % false neighbours</source>
-        <translation>Dimension; leer: die kleinste mit höchstens 1 % falschen Nachbarn</translation>
+        <source>Dimension. Empty: the smallest with at most 1 % false nearest neighbours</source>
+        <translation>Dimension. Leer: die kleinste mit höchstens 1 % falschen nächsten Nachbarn</translation>
     </message>
     <message>
         <source>Theiler window</source>
         <translation>Theiler-Fenster</translation>
     </message>
     <message>
-        <source>Neighbours are further apart in time, in samples; empty: twice delay times dimension</source>
-        <translation>Nachbarn liegen zeitlich weiter auseinander, in Abtastwerten; leer: zweimal Verzögerung mal Dimension</translation>
+        <source>Smallest distance of neighbours in time, in samples. Empty: twice delay times dimension</source>
+        <translation>Kleinster zeitlicher Abstand von Nachbarn, in Abtastwerten. Leer: zweimal Verzögerung mal Dimension</translation>
     </message>
     <message>
         <source>Friction of a contact</source>
         <translation>Reibung eines Kontakts</translation>
     </message>
     <message>
-        <source>The friction coefficient over the relative velocity stands here, and the law that falls with it.</source>
-        <translation>Hier steht der Reibwert über der Relativgeschwindigkeit und das Gesetz, das mit ihr fällt.</translation>
+        <source>This page shows the friction coefficient over the relative velocity, and the fitted law.</source>
+        <translation>Diese Seite zeigt den Reibwert über der Relativgeschwindigkeit und das angepasste Gesetz.</translation>
     </message>
     <message>
         <source>relative velocity</source>
@@ -3110,8 +3102,8 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Normallast</translation>
     </message>
     <message>
-        <source>Column of the normal load, N; or a constant one beside</source>
-        <translation>Spalte der Normallast, N; oder daneben eine feste</translation>
+        <source>Column of the normal load, N, unless it is constant</source>
+        <translation>Spalte der Normallast, N, wenn sie nicht konstant ist</translation>
     </message>
     <message>
         <source>constant load in N</source>
@@ -3123,35 +3115,35 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
     </message>
     <message>
         <source>sticks below m/s</source>
-        <translation>haftet unter m/s</translation>
+        <translation>Haften unter m/s</translation>
     </message>
     <message>
-        <source>Slower samples stick, m/s: above the noise of the velocity</source>
-        <translation>Langsamere Abtastwerte haften, m/s: über dem Rauschen der Geschwindigkeit</translation>
+        <source>Slower samples count as sticking, m/s. Choose it above the noise of the velocity</source>
+        <translation>Langsamere Abtastwerte gelten als haftend, m/s. Über dem Rauschen der Geschwindigkeit wählen</translation>
     </message>
     <message>
-        <source>force late by s</source>
-        <translation>Kraft später um s</translation>
+        <source>delay of force in s</source>
+        <translation>Verzögerung der Kraft in s</translation>
     </message>
     <message>
-        <source>By how much the force is late, s: `jointid series align` finds it</source>
-        <translation>Um wieviel die Kraft zu spät kommt, s: `jointid series align` findet es</translation>
+        <source>Time delay of the force, s; `jointid series align` finds it</source>
+        <translation>Zeitverzögerung der Kraft, s; `jointid series align` findet sie</translation>
     </message>
     <message>
-        <source>The laws are assumed as the scene says them.</source>
-        <translation>Die Gesetze sind so angenommen, wie die Szene sie nennt.</translation>
+        <source>The laws are those of the scene (assumed).</source>
+        <translation>Die Gesetze sind die der Szene (angenommen).</translation>
     </message>
     <message>
-        <source>The laws are those of the measured levels.</source>
-        <translation>Die Gesetze sind die der gemessenen Pegel.</translation>
+        <source>The laws are those of the measured force levels.</source>
+        <translation>Die Gesetze sind die der gemessenen Kraftniveaus.</translation>
     </message>
     <message>
-        <source>which level to measure next</source>
-        <translation>welcher Pegel als nächster zu messen ist</translation>
+        <source>force level to measure next</source>
+        <translation>als nächstes zu messendes Kraftniveau</translation>
     </message>
     <message>
-        <source>what each level is worth</source>
-        <translation>was jeder Pegel wert ist</translation>
+        <source>benefit of each force level</source>
+        <translation>Nutzen jedes Kraftniveaus</translation>
     </message>
     <message>
         <source>errors and intervals</source>
@@ -3170,8 +3162,8 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Schranken vorhersagen</translation>
     </message>
     <message>
-        <source>What the levels will tell, and which to measure next, as `jointid plan --bound` does</source>
-        <translation>Was die Pegel sagen werden und welcher als nächster zu messen ist, wie `jointid plan --bound` es tut</translation>
+        <source>Predict the standard errors and the force level to measure next, as `jointid plan --bound` does</source>
+        <translation>Die Standardfehler und das als nächstes zu messende Kraftniveau vorhersagen, wie `jointid plan --bound`</translation>
     </message>
     <message>
         <source>Study</source>
@@ -3182,8 +3174,8 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Versuche simulieren</translation>
     </message>
     <message>
-        <source>How large errors are and how often intervals hold, over simulated tests, as `jointid study` does</source>
-        <translation>Wie groß Fehler sind und wie oft Intervalle halten, über simulierte Versuche, wie `jointid study` es tut</translation>
+        <source>Errors and coverage of the intervals over simulated tests, as `jointid study` does</source>
+        <translation>Fehler und Überdeckung der Intervalle über simulierte Versuche, wie `jointid study`</translation>
     </message>
     <message>
         <source>displacements</source>
@@ -3199,23 +3191,23 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
     </message>
     <message>
         <source>delays</source>
-        <translation>Verspätungen</translation>
+        <translation>Zeitverzögerungen</translation>
     </message>
     <message>
         <source>Displacements from strain gauges</source>
         <translation>Verschiebungen aus Dehnungsmessstreifen</translation>
     </message>
     <message>
-        <source>The displacements of a clamped beam stand here, and what errors of the strains do to them.</source>
-        <translation>Hier stehen die Verschiebungen eines eingespannten Balkens und was Fehler der Dehnungen aus ihnen machen.</translation>
+        <source>This page shows the displacements of a clamped beam, and their sensitivity to errors of the strains.</source>
+        <translation>Diese Seite zeigt die Verschiebungen eines eingespannten Balkens und ihre Empfindlichkeit gegen Fehler der Dehnungen.</translation>
     </message>
     <message>
         <source>gauges&apos; channels</source>
         <translation>Kanäle der Streifen</translation>
     </message>
     <message>
-        <source>Channels of the gauges; none chosen: all but the time</source>
-        <translation>Kanäle der Dehnungsmessstreifen; keiner gewählt: alle außer der Zeit</translation>
+        <source>Channels of the strain gauges. None chosen: all but the time</source>
+        <translation>Kanäle der Dehnungsmessstreifen. Keiner gewählt: alle außer der Zeit</translation>
     </message>
     <message>
         <source>length in m</source>
@@ -3230,32 +3222,32 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Dicke in m</translation>
     </message>
     <message>
-        <source>Thickness of the beam, m: strain is half of it times the curvature</source>
-        <translation>Dicke des Balkens, m: die Dehnung ist die Hälfte davon mal die Krümmung</translation>
+        <source>Thickness of the beam, m. The strain is half of it times the curvature</source>
+        <translation>Dicke des Balkens, m. Die Dehnung ist die Hälfte davon mal die Krümmung</translation>
     </message>
     <message>
         <source>gauges at m</source>
         <translation>Streifen bei m</translation>
     </message>
     <message>
-        <source>Where the gauges are, m from the clamp, in the order of their channels: 0.05,0.1</source>
-        <translation>Wo die Streifen sind, m von der Einspannung, in der Reihenfolge ihrer Kanäle: 0.05,0.1</translation>
+        <source>Positions of the gauges, m from the clamp, in the order of their channels: 0.05,0.1</source>
+        <translation>Positionen der Streifen, m von der Einspannung, in der Reihenfolge ihrer Kanäle: 0.05,0.1</translation>
     </message>
     <message>
         <source>points at m</source>
         <translation>Stellen bei m</translation>
     </message>
     <message>
-        <source>Where displacements are wanted, m; empty: the tip</source>
-        <translation>Wo Verschiebungen gesucht sind, m; leer: das Ende</translation>
+        <source>Positions of the displacements, m. Empty: the tip</source>
+        <translation>Positionen der Verschiebungen, m. Leer: das Ende</translation>
     </message>
     <message>
         <source>shapes</source>
         <translation>Formen</translation>
     </message>
     <message>
-        <source>Shapes of the beam; empty: as many as gauges</source>
-        <translation>Formen des Balkens; leer: so viele wie Streifen</translation>
+        <source>Number of shapes of the beam. Empty: that of the gauges</source>
+        <translation>Zahl der Formen des Balkens. Leer: die der Streifen</translation>
     </message>
     <message>
         <source>static shapes</source>
@@ -3267,19 +3259,19 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
     </message>
     <message>
         <source>Time delays of channels</source>
-        <translation>Zeitverzug der Kanäle</translation>
+        <translation>Zeitverzögerungen von Kanälen</translation>
     </message>
     <message>
-        <source>The channels of a periodic record stand here, as measured and without their delays.</source>
-        <translation>Hier stehen die Kanäle einer periodischen Aufzeichnung, wie gemessen und ohne ihre Verspätungen.</translation>
+        <source>This page shows the channels of a periodic record, as measured and without their time delays.</source>
+        <translation>Diese Seite zeigt die Kanäle eines periodischen Zeitverlaufs, gemessen und ohne ihre Zeitverzögerungen.</translation>
     </message>
     <message>
         <source>reference</source>
-        <translation>Bezug</translation>
+        <translation>Bezugskanal</translation>
     </message>
     <message>
-        <source>Column that is right</source>
-        <translation>Spalte, die stimmt</translation>
+        <source>Column without a time delay</source>
+        <translation>Spalte ohne Zeitverzögerung</translation>
     </message>
     <message>
         <source>frequency in Hz</source>
@@ -3290,12 +3282,8 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Frequenz der Bewegung, Hz</translation>
     </message>
     <message>
-        <source>Harmonics fitted together; empty: 3</source>
-        <translation>Gemeinsam angepasste Harmonische; leer: 3</translation>
-    </message>
-    <message>
-        <source>values found</source>
-        <translation>gefundene Werte</translation>
+        <source>Harmonics fitted together. Empty: 3</source>
+        <translation>Gemeinsam angepasste Harmonische. Leer: 3</translation>
     </message>
 </context>
 <context>
@@ -3305,8 +3293,8 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Szene</translation>
     </message>
     <message>
-        <source>The scene as text (TOML). Ctrl+Space offers what can be written here.</source>
-        <translation>Die Szene als Text (TOML). Strg+Leertaste bietet an, was hier stehen kann.</translation>
+        <source>The scene as text (TOML). Ctrl+Space lists the valid words.</source>
+        <translation>Die Szene als Text (TOML). Strg+Leertaste zeigt die gültigen Wörter.</translation>
     </message>
     <message>
         <source>Completions</source>
@@ -3324,24 +3312,24 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Szene als Formular</translation>
     </message>
     <message>
-        <source>What is wrong with these fields</source>
-        <translation>Was an diesen Feldern falsch ist</translation>
+        <source>Errors in these fields</source>
+        <translation>Fehler in diesen Feldern</translation>
     </message>
     <message>
-        <source>It is a table of its own in the text.</source>
-        <translation>Im Text ist es eine eigene Tabelle.</translation>
+        <source>This is a separate table in the text.</source>
+        <translation>Dies ist im Text eine eigene Tabelle.</translation>
     </message>
     <message>
-        <source>File that the fields are of</source>
-        <translation>Datei, zu der die Felder gehören</translation>
+        <source>File of these fields</source>
+        <translation>Datei dieser Felder</translation>
     </message>
     <message>
         <source>file</source>
         <translation>Datei</translation>
     </message>
     <message>
-        <source>Joint that the fields are of</source>
-        <translation>Fügestelle, zu der die Felder gehören</translation>
+        <source>Joint of these fields</source>
+        <translation>Fügestelle dieser Felder</translation>
     </message>
     <message>
         <source>joint</source>
@@ -3352,12 +3340,12 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>die einzige</translation>
     </message>
     <message>
-        <source>The file is written as one value in the text.</source>
-        <translation>Die Datei steht als ein Wert im Text.</translation>
+        <source>The text has this file as one value.</source>
+        <translation>Der Text hat diese Datei als einen Wert.</translation>
     </message>
     <message>
-        <source>Table that the fields are of: %1</source>
-        <translation>Tabelle, der die Felder gelten: %1</translation>
+        <source>Table of these fields: %1</source>
+        <translation>Tabelle dieser Felder: %1</translation>
     </message>
     <message>
         <source>table</source>
@@ -3368,15 +3356,15 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
     <name>ScenePage</name>
     <message>
         <source>Status: %1</source>
-        <translation>Stand: %1</translation>
+        <translation>Status: %1</translation>
     </message>
     <message>
         <source>SCENE.toml</source>
         <translation>SZENE.toml</translation>
     </message>
     <message>
-        <source>What the scene is asked for</source>
-        <translation>Was die Szene gefragt wird</translation>
+        <source>Task of the scene</source>
+        <translation>Aufgabe der Szene</translation>
     </message>
     <message>
         <source>trials</source>
@@ -3394,8 +3382,8 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Plan</translation>
     </message>
     <message>
-        <source>Bounds before measuring</source>
-        <translation>Schranken vor der Messung</translation>
+        <source>Cramér–Rao bounds</source>
+        <translation>Cramér-Rao-Schranken</translation>
     </message>
     <message>
         <source>Unknowns</source>
@@ -3406,12 +3394,12 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Befunde</translation>
     </message>
     <message>
-        <source>Runs beside each other</source>
-        <translation>Läufe nebeneinander</translation>
+        <source>Comparison of runs</source>
+        <translation>Vergleich der Läufe</translation>
     </message>
     <message>
         <source>Status of the solution</source>
-        <translation>Stand der Lösung</translation>
+        <translation>Status der Lösung</translation>
     </message>
     <message>
         <source>Plan and results</source>
@@ -3439,11 +3427,11 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
     </message>
     <message>
         <source>Identify the joint (F5)</source>
-        <translation>Die Fügestelle bestimmen (F5)</translation>
+        <translation>Die Fügestelle identifizieren (F5)</translation>
     </message>
     <message>
-        <source>The smallest errors that the data allow, and what other data would change</source>
-        <translation>Die kleinsten Fehler, die die Daten zulassen, und was andere Daten änderten</translation>
+        <source>The smallest standard errors that the data allow, and the effect of other data</source>
+        <translation>Die kleinsten Standardfehler, die die Daten zulassen, und der Einfluss anderer Daten</translation>
     </message>
     <message>
         <source>Stop and keep the best values so far (Shift+F5)</source>
@@ -3458,16 +3446,16 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Als Befehl kopieren</translation>
     </message>
     <message>
-        <source>Copy the command line that solves this scene to the same numbers</source>
-        <translation>Die Befehlszeile kopieren, die diese Szene zu denselben Zahlen löst</translation>
+        <source>Copy the command line with the same solution</source>
+        <translation>Die Befehlszeile mit derselben Lösung kopieren</translation>
     </message>
     <message>
         <source>Table…</source>
         <translation>Tabelle …</translation>
     </message>
     <message>
-        <source>Save the table in front as CSV</source>
-        <translation>Die Tabelle vorn als CSV speichern</translation>
+        <source>Save the visible table as CSV</source>
+        <translation>Die sichtbare Tabelle als CSV speichern</translation>
     </message>
     <message>
         <source>Report…</source>
@@ -3486,16 +3474,16 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Die Lösung speichern, wie `jointid solve --json` sie schreibt</translation>
     </message>
     <message>
-        <source>Planned; F5 solves.</source>
-        <translation>Geplant; F5 löst.</translation>
+        <source>Planned. F5 solves.</source>
+        <translation>Geplant. F5 löst.</translation>
     </message>
     <message>
         <source>Predicting bounds …</source>
         <translation>Schranken werden vorhergesagt …</translation>
     </message>
     <message>
-        <source>Cancelled: not all changes of the data were looked at.</source>
-        <translation>Abgebrochen: nicht alle Änderungen der Daten wurden betrachtet.</translation>
+        <source>Cancelled: some changes of the data are not predicted.</source>
+        <translation>Abgebrochen: einige Änderungen der Daten sind nicht vorhergesagt.</translation>
     </message>
     <message>
         <source>Bounds are predicted.</source>
@@ -3524,8 +3512,8 @@ FRF-Fehler des Zusammenbaus %1 dB</translation>
         <translation>SZENE.toml</translation>
     </message>
     <message>
-        <source>Nothing is solved yet.</source>
-        <translation>Noch ist nichts gelöst.</translation>
+        <source>There is no solution yet.</source>
+        <translation>Es gibt noch keine Lösung.</translation>
     </message>
     <message>
         <source>Save the solution</source>
@@ -3548,8 +3536,8 @@ FRF-Fehler des Zusammenbaus %1 dB</translation>
         <translation>Der Bericht ist nach %1 geschrieben.</translation>
     </message>
     <message>
-        <source>There is no table in front; the plot has its own button.</source>
-        <translation>Vorn ist keine Tabelle; das Diagramm hat seinen eigenen Knopf.</translation>
+        <source>No table is visible. The plot has its own button.</source>
+        <translation>Keine Tabelle ist sichtbar. Das Diagramm hat seinen eigenen Knopf.</translation>
     </message>
     <message>
         <source>Save the table</source>
@@ -3567,10 +3555,10 @@ FRF-Fehler des Zusammenbaus %1 dB</translation>
         <translation>Struktur: Knoten, Linien und gemessene DOFs</translation>
     </message>
     <message>
-        <source>The files of the scene say no positions of nodes (UFF datasets 15 and 2411, node_position in HDF5).
-Joint DOFs can be chosen in the list all the same.</source>
-        <translation>Die Dateien der Szene nennen keine Orte von Knoten (UFF-Datensätze 15 und 2411, node_position in HDF5).
-DOFs der Fügestelle lassen sich trotzdem in der Liste wählen.</translation>
+        <source>The files of the scene have no positions of nodes (UFF datasets 15 and 2411, node_position in HDF5).
+You can choose joint DOFs in the list.</source>
+        <translation>Die Dateien der Szene haben keine Positionen von Knoten (UFF-Datensätze 15 und 2411, node_position in HDF5).
+DOFs der Fügestelle lassen sich in der Liste wählen.</translation>
     </message>
 </context>
 <context>
@@ -3581,16 +3569,16 @@ DOFs der Fügestelle lassen sich trotzdem in der Liste wählen.</translation>
     </message>
     <message>
         <source>Status of the study</source>
-        <translation>Stand der Studie</translation>
+        <translation>Status der Studie</translation>
     </message>
     <message>
         <source>Histograms of the unknowns</source>
         <translation>Histogramme der Unbekannten</translation>
     </message>
     <message>
-        <source>Run, and the estimates of all trials grow here as histograms.
+        <source>Run shows the estimates of all trials as histograms.
 The noise is that of [noise], or that of the coherences of the files.</source>
-        <translation>Nach dem Start wachsen hier die Schätzwerte aller Versuche als Histogramme.
+        <translation>„Start“ zeigt die Schätzwerte aller Versuche als Histogramme.
 Das Rauschen ist das von [noise], oder das der Kohärenzen der Dateien.</translation>
     </message>
     <message>
@@ -3602,8 +3590,8 @@ Das Rauschen ist das von [noise], oder das der Kohärenzen der Dateien.</transla
         <translation>Histogramme und Tabelle</translation>
     </message>
     <message>
-        <source>Cancelled before any trial was done.</source>
-        <translation>Abgebrochen, bevor ein Versuch fertig war.</translation>
+        <source>Cancelled: no trial was finished.</source>
+        <translation>Abgebrochen: kein Versuch war fertig.</translation>
     </message>
     <message>
         <source>Studying</source>
@@ -3614,12 +3602,12 @@ Das Rauschen ist das von [noise], oder das der Kohärenzen der Dateien.</transla
         <translation>Start</translation>
     </message>
     <message>
-        <source>Identify over and over with simulated noise</source>
-        <translation>Immer wieder mit simuliertem Rauschen identifizieren</translation>
+        <source>Identify repeatedly with simulated noise</source>
+        <translation>Wiederholt mit simuliertem Rauschen identifizieren</translation>
     </message>
     <message>
-        <source>Stop; what is done stays, and the next run goes on from there</source>
-        <translation>Anhalten; was fertig ist, bleibt, und der nächste Start macht dort weiter</translation>
+        <source>Stop and keep the finished trials. The next run continues from there</source>
+        <translation>Anhalten und die fertigen Versuche behalten. Der nächste Start macht dort weiter</translation>
     </message>
     <message>
         <source>trials</source>
@@ -3634,12 +3622,12 @@ Das Rauschen ist das von [noise], oder das der Kohärenzen der Dateien.</transla
         <translation>von vorn</translation>
     </message>
     <message>
-        <source>Do not take up what was cancelled</source>
-        <translation>Abgebrochenes nicht fortsetzen</translation>
+        <source>Do not continue a cancelled run</source>
+        <translation>Einen abgebrochenen Lauf nicht fortsetzen</translation>
     </message>
     <message>
-        <source>Forget the trials that a cancelled run left, as after a change of the scene</source>
-        <translation>Die Versuche eines abgebrochenen Laufs vergessen, wie nach einer Änderung der Szene</translation>
+        <source>Discard the trials of a cancelled run, as after a change of the scene</source>
+        <translation>Die Versuche eines abgebrochenen Laufs verwerfen, wie nach einer Änderung der Szene</translation>
     </message>
     <message>
         <source>Which histograms</source>
@@ -3654,11 +3642,11 @@ Das Rauschen ist das von [noise], oder das der Kohärenzen der Dateien.</transla
         <translation>Die Befehlszeile kopieren, die dieselbe Datei schreibt</translation>
     </message>
     <message>
-        <source>Save the scene first: the results of the study lie beside it.</source>
-        <translation>Speichern Sie zuerst die Szene: die Ergebnisse der Studie liegen daneben.</translation>
+        <source>Save the scene first. The results of the study are written beside it.</source>
+        <translation>Speichern Sie zuerst die Szene. Die Ergebnisse der Studie werden daneben geschrieben.</translation>
     </message>
     <message>
-        <source>Going on …</source>
+        <source>Continuing …</source>
         <translation>Wird fortgesetzt …</translation>
     </message>
     <message>
@@ -3672,8 +3660,8 @@ all results: %1</source>
 alle Ergebnisse: %1</translation>
     </message>
     <message>
-        <source>Cancelled: %1 of %2 trials are kept; Run goes on from there.</source>
-        <translation>Abgebrochen: %1 von %2 Versuchen sind behalten; Start macht dort weiter.</translation>
+        <source>Cancelled: %1 of %2 trials are kept. Run continues from there.</source>
+        <translation>Abgebrochen: %1 von %2 Versuchen sind behalten. Start macht dort weiter.</translation>
     </message>
     <message>
         <source>SCENE.toml</source>

@@ -4,10 +4,10 @@
 <context>
     <name>ComparePage</name>
     <message numerus="yes">
-        <source>Cancelled; %n way(s) that were done are shown.</source>
+        <source>Cancelled: %n finished way(s).</source>
         <translation>
-            <numerusform>Cancelled; %n way that was done are shown.</numerusform>
-            <numerusform>Cancelled; %n ways that were done are shown.</numerusform>
+            <numerusform>Cancelled: %n finished way.</numerusform>
+            <numerusform>Cancelled: %n finished ways.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -31,10 +31,10 @@
 <context>
     <name>MainWindow</name>
     <message numerus="yes">
-        <source>Looking at %n file(s) …</source>
+        <source>Reading %n file(s) …</source>
         <translation>
-            <numerusform>Looking at %n file …</numerusform>
-            <numerusform>Looking at %n files …</numerusform>
+            <numerusform>Reading %n file …</numerusform>
+            <numerusform>Reading %n files …</numerusform>
         </translation>
     </message>
 </context>

@@ -16,10 +16,10 @@ namespace jointid::gui {
 FrfTab::FrfTab(Worker& worker, QWidget* parent) : QWidget(parent), worker_(worker) {
   response_ = named(new QComboBox, "asm_response", tr("Response"));
   reference_ = named(new QComboBox, "asm_reference", tr("Reference"));
-  all_runs_ = named(new QCheckBox(tr("all runs")), "all_runs", tr("Draw what the joints of all runs give"),
-                    tr("Draw what the joints of all runs of the session give, one over the other"));
+  all_runs_ = named(new QCheckBox(tr("all runs")), "all_runs", tr("Draw the synthesised FRFs of all runs"),
+                    tr("Draw the FRFs synthesised with the joint of every run of the session"));
   error_db_ = named(new QLabel, "error_db", tr("Error of the synthesised FRF"));
-  plot_ = new FrfPlot(tr("Solve, and the assembly's FRFs stand here as measured and as the joint gives them."));
+  plot_ = new FrfPlot(tr("After solving, this tab shows the FRFs of the assembly, measured and synthesised with the joint."));
   plot_->offer(View::difference);
   auto* row = new QHBoxLayout;
   for (QWidget* each : std::initializer_list<QWidget*>{response_, reference_, all_runs_, error_db_}) row->addWidget(each);

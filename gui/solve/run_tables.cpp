@@ -60,7 +60,7 @@ Cell unknown_cell(const Estimate* estimate, const Estimate* of_front) {
   if (of_front == nullptr || of_front == estimate || !(std::abs(of_front->value) > 0.0)) return cell;
   const double off = estimate->value / of_front->value - 1.0;
   if (!std::isfinite(off)) return cell;
-  cell.hint = Said::tr("%1 of the run in front").arg((off < 0.0 ? "−" : "+") + q(percent(std::abs(off))));
+  cell.hint = Said::tr("%1 of the selected run").arg((off < 0.0 ? "−" : "+") + q(percent(std::abs(off))));
   cell.shade = 0.75 * std::min(1.0, std::abs(off));
   return cell;
 }

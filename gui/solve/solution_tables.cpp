@@ -112,8 +112,8 @@ CellRows plan_rows(const ident::Plan& plan) {
   out.add(Said::tr("method"), plan.chosen.empty() ? q(ident::name(plan.scene.identify.method)) : q(plan.chosen));
   out.add(Said::tr("solver"), q(ident::name(plan.solver)));
   out.add(Said::tr("joint DOFs"), listed(plan.coordinates.joint));
-  out.add(Said::tr("other responses"), listed(plan.coordinates.responses));
-  out.add(Said::tr("other references"), listed(plan.coordinates.references));
+  out.add(Said::tr("internal responses"), listed(plan.coordinates.responses));
+  out.add(Said::tr("internal references"), listed(plan.coordinates.references));
   out.add(Said::tr("lines"), Said::tr("%1, %2 to %3 Hz")
                                  .arg(plan.lines.size())
                                  .arg(plan.lines.front().frequency_hz)
@@ -138,11 +138,13 @@ CellRows bound_rows(const tasks::BoundReport& report) {
                 Said::tr("bounds times (mean)")},
                {},
                {}};
-  const auto factor = [](double value) { return std::isfinite(value) ? q(digits(value, "%.3g")) : Said::tr("no longer fixed"); };
+  const auto factor = [](double value) {
+    return std::isfinite(value) ? q(digits(value, "%.3g")) : Said::tr("no longer determined");
+  };
   for (const auto& each : report.unknowns) {
     const bool fixed = std::isfinite(each.bound);
-    out.cells.push_back({Cell{Said::tr("smallest error")}, Cell{q(each.name)},
-                         Cell{fixed ? q(digits(each.bound, "%.3g") + " " + each.unit) : Said::tr("not fixed by the data")},
+    out.cells.push_back({Cell{Said::tr("smallest standard error")}, Cell{q(each.name)},
+                         Cell{fixed ? q(digits(each.bound, "%.3g") + " " + each.unit) : Said::tr("not determined by the data")},
                          Cell{fixed ? q(percent(each.relative)) : QString()}, Cell{}});
   }
   const auto add = [&](const char* what, const std::vector<tasks::BoundChange>& changes) {
@@ -151,7 +153,7 @@ CellRows bound_rows(const tasks::BoundReport& report) {
           {Cell{said(what)}, Cell{q(change.what)}, Cell{}, Cell{factor(change.worst)}, Cell{factor(change.mean)}});
     }
   };
-  add(QT_TRANSLATE_NOOP("Said", "without a coordinate"), report.without_coordinate);
+  add(QT_TRANSLATE_NOOP("Said", "without a DOF"), report.without_coordinate);
   add(QT_TRANSLATE_NOOP("Said", "without lines"), report.without_lines);
   add(QT_TRANSLATE_NOOP("Said", "with more data"), report.with_more);
   for (const std::string& variances : report.variances) {

@@ -78,7 +78,7 @@ Overlay regenerate_frf(const Solved& solved, const tasks::FrfEntry& entry, const
   const tasks::Regenerated all = tasks::regenerate(*solved.plan, solved.solution.bands, {entry}, control_of(watch));
   const tasks::RegeneratedFrf& frf = all.frfs.front();
   return {{curve_of(all, frf, true, Said::tr("measured").toStdString()),
-           curve_of(all, frf, false, Said::tr("regenerated").toStdString())},
+           curve_of(all, frf, false, Said::tr("synthesised").toStdString())},
           tasks::decibel_error(frf)};
 }
 

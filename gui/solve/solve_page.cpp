@@ -28,10 +28,10 @@ SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Solve"));
   line_ = new JobLine("solve", tr("Status of the solution"), tr("Stop and keep the best values so far (Shift+F5)"));
   plan_ = new CellTable("plan_table", tr("Plan"));
-  bounds_ = new CellTable("bounds", tr("Bounds before measuring"));
+  bounds_ = new CellTable("bounds", tr("Cramér–Rao bounds"));
   unknowns_ = new CellTable("unknowns", tr("Unknowns"));
   findings_ = new CellTable("findings", tr("Findings"));
-  run_table_ = new CellTable("run_table", tr("Runs beside each other"));
+  run_table_ = new CellTable("run_table", tr("Comparison of runs"));
   joint_tab_ = new JointTab;
   frf_tab_ = new FrfTab(line_->worker());
   results_ = named(new QTabWidget, "results", tr("Plan and results"));
@@ -58,12 +58,11 @@ QWidget* SolvePage::make_top() {
   auto* top = named(new QWidget, "solve_top", tr("Solving"));
   solve_ = push_button("solve", tr("Solve"), tr("Identify the joint (F5)"));
   auto* bound_button =
-      push_button("bound", tr("Bounds"), tr("The smallest errors that the data allow, and what other data would change"));
+      push_button("bound", tr("Bounds"), tr("The smallest standard errors that the data allow, and the effect of other data"));
   run_choice_ = named(new QComboBox, "runs", tr("Runs"), tr("Solutions of this session"));
   run_choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  auto* command =
-      push_button("copy_command", tr("Copy as command"), tr("Copy the command line that solves this scene to the same numbers"));
-  auto* table = push_button("save_table", tr("Table…"), tr("Save the table in front as CSV"));
+  auto* command = push_button("copy_command", tr("Copy as command"), tr("Copy the command line with the same solution"));
+  auto* table = push_button("save_table", tr("Table…"), tr("Save the visible table as CSV"));
   auto* page = push_button("save_report", tr("Report…"), tr("Save the page that `jointid solve --report` writes"));
   auto* json = push_button("save_json", tr("JSON…"), tr("Save the solution as `jointid solve --json` writes it"));
   auto* rows = new QGridLayout(top);
@@ -129,7 +128,7 @@ void SolvePage::show_plan(const CellRows& rows) {
   if (line_->is_busy() || !renew_status_) return;
   renew_status_ = false;
   if (runs_.empty())
-    line_->say(tr("Planned; F5 solves."));
+    line_->say(tr("Planned. F5 solves."));
   else
     show_status();
 }
@@ -143,7 +142,7 @@ void SolvePage::bound() {
     const tasks::BoundReport report = predict_bound(scene, {}, watch);
     return [this, rows = bound_rows(report), cut = report.interrupted] {
       bounds_->show_rows(rows);
-      line_->say(cut ? tr("Cancelled: not all changes of the data were looked at.") : tr("Bounds are predicted."), cut);
+      line_->say(cut ? tr("Cancelled: some changes of the data are not predicted.") : tr("Bounds are predicted."), cut);
     };
   });
 }
@@ -218,13 +217,13 @@ void SolvePage::save(const QString& file, const std::string& text) {
 
 void SolvePage::save_json() {
   const Solved* const run = current();
-  if (run == nullptr) return line_->say(tr("Nothing is solved yet."), true);
+  if (run == nullptr) return line_->say(tr("There is no solution yet."), true);
   const QString file = choose_file_to_save(this, tr("Save the solution"), {}, tr("JSON (*.json)"), QStringLiteral("json"));
   if (!file.isEmpty()) save(file, json_of(*run));
 }
 
 void SolvePage::save_report() {
-  if (current() == nullptr) return line_->say(tr("Nothing is solved yet."), true);
+  if (current() == nullptr) return line_->say(tr("There is no solution yet."), true);
   const QString file = choose_file_to_save(this, tr("Save the report"), {}, tr("Pages (*.html)"), QStringLiteral("html"));
   if (!file.isEmpty()) write_report(file);
 }
@@ -241,7 +240,7 @@ void SolvePage::write_report(const QString& file) {
 void SolvePage::save_table() {
   const auto* const table = results_->currentWidget()->findChild<CellTable*>();
   const auto* const shown = table != nullptr ? table : qobject_cast<CellTable*>(results_->currentWidget());
-  if (shown == nullptr) return line_->say(tr("There is no table in front; the plot has its own button."), true);
+  if (shown == nullptr) return line_->say(tr("No table is visible. The plot has its own button."), true);
   const QString file = choose_file_to_save(this, tr("Save the table"), {}, tr("Tables (*.csv)"), QStringLiteral("csv"));
   if (!file.isEmpty()) save(file, shown->text(',').toStdString());
 }

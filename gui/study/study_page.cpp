@@ -20,11 +20,12 @@ namespace jointid::gui {
 
 StudyPage::StudyPage(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Study"));
-  line_ = new JobLine("study", tr("Status of the study"), tr("Stop; what is done stays, and the next run goes on from there"));
-  line_->set_cancelled_text(tr("Cancelled before any trial was done."));
+  line_ =
+      new JobLine("study", tr("Status of the study"), tr("Stop and keep the finished trials. The next run continues from there"));
+  line_->set_cancelled_text(tr("Cancelled: no trial was finished."));
   chart_ = new Chart("study_histograms", tr("Histograms of the unknowns"),
-                     tr("Run, and the estimates of all trials grow here as histograms.\n"
-                        "The noise is that of [noise], or that of the coherences of the files."));
+                     tr("Run shows the estimates of all trials as histograms.\nThe noise is that of [noise], or that of the "
+                        "coherences of the files."));
   table_ = new CellTable("study_unknowns", tr("Statistics of the unknowns"));
   table_->hide();
   auto* both = named(new QSplitter(Qt::Vertical), "chart_and_statistics", tr("Histograms and table"));
@@ -44,11 +45,11 @@ StudyPage::StudyPage(QWidget* parent) : QWidget(parent) {
 
 QWidget* StudyPage::make_top() {
   auto* top = named(new QWidget, "study_top", tr("Studying"));
-  run_ = push_button("study", tr("Run"), tr("Identify over and over with simulated noise"));
+  run_ = push_button("study", tr("Run"), tr("Identify repeatedly with simulated noise"));
   trials_ = number_box("study_trials", tr("trials"), 1, 1000);
   seed_ = number_box("study_seed", tr("seed"), 0, 1);
-  anew_ = named(new QCheckBox(tr("from the beginning")), "study_anew", tr("Do not take up what was cancelled"),
-                tr("Forget the trials that a cancelled run left, as after a change of the scene"));
+  anew_ = named(new QCheckBox(tr("from the beginning")), "study_anew", tr("Do not continue a cancelled run"),
+                tr("Discard the trials of a cancelled run, as after a change of the scene"));
   set_choice_ = named(new QComboBox, "study_set", tr("Which histograms"));
   set_choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   auto* command = push_button("study_command", tr("Copy as command"), tr("Copy the command line that writes the same file"));
@@ -86,14 +87,14 @@ bool StudyPage::can_go_on() const {
 
 void StudyPage::run() {
   if (!scene_ || is_busy()) return;
-  if (file_.isEmpty()) return line_->say(tr("Save the scene first: the results of the study lie beside it."), true);
+  if (file_.isEmpty()) return line_->say(tr("Save the scene first. The results of the study are written beside it."), true);
   const StudyWish wish{*scene_,
                        text_,
                        as_path(result_file()),
                        static_cast<std::size_t>(trials_->value()),
                        static_cast<std::uint64_t>(seed_->value()),
                        anew_->isChecked()};
-  line_->say(can_go_on() ? tr("Going on …") : tr("Running …"));
+  line_->say(can_go_on() ? tr("Continuing …") : tr("Running …"));
   line_->worker().add([this, wish](const Worker::Watch& watch) -> Worker::Deliver {
     const auto so_far = [&](const StudyShown& shown) { watch.show([this, shown] { show_study(shown); }); };
     return [this, shown = run_study_job(wish, watch, so_far)] {
@@ -101,7 +102,7 @@ void StudyPage::run() {
       if (shown.complete)
         line_->say(QString::fromStdString(shown.text) + tr("\nall results: %1").arg(result_file()));
       else
-        line_->say(tr("Cancelled: %1 of %2 trials are kept; Run goes on from there.").arg(shown.done).arg(shown.trials), true);
+        line_->say(tr("Cancelled: %1 of %2 trials are kept. Run continues from there.").arg(shown.done).arg(shown.trials), true);
     };
   });
 }

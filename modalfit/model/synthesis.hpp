@@ -10,19 +10,19 @@
 namespace jointid::modalfit {
 
 /// FRFs of a symmetric model at the header's DOFs (signs included) and lines, with variances. A DOF that the model does not have
-/// gives NaN, and so does a line outside its range. The variances come from those of shapes (between the coordinates of a mode),
-/// poles (mode by mode) and residual terms, to first order; correlations between modes, and between modes and residual terms, are left
+/// gives NaN, and so does a line outside its range. To first order, the variances are those of shapes (between the coordinates
+/// of a mode), poles (mode by mode) and residual terms. Correlations between modes, and of modes with residual terms, are left
 /// out.
 frf::FrfSet regenerate(const SymmetricModel& model, frf::FrfHeader header);
 
-/// FRFs of a fit, entry by entry as it was measured, on the lines of `header` inside the range of the band; for sets that have no
-/// symmetric model. Variances from those of the coefficients alone, correlations left out.
+/// FRFs of a fit, entry by entry as measured, on the lines of `header` inside the range of the band; for sets without a symmetric
+/// model. Variances are those of the coefficients, without correlations.
 frf::FrfSet regenerate(const ModalFit& fit, frf::FrfHeader header, const std::array<double, 2>& range_hz);
 
-/// How far a model is from what was measured.
+/// Error of a model against the measured FRFs.
 struct SynthesisError {
   double rms_db = 0.0;       ///< rms over lines of 20 log10(|model|/|measured|), NaN when nothing was measured
-  double rms_db_away = 0.0;  ///< the same away from antiresonances and from lines whose noise is above a tenth of the model
+  double rms_db_away = 0.0;  ///< the same without antiresonances and lines with noise above a tenth of the model
   std::size_t lines = 0, lines_away = 0;
 };
 

@@ -17,27 +17,27 @@ struct Event {
   double force = 0.0;  ///< on the body, just after
 };
 
-/// How an integration ended.
+/// End of an integration.
 enum class MotionEnd {
   ok,
   stalled,   ///< 100 events or steps by which time does not go on: the contact's law has no motion from there, or rounding hides
              ///< it
-  grazing,   ///< an event that the orbit only touches: variations have no limit there, the motion itself has
+  grazing,   ///< an event that the orbit only touches: variations have no limit there, the motion has one
   diverged,  ///< numbers that are not finite
-  too_long   ///< more than `most_steps` steps, or a thousand times as many by what the first 4,000 tell
+  too_long   ///< more than `most_steps` steps, or a thousand times as many by an estimate from the first 4,000
 };
 const char* word(MotionEnd status);
 
 /// Event-exact integration of a contact system. In each mode the motion is a Taylor series of order 24; events are roots of the
-/// step's own polynomial. Sticking begins where V_r = 0 and |φ·z| ≤ μ_S N (rigid; otherwise the contact passes through to
-/// slipping along φ·z), always where V_r = 0 (compliant); it ends where |φ·z| = μ_S N. Tangents are carried by the same series
-/// and across events by S = R + (F₊ − R F₋)∇hᵀ/(∇hᵀF₋), R the change of the state.
+/// step's own polynomial. Sticking begins if V_r = 0 and |φ·z| ≤ μ_S N (rigid; else the contact passes to slipping along φ·z),
+/// always if V_r = 0 (compliant). It ends if |φ·z| = μ_S N. Tangents use the same series, and S = R + (F₊ − R F₋)∇hᵀ/(∇hᵀF₋)
+/// across events, R the change of the state.
 class StickSlip {
  public:
-  /// The mode is that of V_r at the start; with V_r = 0 it sticks where friction can hold it. `mode`: another one.
+  /// The mode follows from V_r at the start; with V_r = 0 it sticks if friction can hold it. `mode` overrides it.
   StickSlip(const ContactSystem& system, Eigen::VectorXd start, std::optional<Mode> mode = std::nullopt, double time = 0.0);
 
-  /// Called for every part of the motion in one mode and step, its length cut at the event or end; and for every event.
+  /// Called for every part of the motion in one mode and step, cut at the event or end; and for every event.
   std::function<void(const Piece&)> on_piece;
   std::function<void(const Event&)> on_event;
   /// Asked before every step: true ends the integration with Interrupted.
@@ -46,18 +46,18 @@ class StickSlip {
   /// Of the series, all together; a step is about a period of the fastest motion, at most.
   std::size_t most_steps = 3'000'000;
 
-  /// Goes on to time `until`.
+  /// Continues to time `until`.
   MotionEnd advance(double until);
-  /// Goes on until `count` more sticks have broken away, or time `until`.
+  /// Continues until `count` further sticks have ended, or to time `until`.
   MotionEnd advance_break_aways(std::size_t count, double until);
 
   double time() const { return time_; }
   Mode mode() const { return mode_; }
   const Eigen::VectorXd& state() const { return state_; }
   Eigen::MatrixXd& tangents() { return tangents_; }  ///< [size, any]; none at first
-  /// By how much the last event comes later for each tangent.
+  /// Delay of the last event for each tangent.
   const Eigen::RowVectorXd& last_shift() const { return shift_; }
-  /// Starts slipping from the very limit of a stick, as after a break-away.
+  /// Starts slipping from the limit of a stick, as after a break-away.
   void break_away();
 
  private:

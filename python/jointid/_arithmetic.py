@@ -1,4 +1,4 @@
-"""Sums and multiples of sets, with what is known of their errors."""
+"""Sums and multiples of sets, with variances and coherences."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ if TYPE_CHECKING:
 
 
 def _factor(value: Any) -> np.ndarray | None:
-    """A number, or one for each line; None where it is neither."""
+    """A number, or one number per line; None for other objects."""
     array = np.asarray(value)
     return array.astype(complex) if array.dtype.kind in "biufc" and array.ndim <= 1 else None
 
 
 def scaled(frfs: FrfSet, by: Any) -> Any:
-    """Times a number, or a number for each line. Variances go with its square, coherences stay."""
+    """The set times a number, or times one number per line. Variances scale with its square; coherences stay."""
     factor = _factor(by)
     if factor is None:
         return NotImplemented
@@ -38,7 +38,7 @@ def scaled(frfs: FrfSet, by: Any) -> Any:
 
 
 def summed(first: FrfSet, second: Any, sign: float) -> Any:
-    """Of the same lines and DOFs, in any order and quantity; errors are taken as independent, coherences are dropped."""
+    """The sum of sets with the same lines and DOFs, in any order and quantity. Errors are taken as independent; coherences are dropped."""
     if not isinstance(second, type(first)):
         return NotImplemented
     if not np.array_equal(first.frequency, second.frequency):

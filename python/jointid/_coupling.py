@@ -22,27 +22,36 @@ PathOrSet = Any  # str, os.PathLike or FrfSet
 def couple(parts: Any, *, join: Any = None, ground: Any = None, keep: Any = None, remove: Any = None, joints: Any = None,
            out: str | os.PathLike | None = None, bounds: bool = False, frequency: Any = None, data: Mapping[str, Any] | None = None,
            virtual_points: Any = None, threads: int = 0, progress: Any = None, **options: Any) -> FrfResult:
-    """FRFs of an assembly from those of its parts: ``jointid couple`` (LM-FBS and others).
+    """FRFs of an assembly from those of its substructures: ``jointid couple`` (LM-FBS and others).
 
-    ``couple(scene)``, a path or dict, or ``couple(parts, join=...)``.
+    Call ``couple(scene)`` with a path or dict, or ``couple(parts, join=...)``.
 
     Parameters
     ----------
     parts : a scene, or a list of FrfSets and paths
-    join : list of lists of DOFs that are one; a DOF that two parts have is "NAME/4:+Y"
-    ground, keep : DOFs held in place; DOFs of the result
-    remove : parts (or their names) that are taken out again: decoupling
-    joints : list of dicts as ``[[couple.joint]]``
+    join : list of lists of DOFs
+        Each list has DOFs that move alike (compatibility). A DOF that two parts have is "NAME/4:+Y".
+    ground, keep : lists of DOFs
+        DOFs fixed to ground; DOFs of the result.
+    remove : list of parts or their names
+        Substructures to decouple.
+    joints : list of dicts
+        Each with the keys of ``[[couple.joint]]``.
     out : path, optional
-        Where the FRFs are written (HDF5); without one they stay in memory.
+        HDF5 file for the FRFs. None keeps them in memory.
     bounds : bool
-        Leave out conditions that the others nearly imply, and predict with them as well.
+        Predict without redundant compatibility conditions, and with all of them.
     options : method, threshold, epsilon, alpha, uncertainty …: other keys of ``[couple]``
 
     Returns
     -------
     FrfResult
-        ``result.frfs()`` is the assembly.
+        ``result.frfs()`` is the FrfSet of the assembly.
+
+    Raises
+    ------
+    InputError
+        For a wrong scene, unknown DOFs or parts, and files that cannot be read.
 
     >>> import numpy as np, jointid
     >>> f = np.linspace(10.0, 20.0, 3)
@@ -72,23 +81,33 @@ def couple(parts: Any, *, join: Any = None, ground: Any = None, keep: Any = None
 
 
 def decouple(assembly: PathOrSet, part: PathOrSet, interface: Sequence[str], **options: Any) -> FrfResult:
-    """FRFs of what is left of an assembly without one of its parts: dual decoupling, ``jointid couple`` with ``remove``.
+    """FRFs of an assembly without one of its substructures: dual decoupling, ``jointid couple`` with ``remove``.
 
     Parameters
     ----------
     assembly, part : FrfSet or path
-    interface : DOFs that both have
-        Those of the interface. With internal DOFs of the part as well (extended interface) the conditions depend on each other:
-        give ``threshold="fixed"`` or another of couple().
+    interface : sequence of DOFs that both have
+        The interface DOFs. Internal DOFs of the part can join them (extended interface). The compatibility conditions are then
+        redundant: give ``threshold="fixed"`` or another of couple().
     options : as of couple()
 
     Returns
     -------
     FrfResult
-        ``result.frfs()``: the DOFs of the assembly. Warns (UnusableWarning) where the conditions depend on each other.
+        ``result.frfs()`` has the DOFs of the assembly.
 
-    Not for a joint between the parts: what is left holds it, and identify() takes it apart. Errors grow where the part hardly moves
-    on its own or outweighs the rest; ``uncertainty=True`` with variances in the sets tells how much.
+    Raises
+    ------
+    InputError
+        For an interface DOF that one of them does not have.
+
+    Warns
+    -----
+    UnusableWarning
+        If the compatibility conditions are redundant.
+
+    The result includes a joint between the parts; identify() separates it. Errors grow if the part hardly moves on its own, or if it
+    outweighs the rest. ``uncertainty=True`` with variances in the sets gives their size.
 
     >>> import numpy as np, jointid
     >>> f = np.linspace(10.0, 20.0, 3)
@@ -114,7 +133,7 @@ def decouple(assembly: PathOrSet, part: PathOrSet, interface: Sequence[str], **o
 
 
 def virtual_points(frfs: PathOrSet, points: Any, *, nodes: Mapping[Any, Sequence[float]] | None = None) -> FrfSet:
-    """FRFs with virtual points in place of the sensors and impacts round interfaces.
+    """FRFs with virtual points in place of the sensors and impacts around interfaces (VPT).
 
     Parameters
     ----------
@@ -122,7 +141,7 @@ def virtual_points(frfs: PathOrSet, points: Any, *, nodes: Mapping[Any, Sequence
     points : dict, or list of dicts, with the keys of ``[[virtual_points]]``
         ``{"name": "VP1", "position": [0, 0, 0], "sensors": ["11:+X", ...], "impacts": ["31:+X", ...]}``; lengths in m.
     nodes : {node: (x, y, z)}, optional
-        Positions, before those of the set.
+        Positions in m. They override those of the set.
 
     >>> import numpy as np, jointid
     >>> places = {1: (0.1, 0, 0), 2: (-0.1, 0, 0), 3: (0, 0.1, 0)}

@@ -102,24 +102,27 @@ def _joint_scene(substructures: Any, assembly: Any, joint: Any, method: str | No
 def identify(substructures: Any = None, assembly: Any = None, joint: Any = None, *, method: str | None = None,
              equations: Sequence[str] | None = None, weighting: str | None = None, delta: float | None = None,
              identify: Mapping[str, Any] | None = None, threads: int = 0, progress: Any = None, **sections: Any) -> Solution:
-    """The joint between substructures, from their FRFs and those of the assembly: ``jointid solve``.
+    """The joint between substructures, identified from their FRFs and those of the assembly: ``jointid solve``.
 
-    ``identify(scene)``, a path or a dict with the keys of a scene file, in whose ``data`` sets may stand in place of files; or
-    ``identify(substructures, assembly, joint)``; or a scene with some of it changed: ``identify(sets, assembly, scene=path)``.
+    There are three ways to call it:
+
+    - ``identify(scene)`` with a path, or a dict with the keys of a scene file. Sets can replace files in ``data``.
+    - ``identify(substructures, assembly, joint)``.
+    - ``identify(sets, assembly, scene=path)``: a scene with some of it changed.
 
     Parameters
     ----------
     substructures, assembly : FrfSet or path, or a list of them
-        Several substructures are uncoupled, several sets of the assembly are parts of one FRF matrix.
+        Several substructures are uncoupled. Several sets of the assembly are blocks of one FRF matrix.
     joint : dict, or a list of dicts with names
-        ``{"dofs": [...], "stiffness": "symmetric", "hysteretic_damping": {"springs": [["4:+Y", "5:+Y"]]}}``: as ``[joint]`` of a scene;
-        a word in place of a matrix is its pattern.
+        ``{"dofs": [...], "stiffness": "symmetric", "hysteretic_damping": {"springs": [["4:+Y", "5:+Y"]]}}``: as ``[joint]`` of a scene.
+        A word in place of a matrix is its pattern.
     method : "auto" (default), "one", "two", "direct", "newton" or "likelihood"
     equations, weighting, delta
-        As in ``[identify]``; `identify` takes all other keys of that table.
+        As in ``[identify]``. The argument `identify` takes all other keys of that table.
     frequency : (low, high) in Hz, or a dict with the keys of ``[frequency]``
     noise, truth, nodes, data, virtual_points, title
-        Those tables of a scene.
+        The tables of a scene with these names.
     threads : int
         0: all cores. The results do not depend on it.
     progress : None, bool or function of (stage, done, total)
@@ -132,16 +135,16 @@ def identify(substructures: Any = None, assembly: Any = None, joint: Any = None,
     Raises
     ------
     InputError
-        As the command does, with place, value and remedy; for sets the place is their name.
+        For wrong input, with place, value and remedy. For sets the place is their name.
 
     KeyboardInterrupt
-        By Ctrl-C, within 2 s, or where `progress` raises it. Its attribute `partial` is the best Solution so far (``not_converged``),
-        or None. All commands do so.
+        By Ctrl-C, within 2 s, or if `progress` raises it. Its attribute `partial` is the best Solution so far (``not_converged``),
+        or None. This holds for all commands.
 
     Warns
     -----
     DoubtfulWarning, UnusableWarning
-        Where ``solution.status`` is "doubtful", or says that the numbers are not usable.
+        If ``solution.status`` is "doubtful", or if the numbers are not usable.
 
     >>> import jointid, tempfile
     >>> folder = tempfile.mkdtemp()
@@ -158,9 +161,9 @@ def identify(substructures: Any = None, assembly: Any = None, joint: Any = None,
 
 def check(substructures: Any = None, assembly: Any = None, joint: Any = None, *, threads: int = 0, progress: Any = None,
           identify: Mapping[str, Any] | None = None, **sections: Any) -> Result:
-    """Mistakes in the FRFs: signs, labels, units, axes, loose joints: ``jointid check``. Arguments as of identify().
+    """Errors in the FRFs, such as signs, labels, units, axes, loose joints: ``jointid check``. Arguments are those of identify().
 
-    ``result.status`` is "clean", "suspicious" or "wrong"; ``result.findings`` are the suspects with their remedies.
+    ``result.status`` is "clean", "suspicious" or "wrong"; ``result.findings`` has the suspects with their remedies.
 
     >>> import jointid, tempfile
     >>> jointid.check(jointid.write_problem("A1", tempfile.mkdtemp(), clean=True)).status
@@ -173,7 +176,7 @@ def check(substructures: Any = None, assembly: Any = None, joint: Any = None, *,
 def plan(substructures: Any = None, assembly: Any = None, joint: Any = None, *, method: str | None = None,
          equations: Sequence[str] | None = None, weighting: str | None = None, delta: float | None = None,
          identify: Mapping[str, Any] | None = None, threads: int = 0, progress: Any = None, **sections: Any) -> Result:
-    """What identify() would read, compute and leave out, without doing it: ``jointid plan``. Arguments as of identify().
+    """The plan of identify(): what it would read, compute and leave out: ``jointid plan``. Arguments are those of identify().
 
     >>> import jointid, tempfile
     >>> plan = jointid.plan(jointid.write_problem("A1", tempfile.mkdtemp(), clean=True))
@@ -188,13 +191,14 @@ def bound(substructures: Any = None, assembly: Any = None, joint: Any = None, *,
           method: str | None = None, equations: Sequence[str] | None = None, weighting: str | None = None,
           delta: float | None = None, identify: Mapping[str, Any] | None = None, threads: int = 0, progress: Any = None,
           **sections: Any) -> Result:
-    """Standard errors that a test can have at best, and what other data would change: ``jointid plan --bound``.
+    """Cramér–Rao bounds of a test, and the effect of other data: ``jointid plan --bound``. Arguments are those of identify().
 
-    Needs `noise` (or errors in the files) and a joint to assume: `truth`, or ``identify={"start": ...}``.
+    It needs the noise (`noise`, or errors in the files) and an assumed joint (`truth`, or ``identify={"start": ...}``).
 
     Parameters
     ----------
-    candidates : DOFs of the sets that count as not measured yet: what would each of them bring?
+    candidates : sequence of DOFs
+        DOFs of the sets that count as not measured. The result has the benefit of each.
 
     >>> import jointid, tempfile
     >>> scene = jointid.write_problem("A1", tempfile.mkdtemp(), clean=True)
@@ -217,15 +221,15 @@ def study(substructures: Any = None, assembly: Any = None, joint: Any = None, *,
           out: str | os.PathLike | None = None, resume: bool = False, method: str | None = None,
           equations: Sequence[str] | None = None, weighting: str | None = None, delta: float | None = None,
           identify: Mapping[str, Any] | None = None, threads: int = 0, progress: Any = None, **sections: Any) -> Result:
-    """Identifies over and over with simulated noise: how well does a test see the joint? ``jointid study``. Arguments as of identify().
+    """Repeated identification with simulated noise (Monte-Carlo study): ``jointid study``. Arguments are those of identify().
 
     Parameters
     ----------
     trials, seed : whole numbers
     out : path, optional
-        All trials, HDF5 (CSV of friction laws). Without one they are gone with the result.
+        File of all trials, HDF5 (CSV for friction laws). None deletes them with the result.
     resume : bool
-        Continue what an interrupted study with the same `out` left.
+        Continue an interrupted study with the same `out`.
 
     >>> import jointid, tempfile
     >>> found = jointid.study(jointid.write_problem("A1", tempfile.mkdtemp(), clean=True), trials=20, method="one")
@@ -252,14 +256,14 @@ def compare(substructures: Any = None, assembly: Any = None, joint: Any = None, 
             weightings: Sequence[str] | None = None, deltas: Sequence[float] | None = None, solvers: Sequence[str] | None = None,
             regenerate: Sequence[str] | None = None, identify: Mapping[str, Any] | None = None, threads: int = 0,
             progress: Any = None, **sections: Any) -> Result:
-    """Ways of identifying by error and run time, on the same trials with simulated noise: ``jointid compare``.
+    """Methods compared by error and run time, on the same trials with simulated noise: ``jointid compare``.
 
-    Needs `truth` and `noise` (or a scene with them).
+    It needs `truth` and `noise`, or a scene with them. Other arguments are those of identify().
 
     Parameters
     ----------
     methods, equation_sets, weightings, deltas, solvers, regenerate
-        Every combination of these; those of the scene where a list is not given.
+        Lists. Every combination is tried. A list that is not given has the choice of the scene.
 
     >>> import jointid, tempfile
     >>> scene = jointid.write_problem("A1", tempfile.mkdtemp(), clean=True)

@@ -20,25 +20,26 @@ def phasors(values: Any, frequency: Any, dofs: Iterable[str], *, kind: str = "di
     Parameters
     ----------
     values : array, complex, [line, DOF]
-        In m, m/s, m/s² or N (rotations in rad, moments in N·m); NaN where not measured.
+        In m, m/s, m/s² or N (rotations in rad, moments in N·m). NaN where not measured.
     frequency : array, Hz, [line]
-        Of the phasors themselves: harmonic n of a force at f stands at n·f. Strictly increasing.
+        Frequency of each line, strictly increasing. Harmonic n of a force at f is at n·f.
     dofs : sequence of DOFs
     kind : "displacement", "velocity", "acceleration" or "force"
     variance : array, [line, DOF], optional
-        Of real and imaginary part each; complex: variance of the real part + i · variance of the imaginary part.
+        A real array is the variance of real and imaginary part each. A complex array is variance of the real part + i · variance of
+        the imaginary part.
     name : str
-        What messages call it.
+        Name of the set in messages.
 
     Returns
     -------
     FrfSet
-        With one reference, which says nothing.
+        With one reference, which has no meaning.
 
     Raises
     ------
     InputError
-        For another kind, and for shapes that do not agree.
+        For another kind, or for shapes that do not agree.
 
     >>> import numpy as np
     >>> phasors(np.full((3, 1), 2.0 + 0j), [80.0, 85.0, 90.0], ["1:+Y"], kind="force", name="2 N").shape

@@ -1,4 +1,4 @@
-"""Pictures by matplotlib, which is imported when one is asked for."""
+"""Plots by matplotlib, which is imported at the first plot."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How a run is watched."""
+"""Progress of a run."""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ from .results import FrfResult, Result
 
 
 def equivalent(scene: Any, *, threads: int = 0, progress: Any = None) -> Result:
-    """Stiffness and damping of a friction joint against its relative displacement: ``jointid equivalent``; a path or dict.
+    """Stiffness and damping of a friction joint over its relative displacement: ``jointid equivalent``. Takes a path or dict.
 
     >>> import jointid, tempfile
     >>> levels = jointid.equivalent(jointid.write_problem("rig2", tempfile.mkdtemp()))["levels"]
@@ -33,7 +33,7 @@ def equivalent(scene: Any, *, threads: int = 0, progress: Any = None) -> Result:
 def friction_laws(scene: Any, *, threads: int = 0, progress: Any = None) -> Result:
     """Friction laws of joints from vibration at several force levels: ``jointid solve`` of scenes with ``[[joint.friction]]``.
 
-    A path, or a dict in which sets stand for files: FrfSets for ``data.parts``, phasors() for responses and forces of
+    Takes a path, or a dict in which sets replace files: FrfSets for ``data.parts``, phasors() for responses and forces of
     ``data.levels``.
 
     >>> import jointid, numpy as np
@@ -53,9 +53,9 @@ def friction_laws(scene: Any, *, threads: int = 0, progress: Any = None) -> Resu
 
 
 def response(scene: Any, *, compare: bool = False, threads: int = 0, progress: Any = None) -> Result:
-    """Periodic response of structures with friction joints: ``jointid response``; a path or dict.
+    """Periodic response of structures with friction joints (harmonic balance): ``jointid response``. Takes a path or dict.
 
-    `compare`: error against run time of all ways to it instead, ``--compare``.
+    `compare`: the error over the run time of all methods instead, ``--compare``.
 
     >>> import jointid, numpy as np
     >>> result = jointid.response({
@@ -70,7 +70,7 @@ def response(scene: Any, *, compare: bool = False, threads: int = 0, progress: A
 
 
 def oscillate(scene: Any, *, threads: int = 0, progress: Any = None) -> Result:
-    """Exact stick–slip motion, orbits, exponents, reduced models: ``jointid oscillate``; a path or dict.
+    """Exact stick–slip motion, orbits, exponents, reduced models: ``jointid oscillate``. Takes a path or dict.
 
     >>> import jointid, tempfile
     >>> jointid.oscillate(jointid.write_problem("chain-10-orbit", tempfile.mkdtemp())).status
@@ -82,21 +82,24 @@ def oscillate(scene: Any, *, threads: int = 0, progress: Any = None) -> Result:
 def modalfit(frfs: Any, *, range: tuple[float, float] | None = None, modes: int | None = None,
              poles: Sequence[tuple[float, float]] | None = None, real: bool = False, damping: str = "viscous",
              quantity: str | None = None, unit: str | None = None, progress: Any = None) -> FrfResult:
-    """Modes behind FRFs of one structure, and the FRFs regenerated from them: ``jointid modalfit``.
+    """Modes of one structure from its FRFs (modal analysis), and the FRFs synthesised from them: ``jointid modalfit``.
 
     Parameters
     ----------
     frfs : FrfSet, path, or several paths
     range : (low, high), Hz
-    modes : keep the most significant so many
-    poles : (Hz, damping ratio) of modes to refine, instead of seeking
-    real : real modes
+    modes : int
+        Number of modes to keep, the most significant ones.
+    poles : list of (Hz, damping ratio)
+        Modes to refine, in place of a search.
+    real : bool
+        Real modes.
     damping : "viscous" (ratios) or "hysteretic" (loss factors)
 
     Returns
     -------
     FrfResult
-        ``result["modes"]`` and the rest of the command's JSON; ``result.frfs()`` are the regenerated FRFs.
+        ``result["modes"]`` and the rest of the command's JSON. ``result.frfs()`` has the synthesised FRFs.
 
     >>> import jointid, numpy as np
     >>> f = np.arange(30.0, 50.0, 0.1)
@@ -178,7 +181,7 @@ def frf(files: Any, *, progress: Any = None, **options: Any) -> FrfResult:
     Returns
     -------
     FrfResult
-        ``result.frfs()`` are the FRFs.
+        ``result.frfs()`` has the FRFs.
 
     >>> import jointid, numpy as np
     >>> t = np.arange(1000) / 1000.0
@@ -220,7 +223,7 @@ def pod(record: Any, *, names: Sequence[str] | None = None, units: Sequence[str]
     Parameters
     ----------
     record : path or paths, or an array [sample, channel], or a DataFrame of channels
-        Rows with NaN are missing samples.
+        Rows with NaN count as missing samples.
     names, units : of the channels of an array
     options : channels (of files), mass, stiffness, compare (files), keep_mean
 
@@ -249,7 +252,7 @@ def pod(record: Any, *, names: Sequence[str] | None = None, units: Sequence[str]
 
 
 def problems() -> dict[str, str]:
-    """Names and descriptions of the built-in problems, whose answers are known: ``jointid problem list``.
+    """Names and descriptions of the built-in problems with known answers: ``jointid problem list``.
 
     >>> problems()["A1"]
     'reference: two beams joined by a beam element without mass, 31 lines (§6.6.2)'
@@ -260,9 +263,9 @@ def problems() -> dict[str, str]:
 def write_problem(name: str, directory: str | os.PathLike, *, format: str = "h5", seed: int = 1, clean: bool = False) -> str:
     """Writes the files, the scene and the truth of a built-in problem into a folder: ``jointid problem write``.
 
-    Returns the path of the scene (of loading curves and modal sets of the file).
+    Returns the path of the scene; of loading curves and modal sets, that of the file.
 
-    `format`: "h5" or "uff"; `seed`: of the noise; `clean`: no noise.
+    `format` is "h5" or "uff". `seed` is that of the noise. `clean` leaves out the noise.
 
     >>> import os, tempfile
     >>> os.path.basename(write_problem("A1", tempfile.mkdtemp(), format="uff"))

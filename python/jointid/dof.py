@@ -10,8 +10,8 @@ from . import _jointid
 class Dof(str):
     """A degree of freedom as text, ``node:direction``, with the directions ±X ±Y ±Z ±RX ±RY ±RZ; a missing sign is +.
 
-    A minus sign means that the transducer pointed the other way: it flips the sign of the FRF.
-    Raises InputError for other text.
+    A minus sign means that the sensor pointed the other way. It flips the sign of the FRF.
+    Other text raises InputError.
 
     >>> Dof("4:Y"), Dof("4:-RZ").node, Dof("4:-RZ").direction, Dof("4:-RZ").sign
     ('4:+Y', 4, 'RZ', -1)
@@ -38,7 +38,7 @@ class Dof(str):
 
     @property
     def coordinate(self) -> str:
-        """The DOF with a plus sign: where it is, whatever way the transducer pointed."""
+        """The DOF with a plus sign, whatever the sign of the sensor."""
         return f"{self.split(':')[0]}:+{self.direction}"
 
     @property

@@ -1,4 +1,4 @@
-"""What is raised and warned of."""
+"""Errors and warnings."""
 
 from __future__ import annotations
 
@@ -6,20 +6,20 @@ __all__ = ["InputError", "JointidWarning", "DoubtfulWarning", "UnusableWarning",
 
 
 class InputError(ValueError):
-    """Wrong input: what is wrong, where, with which value, and what to do about it.
+    """Wrong input: the problem, its place, its value and the remedy.
 
     Attributes
     ----------
     what : str
-        All of it in one line.
+        The whole message in one line.
     file : str
         The file or the set of FRFs, or "".
     place : str
-        Where in it: ``"[joint] dofs"``, ``"line 12"``, the name of an argument; or "".
+        Its place: ``"[joint] dofs"``, ``"line 12"``, the name of an argument; or "".
     problem, value : str
-        What is wrong, with the value that is.
+        The problem, with the wrong value.
     remedy : str
-        What you can do, or "".
+        The remedy, or "".
     kind : str
         ``"usage"``: wrong use or a wrong scene. ``"data"``: unreadable or inconsistent data.
 
@@ -53,11 +53,11 @@ def _made_again(problem, file, place, remedy, kind, what) -> InputError:
 
 
 class JointidWarning(UserWarning):
-    """Of all warnings of jointid."""
+    """Base class of all warnings of jointid."""
 
 
 class DoubtfulWarning(JointidWarning):
-    """The numbers may be used, but the data say something against them (status ``doubtful``)."""
+    """The numbers may be used, but the data speak against them (status ``doubtful``)."""
 
 
 class UnusableWarning(JointidWarning):
@@ -65,4 +65,4 @@ class UnusableWarning(JointidWarning):
 
 
 class DataWarning(JointidWarning):
-    """Something looks wrong in a file."""
+    """A file looks wrong."""

@@ -36,13 +36,13 @@ def read(path: str | os.PathLike | Sequence[str | os.PathLike], *, quantity: str
     ----------
     path : path, or several
     quantity, unit, responses, references, variable, frequency_variable
-        What a file does not say itself; each is an error where it contradicts the file.
+        Information that the file does not have. Each is an error if it contradicts the file.
 
     Returns
     -------
     FrfSet
-        In the quantity of the file, SI units, NaN where not measured. So is a line at 0 Hz of mobilities and accelerances, which
-        fix no receptance there: a DataWarning says so.
+        In the quantity of the file, SI units, NaN where not measured. A line at 0 Hz of mobilities and accelerances is NaN, too, as it
+        determines no receptance. This gives a DataWarning.
 
     Raises
     ------
@@ -72,12 +72,12 @@ def read(path: str | os.PathLike | Sequence[str | os.PathLike], *, quantity: str
 def write(path: str | os.PathLike, frfs: FrfSet, format: str = "") -> None:
     """Writes FRFs in the format of the name's ending, or of `format`: h5 (with errors), uff, mat, csv.
 
-    The file is written under another name first, so that it is whole or not there.
+    The file is written under another name first. So it is complete or not there.
 
     Raises
     ------
     InputError
-        For an ending that says nothing, a set that is none, and a folder that is not there.
+        For an unknown ending, an object that is not a set, or a missing folder.
 
     >>> import numpy as np, os, tempfile
     >>> file = os.path.join(tempfile.mkdtemp(), "beam.csv")

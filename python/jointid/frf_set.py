@@ -103,37 +103,38 @@ def _precision(array: Any) -> float:
 
 
 class FrfSet:
-    """FRFs of one structure: responses × references × lines, with what is known of their errors.
+    """FRFs of one structure: lines × responses × references, with variances, covariances or coherences.
 
     Parameters
     ----------
     frfs : array, complex, [line, response, reference]
-        In SI units of `quantity` (rotations in rad, moments in N·m) or in `unit`; NaN where not measured. A contiguous array of
-        complex128 is not copied, a read-only one neither; any other is, once.
+        In SI units of `quantity` (rotations in rad, moments in N·m) or in `unit`. NaN where not measured. A contiguous array of
+        complex128 is not copied, even a read-only one. Any other array is copied once.
     frequency : array, Hz, [line]
         Strictly increasing.
     responses, references : sequence of DOFs, e.g. ``["4:+Y", "4:+RZ"]``
-        Order of the axes; no coordinate twice. Default of the references: the responses.
+        Order of the axes, each coordinate once. The references are the responses by default.
     quantity : "receptance", "mobility" or "accelerance"
     unit : str, optional
-        Of the numbers, such as ``"g/N"`` or ``"mm/N"``; names the quantity too. The numbers are then converted (and copied).
+        Unit of the numbers, such as ``"g/N"`` or ``"mm/N"``. It gives the quantity, too. The numbers are then converted (and copied).
     variance : array, complex, [line, response, reference], optional
-        Variance of the real part + i · variance of the imaginary part; a real array is the variance of each.
-    coherence : array, [line, response, reference], optional, with `averages`, the number of averages.
+        Variance of the real part + i · variance of the imaginary part. A real array is the variance of each.
+    coherence : array, [line, response, reference], optional
+        0 to 1. It needs `averages`, the number of averages.
     covariance : array, complex, [line, pair, reference], optional
-        E[e_r e_s*] of the errors of one line and reference for s ≤ r, pairs row by row of the lower triangle.
+        E[e_r e_s*] of the errors of one line and reference for s ≤ r. Pairs are in the order of the lower triangle, row by row.
     covariance_factor : array, complex, [line, response, column, reference], optional, in place of `covariance`
-        L of the covariances L Lᴴ + diag(d), as a few hits with many sensors give it: a fraction of the memory of the pairs.
+        L of the covariances L Lᴴ + diag(d). It takes less memory than pairs if there are few hits and many sensors.
         `covariance_diagonal`, [line, response, reference], is d.
     nodes : {node: (x, y, z)}, or a DataFrame with the nodes as index and three columns, optional
         Positions in m.
     name : str
-        What messages and reports call the set.
+        Name of the set in messages and reports.
 
     Raises
     ------
     InputError
-        For shapes that do not agree, numbers of another kind, DOFs that are none or stand twice, lines that do not increase.
+        For shapes that do not agree, numbers of another kind, wrong or repeated DOFs, lines that do not increase.
 
     >>> import numpy as np
     >>> f = np.linspace(10.0, 100.0, 4)
@@ -331,8 +332,8 @@ class FrfSet:
                          + (" …" if len(dofs) > 12 else ""))
 
     def __getitem__(self, key: Any) -> np.ndarray:
-        """``frfs["4:+Y", "1:+Y"]``: one FRF over the lines, with the signs of the DOFs asked for. ``frfs[f, out, in]``: as
-        ``frfs.frfs[f, out, in]``, a view, in which DOFs may stand for places of responses and references.
+        """``frfs["4:+Y", "1:+Y"]`` is one FRF over the lines, with the signs of these DOFs. ``frfs[f, out, in]`` is the view
+        ``frfs.frfs[f, out, in]``; DOFs can replace the indices of responses and references.
 
         >>> import numpy as np
         >>> frfs = FrfSet(np.arange(12.0).reshape(3, 2, 2), [1.0, 2.0, 3.0], ["1:+X", "2:+X"])
@@ -379,7 +380,7 @@ class FrfSet:
         return scaled(self, -1.0)
 
     def __add__(self, other: "FrfSet") -> "FrfSet":
-        """Of the same lines and DOFs. Errors are taken as independent: variances add."""
+        """The sum of sets with the same lines and DOFs. Errors are taken as independent: variances add."""
         return summed(self, other, 1.0)
 
     def __sub__(self, other: "FrfSet") -> "FrfSet":
@@ -387,9 +388,9 @@ class FrfSet:
 
     def sel(self, responses: Iterable[str] | None = None, references: Iterable[str] | None = None, *,
             band: tuple[float, float] | None = None, node: int | Iterable[int] | None = None) -> "FrfSet":
-        """A part of the set: some DOFs in the order asked for and with their signs, the lines of a band, or the DOFs of nodes.
+        """A part of the set: given DOFs in their order and with their signs, the lines of a band, or the DOFs of nodes.
 
-        Arrays of a band alone are views, no copies.
+        For a band alone the arrays are views, not copies.
 
         Parameters
         ----------
@@ -462,9 +463,9 @@ class FrfSet:
     # Quantities and units.
 
     def to(self, quantity: str) -> "FrfSet":
-        """The same as receptance, mobility or accelerance: times powers of iω.
+        """The set as receptance, mobility or accelerance: FRFs times powers of iω.
 
-        At 0 Hz an accelerance fixes no mobility, and neither fixes a receptance: the line becomes NaN, not measured, with a
+        At 0 Hz an accelerance determines no mobility, and neither determines a receptance. The line becomes NaN (not measured), with a
         DataWarning.
 
         >>> import numpy as np
@@ -490,7 +491,7 @@ class FrfSet:
                           covariance_diagonal=self._times(self.covariance_diagonal, size**2))
 
     def values_in(self, unit: str) -> np.ndarray:
-        """The numbers in another unit, of another quantity too: ``frfs.values_in("g/N")``; a copy. Of translations alone."""
+        """A copy of the numbers in another unit, also of another quantity: ``frfs.values_in("g/N")``. For translations only."""
         quantity = _jointid.quantity_of_unit(unit)
         return self.to(quantity).frfs / self._like(quantity=quantity)._factor(unit)
 
@@ -503,19 +504,19 @@ class FrfSet:
         write(path, self, format)
 
     def to_xarray(self) -> Any:
-        """A DataArray with the dimensions frequency, output, input; its numbers are these, no copy. Needs xarray."""
+        """A DataArray with the dimensions frequency, output, input. It shares the numbers (no copy). Needs xarray."""
         from .bridges.xarray import to_xarray
 
         return to_xarray(self)
 
     def to_pandas(self) -> Any:
-        """A DataFrame: a row a line, a column (response, reference). Needs pandas."""
+        """A DataFrame with one row per line and one column per (response, reference). Needs pandas."""
         from .bridges.pandas import to_pandas
 
         return to_pandas(self)
 
     def plot(self, response: str | None = None, reference: str | None = None, *, axes: Any = None, **style: Any) -> Any:
-        """Magnitude and phase of one FRF, or of all of up to 16, by matplotlib; returns the two axes."""
+        """Plots magnitude and phase of one FRF, or of all if they are up to 16, by matplotlib. Returns the two axes."""
         from ._plots import plot_frfs
 
         return plot_frfs(self, response, reference, axes, style)

@@ -1,4 +1,4 @@
-"""What commands find."""
+"""Results of commands."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ __all__ = ["Finding", "Result", "Solution", "Unknown"]
 
 @dataclass(frozen=True)
 class Finding:
-    """Something that the data say against an answer, or against themselves."""
+    """A finding of the data against a result, or against the data themselves."""
 
     kind: str  #: "sign", "label", "gain", "warning", …
     text: str  #: what was seen, with its numbers
@@ -64,10 +64,10 @@ def _suspects(check: dict[str, Any] | None) -> Iterator[Finding]:
 
 
 class Result:
-    """What a command found: the JSON of the command as a dict, its text, its tables and its page.
+    """Result of a command: its JSON as a dict, its text, its tables and its page.
 
-    ``print(result)`` is one screen; a notebook shows the report page. ``result["key"]`` is an entry of ``result.to_dict()``.
-    Results can be pickled: texts and numbers go with them, FRFs that a page would have to read again do not, unless it was made before.
+    ``print(result)`` is one screen. A notebook shows the report page. ``result["key"]`` is an entry of ``result.to_dict()``.
+    Results can be pickled with their texts and numbers. FRFs that a page would read again are left out, unless the page exists.
     """
 
     def __init__(self, outcome: Any, scene: Any, command: str) -> None:
@@ -95,7 +95,7 @@ class Result:
 
     @property
     def message(self) -> str:
-        """Why, and what helps; empty when all is well."""
+        """The reason of the status and the remedy. Empty if the status is "ok"."""
         return self._once("message", lambda: self._scene.named(self._outcome.message))
 
     @property
@@ -108,7 +108,7 @@ class Result:
         return self._text("json") or "null"
 
     def to_dict(self) -> dict[str, Any]:
-        """The command's JSON as Python has it: lists, numbers, None where something was not computed or is not finite."""
+        """The command's JSON as lists and numbers of Python. None where a value is not computed or not finite."""
         return self._once("dict", lambda: json.loads(self.to_json()))
 
     def __getitem__(self, key: str) -> Any:
@@ -118,7 +118,7 @@ class Result:
         return found[key]
 
     def text(self) -> str:
-        """What the command prints."""
+        """The text that the command prints."""
         return self._text("text") or ""
 
     def csv(self) -> str | None:
@@ -126,7 +126,7 @@ class Result:
         return self._text("csv")
 
     def page(self, progress: Any = False) -> str | None:
-        """The command's ``--report``: one page of HTML that loads nothing, or None where it has none, or is gone (pickled)."""
+        """The command's ``--report``: one page of HTML that loads nothing. None if the command has none, or after pickling."""
         if "page" not in self._made and self._outcome is not None:
             with watcher(progress) as watch, self._scene.errors():
                 page = self._outcome.page(watch)
@@ -135,7 +135,7 @@ class Result:
 
     @property
     def findings(self) -> list[Finding]:
-        """What the data say against the answer."""
+        """Findings of the data against the result."""
         found = self.to_dict()
         if not isinstance(found, dict):
             return []
@@ -157,7 +157,7 @@ class Result:
         return FrfSet._of({**parts, "name": self._scene.named(parts["name"])})
 
     def release(self) -> None:
-        """Lets go of the FRFs that page and predictions would read again; texts and numbers stay."""
+        """Releases the FRFs that page and predictions would read again. Texts and numbers stay."""
         for what in ("json", "text", "csv"):
             self._text(what)
         self.status, self.message, self.usable  # noqa: B018
@@ -216,7 +216,7 @@ class Solution(Result):
 
     @property
     def unknowns(self) -> dict[str, Unknown]:
-        """By name, SI units, with standard errors and 95 % intervals where the method has honest ones."""
+        """The unknowns by name, SI units, with standard errors and 95 % intervals if the method states them."""
         return self._once("unknowns", self._unknowns)
 
     def _unknowns(self) -> dict[str, Unknown]:
@@ -229,12 +229,12 @@ class Solution(Result):
 
     @property
     def values(self) -> np.ndarray:
-        """Of the unknowns, SI, in their order."""
+        """Values of the unknowns, [unknown], SI units."""
         return np.array([each.value for each in self.unknowns.values()])
 
     @property
     def intervals(self) -> np.ndarray:
-        """[unknown, 2]: 95 % intervals, NaN where there is none."""
+        """95 % intervals, [unknown, 2], SI units. NaN where there is none."""
         return np.array([each.ci95 or (np.nan, np.nan) for each in self.unknowns.values()]).reshape(-1, 2)
 
     @property
@@ -246,7 +246,7 @@ class Solution(Result):
     def matrices(self) -> dict[str, np.ndarray]:
         """"stiffness" (N/m), "mass" (kg), "viscous_damping" (N·s/m), "hysteretic_damping" (N/m), those that the joint has.
 
-        Of scenes with several bands: InputError, see `bands`.
+        Scenes with several bands raise InputError; see `bands`.
         """
         if self["matrices"] is None:
             raise InputError("the joint has several frequency bands", place="matrices", remedy="see solution.bands")
@@ -280,17 +280,17 @@ class Solution(Result):
         return out
 
     def predicted(self, progress: Any = False) -> Any:
-        """FrfSet of the assembly as the substructures and the identified joint give it, at all lines that both have."""
+        """FrfSet of the assembly, synthesised from the substructures and the identified joint, at all lines that both have."""
         return self._frfs(progress)
 
     def plot_matrix(self, kind: str = "stiffness", axes: Any = None) -> Any:
-        """A joint matrix as a picture, by matplotlib; returns the axes."""
+        """Plots a joint matrix, by matplotlib. Returns the axes."""
         from ._plots import plot_matrix
 
         return plot_matrix(self, kind, axes)
 
     def plot_frf(self, response: str, reference: str, measured: Any = None, axes: Any = None) -> Any:
-        """An assembly FRF as predicted, over that of the FrfSet `measured` where that is given, by matplotlib."""
+        """Plots a predicted FRF of the assembly, over that of the FrfSet `measured` if given, by matplotlib."""
         from ._plots import plot_predicted
 
         return plot_predicted(self, response, reference, measured, axes)
@@ -300,5 +300,5 @@ class FrfResult(Result):
     """A result with FRFs: of couple, modalfit and frf."""
 
     def frfs(self, progress: Any = False) -> Any:
-        """FrfSet of those that were predicted (couple), regenerated (modalfit) or made (frf)."""
+        """FrfSet of the predicted (couple), synthesised (modalfit) or estimated (frf) FRFs."""
         return self._frfs(progress)

@@ -8,15 +8,15 @@
 
 namespace jointid::response {
 
-/// What a curve of periodic responses is along; the others stay as given.
+/// Parameter of a curve of periodic responses. The others stay as given.
 enum class Along { frequency, level, joint_parameter };
 
 struct CurveRequest {
   Along along = Along::frequency;
   double from = 0.0, to = 0.0;      ///< ω (rad/s), factor of the forces, or value of the parameter
-  double omega = 0.0, level = 1.0;  ///< of what does not change
+  double omega = 0.0, level = 1.0;  ///< of the constant ones
   JointParameter parameter{};       ///< for Along::joint_parameter
-  Eigen::Index response = 0;        ///< whose |X_n| peaks are looked for
+  Eigen::Index response = 0;        ///< whose peaks of |X_n| are found
   int harmonic = 1;
   double longest_step = 0.05;  ///< of the arc length, in widths of the interval
 };
@@ -31,13 +31,13 @@ struct ResponseCurve {
   CurveEnd end = CurveEnd::reached;
 };
 
-/// Follows periodic responses by arc length round their turning points, with the harmonics of the start (fixed, or added there).
-/// Throws InputError where the structure is known at single lines only and the curve is along frequency.
+/// Follows periodic responses by arc length around their turning points, with the harmonics of the start (fixed, or added there).
+/// Throws InputError if the structure is known at single lines only and the curve is along frequency.
 ResponseCurve follow_response(const HarmonicBalance& balance, const CurveRequest& request);
 
-/// The maximum of |X_n| nearest to a solution, over frequency, found by following the curve from there up or down at most `width`
-/// (share of its frequency) each way; none when there is no maximum. `level` may differ a little from the solution's: peaks are
-/// followed over levels.
+/// The maximum of |X_n| nearest to a solution, over frequency. The curve is followed from there up or down by at most `width`
+/// (share of its frequency) each way. Empty if there is no maximum. `level` may differ a little from that of the solution: peaks
+/// are followed over force levels.
 std::optional<HarmonicSolution> peak_near(const HarmonicBalance& balance, const HarmonicSolution& solution, double level,
                                           Eigen::Index response, int harmonic = 1, double width = 0.2);
 

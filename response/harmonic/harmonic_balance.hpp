@@ -9,9 +9,9 @@
 
 namespace jointid::response {
 
-/// Which harmonics are solved for.
+/// The harmonics of a solution.
 struct HarmonicChoice {
-  std::vector<int> fixed{};  ///< these; or, when empty, as many as are needed:
+  std::vector<int> fixed{};  ///< these; or, if empty, as many as necessary:
   double tolerance = 1e-6;   ///< added until ‖G_nF_n‖ ≤ tolerance ‖Q‖ for the next ones …
   int largest = 41;          ///< … up to this one
 };
@@ -23,8 +23,8 @@ class HarmonicBalance {
   HarmonicBalance(std::shared_ptr<const Receptance> structure, std::vector<Joint> joints, Excitation force,
                   HarmonicChoice choice = {});
 
-  /// At ω (rad/s) with the forces times `level`. Starts: the neighbour if given, joints that stick, joints without force; then
-  /// levels from low to this one, springs in series with the joints from soft to rigid, and harmonics one after the other.
+  /// At ω (rad/s) with the forces times `level`. Starts: the neighbour if given, sticking joints, joints without force. Then
+  /// force levels from low to this one, springs in series with the joints from soft to rigid, and harmonics one by one.
   HarmonicSolution solve(double omega, double level = 1.0, const HarmonicSolution* neighbour = nullptr) const;
 
   const Receptance& structure() const { return *structure_; }
@@ -51,7 +51,7 @@ class HarmonicBalance {
   HarmonicChoice choice_;
 };
 
-/// Q, F, X and losses of a motion with these forces of the joints, [harmonic, joint]; nothing is said of whether they balance.
+/// Q, F, X and losses of a motion with these forces of the joints, [harmonic, joint]; they need not balance.
 HarmonicSolution described(const CondensedEquations& equations, const HarmonicLine& line, double level, const Eigen::VectorXd& motion,
                            Eigen::MatrixXcd force);
 

@@ -8,8 +8,8 @@
 
 namespace jointid::response {
 
-/// The force of one joint on the positive end of its relative coordinate q: that of a friction element along the history of q,
-/// beside a spring, a dashpot and a cubic spring, f = f_friction[q] + kq + cq̇ + k₃q³.
+/// Force of one joint on the positive end of its relative coordinate q: a friction element along the history of q, with a spring,
+/// a dashpot and a cubic spring, f = f_friction[q] + kq + cq̇ + k₃q³.
 struct Joint {
   std::string name{};                                   ///< for tables and messages
   std::shared_ptr<const friction::Element> friction{};  ///< none when empty
@@ -17,17 +17,17 @@ struct Joint {
   double damping = 0.0;                                 ///< c, N·s/m
   double cubic = 0.0;                                   ///< k₃, N/m³
 
-  /// What a joint's derivatives by parameters are by: those of the friction element, then stiffness, damping, cubic.
+  /// Parameters of a joint's derivatives: those of the friction element, then stiffness, damping, cubic.
   std::vector<std::string> parameter_names() const;
   std::vector<double> values() const;
 
-  /// True where the friction law admits its part of the values, in the same order.
+  /// True if the friction law admits its part of the values, in the same order.
   bool admits(const std::vector<double>& values) const;
 
-  /// The joint with other values, in the same order. Throws InputError when the friction law has no such parameters.
+  /// The joint with other values, in the same order. Throws InputError if the friction law has no such parameters.
   Joint with(const std::vector<double>& values) const;
 
-  /// Tangent of the joint that does not slip: T′(0) + k.
+  /// Tangent of the sticking joint: T′(0) + k.
   double stuck_stiffness() const;
 };
 

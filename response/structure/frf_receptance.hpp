@@ -20,12 +20,12 @@ struct FrfCombination {
   Eigen::MatrixXd weights;  ///< [dof, row or column]
 };
 
-/// Receptances from FRFs of parts that are not coupled: WᵀHW = (H_a)_jj + (H_b)_jj for a joint between two of them (R4.33). Of
-/// the files only the rows joint and response and the columns joint and force are read, at all lines. No mass, stiffness or mode
-/// shapes.
+/// Receptances from FRFs of uncoupled parts: WᵀHW = (H_a)_jj + (H_b)_jj for a joint between two of them (R4.33). Of the files
+/// only the rows joint and response and the columns joint and force are read, at all lines. There is no mass, stiffness or mode
+/// shape.
 class FrfReceptance final : public Receptance {
  public:
-  /// Throws InputError (data) that names the DOFs which are not measured, or the first FRF without a number.
+  /// Throws InputError (data) with the DOFs that are not measured, or with the first FRF without a number.
   FrfReceptance(frf::FrfSystem& parts, const std::vector<JointEnds>& joints, const std::vector<frf::Dof>& responses,
                 const std::vector<frf::Dof>& forces);
 
@@ -37,15 +37,15 @@ class FrfReceptance final : public Receptance {
   std::optional<Eigen::MatrixXcd> derivative(double) const override { return std::nullopt; }
   double nearest(double omega) const override;
 
-  /// From the files' variances or coherences, an error for each FRF that was read; FRFs that are copies of their transposes share
-  /// theirs.
+  /// From the variances or coherences of the files, one error for each FRF that was read. An FRF that is a copy of its transpose
+  /// shares its error.
   std::vector<ReceptanceError> errors(double omega) const override;
-  /// Whether every file says how exact it is.
+  /// Whether every file has variances or coherences.
   bool knows_errors() const { return !variances_.empty(); }
 
   const std::vector<double>& frequency_hz() const { return frequency_hz_; }
 
-  /// What was read: FRFs row_dofs() × column_dofs() of a line, and their variances (none when a file has none).
+  /// The FRFs read, row_dofs() × column_dofs() of a line, and their variances (empty if a file has none).
   const std::vector<frf::Dof>& row_dofs() const { return rows_.dofs; }
   const std::vector<frf::Dof>& column_dofs() const { return columns_.dofs; }
   const Eigen::MatrixXcd& measured(std::size_t line) const { return measured_[line]; }

@@ -10,9 +10,9 @@ namespace jointid::tasks {
 /// Whether a file of that name is written as HDF5: .h5 or .hdf5.
 bool is_hdf5(const std::filesystem::path& path);
 
-/// Writes the FRFs of a source in the format of the file's ending: HDF5 line by line, so that a file larger than the memory
-/// passes, with covariances; other formats at once, without. False, and no file, when it was interrupted. Several files of one
-/// structure: frf::open_as_one(). Throws InputError for endings of no format, and as frf::write().
+/// Writes the FRFs of a source in the format of the file's ending. HDF5 is written line by line, with covariances; the file can
+/// be larger than the memory. Other formats are written at once, without. Returns false, without a file, if interrupted. Several
+/// files of one structure: frf::open_as_one(). Throws InputError for unknown endings, and as frf::write().
 bool convert(frf::FrfSource& source, const std::filesystem::path& path, const ident::Control& control = {});
 
 }  // namespace jointid::tasks

@@ -13,27 +13,27 @@
 
 namespace jointid::tasks {
 
-/// All that run_pod() finds of n channels.
+/// Results of run_pod() for n channels.
 struct PodResult {
   std::vector<std::string> names, units;  ///< of the channels
-  std::size_t cut = 0;                    ///< samples of longer channels that were left out, of all channels together
+  std::size_t cut = 0;                    ///< samples of longer channels left out, of all channels together
   series::Pod pod;                        ///< modes [n, n], values and means in the units of the channels
   bool weighted = false, mean_kept = false;
   std::string compared;                ///< "the modes of --compare", "the normal modes of --stiffness and --mass"; or empty
-  Eigen::MatrixXd cosines, assurance;  ///< cosines and MAC, [modes, those that they are compared with]; empty without them
+  Eigen::MatrixXd cosines, assurance;  ///< cosines and MAC, [modes, compared modes]; empty if there is no comparison
   std::vector<double> frequencies_hz;  ///< of the normal modes, where they were computed
 };
 
-/// Proper orthogonal modes of the files' samples, which are read block by block and never held. `control.progress` is told the
-/// samples read (of 0, as nobody knows how many there are), `control.interrupted` asked at each block; `task.threads` counts, not
-/// the control's. Throws InputError, and Interrupted.
+/// Proper orthogonal modes of the files' samples, read block by block and not kept. `control.progress` gets the number of samples
+/// read (of 0, as the total is unknown); `control.interrupted` is called at each block. The threads are `task.threads`, not the
+/// control's. Throws InputError, and Interrupted.
 PodResult run_pod(const PodTask& task, const ident::Control& control = {});
 
-/// The same shared by the processes of a team, each of which reads its part of every file: the result in the first, none in the
-/// others.
+/// The same, shared by the processes of a team. Each reads its part of every file. The first has the result, the others have
+/// none.
 std::optional<PodResult> run_pod(const PodTask& task, ident::Team& team, const ident::Control& control = {});
 
-/// The same of a record that was read, with the matrices that the task names. Throws InputError.
+/// The same for a record in memory, with the matrices of the task. Throws InputError.
 PodResult run_pod(const PodTask& task, PodRecord record);
 
 }  // namespace jointid::tasks

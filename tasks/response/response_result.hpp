@@ -14,50 +14,50 @@
 
 namespace jointid::tasks {
 
-/// What event-exact marching from a solution of harmonic balance says of it.
+/// Check of a harmonic-balance solution by event-exact marching from it.
 struct PointStability {
   bool known = false;  ///< an orbit was found
   bool stable = false;
-  bool another = false;                            ///< the orbit that was found is not the solution's
-  double largest = 0.0;                            ///< |μ| of the first multiplier
-  double difference = 0.0;                         ///< of the exact orbit from the solution, in parts of the motion
+  bool another = false;                            ///< the orbit found is not that of the solution
+  double largest = 0.0;                            ///< largest |μ| of the multipliers
+  double difference = 0.0;                         ///< distance of the exact orbit from the solution, relative to the motion
   std::vector<Complex> multipliers{};              ///< μ over a period, the largest |μ| first
   std::vector<std::string> residual_force_free{};  ///< names of joints whose mean force is not determined
 };
 
-/// The periodic responses to one force level.
+/// The periodic responses at one force level.
 struct LevelResponse {
   double level = 0.0;  ///< N
   std::vector<response::HarmonicSolution>
       points{};  ///< a solution a frequency: X [harmonics, responses] m, Q and F of the joints
-  std::vector<response::ResponseDeviations> deviations{};  ///< of the points; none when nothing is known
+  std::vector<response::ResponseDeviations> deviations{};  ///< of the points; empty if nothing is known
   std::vector<Eigen::MatrixXd>
       left_out{};  ///< of the points, error bars of dropped harmonics, [harmonics, responses] m; none when none was
   std::optional<double> peak_deviation{};            ///< standard deviation of |X| at the peak, m
   std::optional<response::HarmonicSolution> peak{};  ///< largest |X| of the first response and lowest harmonic above 0
   bool refined = false;                              ///< the peak lies between points
   std::optional<response::PeakMode> peak_mode{};     ///< ω (rad/s) and ζ of the mode that makes the peak
-  double line_spacing_hz = 0.0;             ///< at the peak, of FRFs that are known at lines only; 0 where they are known between
-  std::vector<PointStability> stability{};  ///< of the points; none when not asked for, or there are many
+  double line_spacing_hz = 0.0;                      ///< at the peak, of FRFs that are known at lines only; else 0
+  std::vector<PointStability> stability{};           ///< of the points; empty if not asked for, or for many points
   std::optional<PointStability> peak_stability{};
   std::vector<response::JointLoop> loops{};                  ///< of the joints at the peak
   std::vector<response::HarmonicSolution> turning_points{};  ///< where the curve turns back; of CurveMethod::arc_length
   bool complete = true;                                      ///< every point converged, the curve reached its end
 };
 
-/// One of [[curves]].
+/// Result of one of [[curves]].
 struct CurveRun {
   SceneCurve curve;
   std::string name;  ///< of what it is along, with its unit
   response::ResponseCurve found;
 };
 
-/// One amplitude of [equivalent].
+/// Result of one amplitude of [equivalent].
 struct EquivalentRow {
   double amplitude = 0.0;                           ///< |Q₁| of the joint asked for, m
   std::vector<response::EquivalentJoint> joints{};  ///< all at this amplitude; with a mode, at those that the mode gives them
   std::optional<response::EquivalentMode> mode{};
-  std::string problem{};  ///< why there is no mode
+  std::string problem{};  ///< the reason if there is no mode
 };
 
 /// One motion of [transient].
@@ -66,25 +66,25 @@ struct TransientRun {
   response::Transient motion;
 };
 
-/// All that run_response() finds. SI units: m, N, s, J; frequencies ω in rad/s where they are of response/. Parts that the scene
-/// does not ask for are empty.
+/// Results of run_response(), SI units: m, N, s, J; frequencies ω of response/ in rad/s. Parts that the scene does not ask for
+/// are empty.
 struct ResponseResult {
   std::vector<std::string> dofs, joints;     ///< names of the responses and of the joints
   std::vector<LevelResponse> levels;         ///< one for each amplitude of [force]
   std::vector<CurveRun> curves{};            ///< one for each of [[curves]]
   std::vector<EquivalentRow> equivalents{};  ///< one for each amplitude of [equivalent]
   std::vector<std::string> marched{};        ///< friction elements and cubic springs: the columns of q and f of transients
-  std::vector<TransientRun> transients{};    ///< one for each pulse, record or level of [transient]
+  std::vector<TransientRun> transients{};    ///< one for each pulse, record or force level of [transient]
   std::vector<std::string> doubts;           ///< of the measured parts, one phrase each
 };
 
 /// Row of the lowest harmonic above 0.
 Eigen::Index first_row(const response::HarmonicSolution& solution);
 
-/// Points up to which all of them are printed, and their stability is found.
+/// Largest number of points for which all are printed and checked for stability.
 inline constexpr std::size_t most_told = 40;
 
-/// Whether everything that was asked for has an answer.
+/// Whether all requested results exist.
 bool all_converged(const ResponseResult& run);
 
 }  // namespace jointid::tasks

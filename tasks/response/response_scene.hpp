@@ -14,7 +14,7 @@
 
 namespace jointid::tasks {
 
-/// A degree of freedom as the scene names it: a coordinate of matrices, from 0, or a DOF of files.
+/// A degree of freedom of the scene: a coordinate of matrices, from 0, or a DOF of files.
 struct SceneDof {
   std::string name;
   Eigen::Index coordinate = 0;
@@ -26,7 +26,7 @@ struct SceneJoint {
   SceneDof positive;
   std::optional<SceneDof> negative;
   response::Joint joint;
-  std::vector<double> deviations{};  ///< of the law's parameters; none when nothing is said
+  std::vector<double> deviations{};  ///< standard deviations of the law's parameters; empty if none is given
 };
 
 enum class CurveMethod { sweep, arc_length };
@@ -51,7 +51,7 @@ struct SceneEquivalent {
 struct SceneRecord {
   SceneDof dof;
   ident::NamedFile file;
-  std::string column, unit, time;  ///< unit: empty as the file states it, else N
+  std::string column, unit, time;  ///< unit: empty for that of the file, else N
   double factor = 1.0;
   std::optional<double> rate_hz;
 };
@@ -64,14 +64,14 @@ struct ScenePulse {
 
 /// [transient]: the motion from rest under pulses or records, or under [force] at the first frequency.
 struct SceneTransient {
-  double duration = 0.0, step = 0.0;  ///< s; step of what is told
+  double duration = 0.0, step = 0.0;  ///< s; step of the output
   response::TransientMethod method = response::TransientMethod::exact;
   double delta = 0.0;  ///< of Algorithms One and Two, s; divides `step`
   std::vector<SceneRecord> records;
   std::vector<ScenePulse> pulses;  ///< one run each
 };
 
-/// A scene of `jointid response`, checked for everything that can be checked without the FRFs.
+/// A scene of `jointid response`. It is checked as far as possible without the FRFs.
 struct ResponseScene {
   ident::Path file;
   std::string title;
@@ -83,10 +83,10 @@ struct ResponseScene {
   std::vector<ident::NamedFile> matrix_files;
   std::vector<SceneJoint> joints;
   SceneDof force_dof;
-  std::vector<double> levels;  ///< [force] amplitudes, N
+  std::vector<double> levels;  ///< [force] amplitudes (force levels), N
   response::Excitation force;  ///< of level 1
   std::optional<ident::Range> range_hz;
-  std::vector<double> values_hz;  ///< these instead
+  std::vector<double> values_hz;  ///< these frequencies instead
   std::size_t points = 201;       ///< over the range, of matrices and modal models
   bool modal_model = false;       ///< FRFs of parts by their modal models, at any frequency
   std::vector<SceneDof> responses;
@@ -98,16 +98,16 @@ struct ResponseScene {
   std::optional<SceneTransient> transient;
 };
 
-/// Coordinates above which [structure] stays sparse.
+/// Number of coordinates above which [structure] stays sparse.
 inline constexpr Eigen::Index most_full = 300;
 
-/// Coordinates of [structure]; 0 with files.
+/// Number of coordinates of [structure]; 0 with files.
 Eigen::Index coordinates(const ResponseScene& scene);
 
 /// Whether it can march in time: at most most_full coordinates, or condensed to modes.
 bool marches(const ResponseScene& scene);
 
-/// The scene and every file that it names.
+/// The scene file and every file that it names.
 std::vector<ident::NamedFile> files_of(const ResponseScene& scene);
 
 }  // namespace jointid::tasks

@@ -47,8 +47,8 @@ TEST(Language, KnowsOneFromSeveral) {
   if (!has_language("de")) GTEST_SKIP() << "built without lrelease";
   Languages languages;
   languages.speak("en");
-  EXPECT_EQ(MainWindow::tr("Looking at %n file(s) …", nullptr, 1), "Looking at 1 file …");
-  EXPECT_EQ(MainWindow::tr("Looking at %n file(s) …", nullptr, 3), "Looking at 3 files …");
+  EXPECT_EQ(MainWindow::tr("Reading %n file(s) …", nullptr, 1), "Reading 1 file …");
+  EXPECT_EQ(MainWindow::tr("Reading %n file(s) …", nullptr, 3), "Reading 3 files …");
 }
 
 TEST(Language, IsKept) {

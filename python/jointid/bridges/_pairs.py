@@ -1,4 +1,4 @@
-"""FRFs pair by pair, as files and lists have them, as one array."""
+"""FRFs pair by pair, as in files and lists, into one array."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ DIRECTIONS = ("X", "Y", "Z", "RX", "RY", "RZ")  # numbers 1 to 6 of UFF and of S
 
 
 def dof_of(node: Any, direction: Any, place: str) -> Dof:
-    """Of a node and a signed number from 1 to 6."""
+    """The DOF of a node and a signed number from 1 to 6."""
     number = int(direction)
     if not 1 <= abs(number) <= 6:
         raise InputError(f"node {node} has the direction {number}", place=place, kind="data",
@@ -23,7 +23,7 @@ def dof_of(node: Any, direction: Any, place: str) -> Dof:
 
 
 def numbers_of(dof: Dof) -> tuple[int, int]:
-    """The reverse."""
+    """Node and signed number of a DOF."""
     if not dof.split(":")[0].lstrip("-").isdigit():
         raise InputError(f"{dof} has no node number", place="dofs", kind="data",
                          remedy="name it by a number, as the other package needs one")
@@ -31,7 +31,7 @@ def numbers_of(dof: Dof) -> tuple[int, int]:
 
 
 def set_of_pairs(pairs: Iterable[tuple[Dof, Dof, Any, Any]], **options: Any) -> FrfSet:
-    """(response, reference, frequency, FRF) of each pair as one set; what is not there is NaN."""
+    """One set from (response, reference, frequency, FRF) of each pair. Missing pairs are NaN."""
     pairs = list(pairs)
     if not pairs:
         raise InputError("there are no FRFs", place="bridge", kind="data", remedy="give at least one")

@@ -1,4 +1,4 @@
-"""pandas: a DataFrame, a row a line, a column (response, reference)."""
+"""pandas: a DataFrame with one row per line and one column per (response, reference)."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ..frf_set import FrfSet
 
 
 def to_pandas(frfs: FrfSet) -> Any:
-    """``attrs`` have quantity and units."""
+    """The set as a DataFrame. Its ``attrs`` have quantity and units."""
     import pandas
 
     columns = pandas.MultiIndex.from_product([[str(dof) for dof in frfs.responses], [str(dof) for dof in frfs.references]],
@@ -22,7 +22,7 @@ def to_pandas(frfs: FrfSet) -> Any:
 
 
 def from_pandas(table: Any, *, quantity: str | None = None, name: str = "pandas") -> FrfSet:
-    """The reverse; columns in any order, pairs that are not there are NaN."""
+    """A DataFrame as a set. Columns are in any order; missing pairs are NaN."""
     if getattr(getattr(table, "columns", None), "nlevels", 1) != 2:
         raise InputError("the columns are no pairs (response, reference)", place="table", remedy="give a MultiIndex of two levels")
     responses = list(dict.fromkeys(table.columns.get_level_values(0)))

@@ -12,7 +12,7 @@ from ..frf_set import FrfSet
 
 def from_pyema(frequency: Any, frf: Any, responses: Iterable[str], reference: str, *, frf_type: str = "accelerance",
                name: str = "pyEMA") -> FrfSet:
-    """FRFs as ``pyEMA.Model(frf, freq)`` takes them; they have no DOFs, so that these are given."""
+    """A set from the arrays of ``pyEMA.Model(frf, freq)``, [location, line]. They have no DOFs, so you name them."""
     array = np.asarray(frf)
     if array.ndim != 2:
         raise InputError(f"its shape is {array.shape}", place="frf", kind="data", remedy="the axes are [location, line]")
@@ -20,7 +20,7 @@ def from_pyema(frequency: Any, frf: Any, responses: Iterable[str], reference: st
 
 
 def to_pyema(frfs: FrfSet, reference: str | None = None) -> tuple[np.ndarray, np.ndarray]:
-    """frequency and FRFs [location, line] of one reference: ``pyEMA.Model(frf, frequency)``."""
+    """Frequency [line], Hz, and FRFs [location, line] of one reference, for ``pyEMA.Model(frf, frequency)``."""
     if reference is None and len(frfs.references) > 1:
         raise InputError(f"{frfs.name} has {len(frfs.references)} references", place="reference", kind="data",
                          remedy="name one: " + ", ".join(frfs.references[:12]))
@@ -29,7 +29,7 @@ def to_pyema(frfs: FrfSet, reference: str | None = None) -> tuple[np.ndarray, np
 
 
 def from_pyfrf(frf: Any, response: str, reference: str, *, quantity: str = "accelerance", name: str = "pyFRF") -> FrfSet:
-    """A ``pyFRF.FRF`` after its averages: H1 with the coherence and the number of averages."""
+    """A set from a ``pyFRF.FRF`` after its averages: H1 with the coherence and the number of averages."""
     h1 = np.asarray(frf.get_H1()).reshape(-1)
     coherence = np.asarray(frf.get_coherence()).real.reshape(-1)
     count = float(getattr(frf, "curr_meas", 0) or 0)

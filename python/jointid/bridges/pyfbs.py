@@ -24,7 +24,7 @@ def _columns(table: Any, prefix: str) -> np.ndarray:
 
 
 def _nodes(positions: np.ndarray, groups: dict[tuple, int]) -> list[int]:
-    """A number for each place, counting from 1 as they come."""
+    """A node number for each position, from 1 in their order."""
     return [groups.setdefault(tuple(np.round(place, 9)), len(groups) + 1) for place in positions]
 
 
@@ -50,10 +50,10 @@ def _dofs(table: Any, groups: dict[tuple, int], given: Any) -> list[Dof]:
 
 def from_pyfbs(frequency: Any, frfs: Any, channels: Any, impacts: Any, *, responses: Any = None, references: Any = None,
                quantity: str = "accelerance", name: str = "pyFBS") -> FrfSet:
-    """FRFs [line, channel, impact] with ``df_chn`` and ``df_imp``, DataFrames or anything with their columns.
+    """A set from FRFs [line, channel, impact] with ``df_chn`` and ``df_imp``, DataFrames or other tables with their columns.
 
-    Places are numbered from 1 as they come, channels first: rows with one Position are one node, whose DOFs their Direction names;
-    positions go with the set. Directions along no axis: InputError, unless `responses` and `references` name the DOFs.
+    Positions are numbered from 1 in their order, channels first. Rows with one Position are one node; Direction gives the DOF. The
+    set has the positions, m. Directions along no axis raise InputError, unless `responses` and `references` name the DOFs.
     """
     groups: dict[tuple, int] = {}
     rows, columns = _dofs(channels, groups, responses), _dofs(impacts, groups, references)
@@ -75,7 +75,7 @@ def read_positions(path: str | os.PathLike, sheet: str) -> Any:
 
 
 def to_pyfbs(frfs: FrfSet) -> tuple[np.ndarray, np.ndarray, dict[str, list], dict[str, list]]:
-    """frequency, FRFs, columns of ``df_chn`` and of ``df_imp`` (``pandas.DataFrame(columns)`` makes the tables)."""
+    """Frequency [line], Hz, FRFs [line, channel, impact], and columns of ``df_chn`` and ``df_imp`` for ``pandas.DataFrame()``."""
     return frfs.frequency, frfs.frfs, _table(frfs, frfs.responses), _table(frfs, frfs.references)
 
 

@@ -16,10 +16,9 @@ _FORCE = 13
 
 
 def from_pyuff(datasets: Iterable[Mapping[str, Any]] | Mapping[str, Any], *, quantity: str | None = None, name: str = "pyuff") -> FrfSet:
-    """FRFs (datasets 58 with func_type 4) of ``pyuff.UFF(file).read_sets()``; other datasets are left out.
+    """A set from ``pyuff.UFF(file).read_sets()``: the FRFs (datasets 58 with func_type 4). Other datasets are left out.
 
-    Nodes of datasets 15 and 2411 become positions. `quantity`: where the datasets do not say it. Raises InputError where they
-    disagree.
+    Nodes of datasets 15 and 2411 become positions. `quantity` is for datasets without one. Datasets that disagree raise InputError.
     """
     if not isinstance(datasets, Iterable):
         raise InputError(f"{datasets!r} is no list of datasets", place="datasets", remedy="give pyuff.UFF(file).read_sets()")
@@ -49,7 +48,7 @@ def _rows(dataset: Mapping[str, Any]) -> Iterable[tuple]:
 
 
 def to_pyuff(frfs: FrfSet) -> list[dict[str, Any]]:
-    """Datasets 58 that ``pyuff.UFF(file).write_sets()`` takes; FRFs that were not measured (NaN) are left out."""
+    """Datasets 58 for ``pyuff.UFF(file).write_sets()``. FRFs that were not measured (NaN) are left out."""
     kind = next(number for number, word in _QUANTITIES.items() if word == frfs.quantity)
     out = []
     for row, response in enumerate(frfs.responses):

@@ -15,10 +15,10 @@ _FRF = 4  # FunctionTypes.FREQUENCY_RESPONSE_FUNCTION
 
 
 def from_sdynpy(data: Any, *, quantity: str, unit: str | None = None, name: str = "sdynpy") -> FrfSet:
-    """A TransferFunctionArray, or the path of one that was saved as .npz.
+    """A set from a TransferFunctionArray, or from the path of its .npz.
 
-    The array has no quantity: `quantity` (or `unit`) says it. Fields abscissa [line], ordinate [line] and coordinate
-    [(response, reference)], each of a node and a direction ±1 to ±6.
+    The array has no quantity: give `quantity` (or `unit`). Its fields are abscissa [line], ordinate [line] and coordinate
+    [(response, reference)], each with a node and a direction ±1 to ±6.
     """
     if isinstance(data, (str, os.PathLike)):
         if not os.path.isfile(data):
@@ -62,7 +62,7 @@ def to_sdynpy(frfs: FrfSet) -> Any:
 
 
 def structured(frfs: FrfSet) -> np.ndarray:
-    """The structured array [response, reference] that SDynPy's is, without SDynPy."""
+    """The structured array [response, reference] of SDynPy, made without SDynPy."""
     coordinate = np.dtype([("node", "<u8"), ("direction", "i1")])
     array = np.zeros(frfs.shape[1:], dtype=[("abscissa", "<f8", (len(frfs),)), ("ordinate", "<c16", (len(frfs),)), ("comment1", "<U80"),
                                             ("coordinate", coordinate, (2,))])
@@ -75,5 +75,5 @@ def structured(frfs: FrfSet) -> np.ndarray:
 
 
 def save_sdynpy(path: str | os.PathLike, frfs: FrfSet) -> None:
-    """The .npz that ``sdynpy.data.NDDataArray.load()`` reads; SDynPy is not needed."""
+    """Writes the .npz for ``sdynpy.data.NDDataArray.load()``. Does not need SDynPy."""
     np.savez(os.fspath(path), data=structured(frfs), function_type=_FRF)

@@ -1,4 +1,4 @@
-"""SEP 5: time records as dicts, one a channel ("data", "fs", "unit_str", "name", "start_timestamp" …)."""
+"""SEP 5: time records as dicts, one per channel ("data", "fs", "unit_str", "name", "start_timestamp" …)."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def _records(channels: Iterable[Mapping[str, Any]] | Mapping[str, Any]) -> tuple
 
 
 def frf_of_sep005(channels: Any, dofs: Mapping[str, str], **options: Any) -> FrfResult:
-    """jointid.frf() of channels of one record; `dofs` names the DOF of each channel that counts: ``{"hammer": "1:+Z", "acc": "4:+Z"}``."""
+    """jointid.frf() for channels of one record. `dofs` names the DOF of each channel to use: ``{"hammer": "1:+Z", "acc": "4:+Z"}``."""
     data, rate, names, units = _records(channels)
     missing = [name for name in dofs if name not in names]
     if missing:
@@ -35,6 +35,6 @@ def frf_of_sep005(channels: Any, dofs: Mapping[str, str], **options: Any) -> Frf
 
 
 def pod_of_sep005(channels: Any, **options: Any) -> Result:
-    """jointid.pod() of channels of one record."""
+    """jointid.pod() for channels of one record."""
     data, _, names, units = _records(channels)
     return pod(data, names=names, units=units, **options)

@@ -9,7 +9,7 @@ from ..frf_set import FrfSet
 
 
 def to_xarray(frfs: FrfSet) -> Any:
-    """The numbers of the DataArray are those of the set, no copy; ``attrs`` have quantity and units, coordinates the DOFs."""
+    """The set as a DataArray, which shares its numbers (no copy). Its ``attrs`` have quantity and units, its coordinates the DOFs."""
     import xarray
 
     array = xarray.DataArray(frfs.frfs, dims=("frequency", "output", "input"), name=frfs.name,
@@ -21,7 +21,7 @@ def to_xarray(frfs: FrfSet) -> Any:
 
 
 def from_xarray(array: Any) -> FrfSet:
-    """The reverse. The dimensions may stand in any order; quantity: ``attrs["quantity"]``, else receptance."""
+    """A DataArray as a set. The dimensions are in any order. The quantity is ``attrs["quantity"]``, else receptance."""
     wanted = ("frequency", "output", "input")
     if set(getattr(array, "dims", ())) != set(wanted):
         raise InputError(f"the dimensions are {getattr(array, 'dims', 'none')}", place="array", kind="data",
