@@ -5,7 +5,7 @@
 A seed draws two steel beams with three bolts, the places of 14 sensors, 3 to 10 hits, the noise of sensors and the size of the
 mistake; files are HDF5 with coherences. Printed for each kind: verdicts of the check; for each method the statuses, and how many
 answers with status ok have a stiffness more than three standard errors from the truth. Ends with 1 where a promise of
-docs/checking-data.md is broken: no more such answers than chance gives to right intervals (99 % of a binomial law), at most 1 in 100
+docs/checking-data.md is broken: no more such answers than chance gives to right intervals (99.9 % of a binomial law), at most 1 in 100
 clean scenes worse than clean or ok, no mistake of the kinds below ALWAYS_TOLD that is called clean.
 """
 
@@ -254,11 +254,11 @@ def outcome(jointid, kind, seed):
 
 
 def chance(count):
-    """As many of `count` right answers lie outside as chance allows in 99 of 100 tables: three stiffnesses, 3 standard errors each."""
+    """As many of `count` right answers lie outside as chance allows in 999 of 1,000 tables: three stiffnesses, 3 standard errors each."""
     p = 1 - (1 - math.erfc(3 / math.sqrt(2))) ** BOLTS
     at_most, likely = 0, (1 - p) ** count
     total = likely
-    while total < 0.99:
+    while total < 0.999:
         at_most += 1
         likely *= (count - at_most + 1) / at_most * p / (1 - p)
         total += likely
