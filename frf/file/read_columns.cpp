@@ -3,11 +3,14 @@
 #include <filesystem>
 
 #include "base/error.hpp"
+#include "frf/csv/csv_pipes.hpp"
+#include "frf/csv/csv_text.hpp"
 #include "frf/csv/lvm_file.hpp"
 #include "frf/file/column_titles.hpp"
 #include "frf/file/columns.hpp"
 #include "frf/file/file_format.hpp"
 #include "frf/mat/mat_column.hpp"
+#include "frf/text/footer.hpp"
 #include "frf/text/number_text.hpp"
 #include "frf/text/unit_names.hpp"
 
@@ -26,11 +29,10 @@ class TextColumns {
     if (rest.find('\0') != std::string_view::npos) {
       fail(out_.file, {}, "is no text, MATLAB or HDF5 file", "export the columns as CSV, MATLAB or HDF5");
     }
-    if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
     for (line_ = 1; !rest.empty(); ++line_) {
       const std::string_view line = take_until(rest, '\n');
       if (!out_.columns.empty()) {
-        if (!is_comment(trimmed(line))) add(line);
+        if (!is_comment(trimmed(line))) take(line);
       } else if (titles_.begins_with(line, place())) {
         begin();
         add(line);
@@ -48,6 +50,21 @@ class TextColumns {
   void begin() {
     out_ = titles_.columns();
     mark_ = DecimalMark(titles_.separator());
+  }
+
+  /// A row, or a line of words below them.
+  void take(std::string_view line) {
+    const std::vector<std::string_view> cells = split(line, titles_.separator());
+    if (!out_.columns.front().values.empty() && is_footer(cells, out_.columns.size())) {
+      if (words_.empty() && !is_page_mark(line)) words_ = std::string(trimmed(line).substr(0, 40)), words_place_ = place();
+      if (lower_case(line).find("unit") != std::string::npos)
+        fail(out_.file, place(), "'" + std::string(trimmed(line).substr(0, 40)) + "' below the numbers is not read",
+             "write units into the titles, and begin lines that are no numbers with #");
+    } else if (words_.empty()) {
+      add(line);
+    } else {
+      fail(out_.file, words_place_ + ", column 1", "'" + words_ + "' is not a number", "begin lines that are no numbers with #");
+    }
   }
 
   void add(std::string_view line) {
@@ -71,6 +88,7 @@ class TextColumns {
   Columns out_;
   ColumnTitles titles_;
   DecimalMark mark_;
+  std::string words_, words_place_;  ///< first of the lines of words below the rows
   std::size_t line_ = 0;
 };
 
@@ -172,7 +190,8 @@ Columns columns_of(LvmFile&& lvm) {
 Columns read_columns(const std::filesystem::path& path) {
   const std::optional<FileFormat> binary = detect_binary_format(path);
   if (!binary) {
-    const std::string text = read_text(path);
+    std::string text = read_csv_text(path);
+    if (auto piped = tabs_for_pipes(text)) text = std::move(*piped);
     return looks_like_lvm(text) ? columns_of(read_lvm(path.string(), text)) : TextColumns(path).read(text);
   }
   const auto file = *binary == FileFormat::matlab_v5 ? open_mat_variables_v5(path) : open_mat_variables_v73(path);
