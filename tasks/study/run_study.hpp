@@ -20,7 +20,8 @@ struct StudyResult {
   std::vector<std::string> notes{};   ///< what the user should know, one sentence each
 };
 
-/// What a result file keeps of where it came from, beside what study::run_study() keeps: scene_hash and jointid_version. For
+/// What a result file keeps of where it came from, beside what study::run_study() keeps: scene_hash (of scene::contents_of(), so
+/// that a title or a comment makes no other study) and jointid_version. For
 /// study::StudyOptions::texts.
 std::map<std::string, std::string> study_texts(const std::string& scene_text);
 
