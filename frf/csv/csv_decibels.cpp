@@ -77,7 +77,7 @@ void resolve_decibels(CsvTable& table, const CsvColumns& columns, bool unit_give
     const auto reference = reference_of_decibels(label);
     if (!reference)
       table.fail(table.units_line, column,
-                 "'" + shown_label(label) + "' is a level in decibels whose reference " +
+                 "unknown unit '" + shown_label(label) + "': a level in decibels whose reference " +
                      (unit_given ? "the given unit does not say" : "is not understood"),
                  give_reference);
     to_magnitudes(table, column, *reference);

@@ -34,7 +34,7 @@ std::optional<std::string> without_thousands(std::string_view cell) {
     const std::string digits = take_groups(rest, mark);
     if (digits.empty()) continue;
     const bool decimals = !rest.empty() && (rest.front() == '.' || rest.front() == ',') && rest.substr(0, 1) != mark;
-    if (!decimals && (mark == "," || mark == "." || !rest.empty())) return std::nullopt;
+    if (!decimals && (mark == "," || mark == "." || mark == " " || !rest.empty())) return std::nullopt;
     const std::string_view fraction = decimals ? rest.substr(1) : std::string_view();
     if (count_digits(fraction) != fraction.size()) return std::nullopt;
     return std::string(cell.substr(0, sign ? 1 : 0)) + digits + "." + std::string(fraction);

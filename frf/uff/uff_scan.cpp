@@ -53,7 +53,8 @@ class Scanner {
     std::size_t count = 0;
     for (line_ = first;; ++count) {
       const std::string_view text = trim(line_);
-      words = text.empty() || (is_footer({text}, 2) && !is_delimiter(line_) && text.find_first_of("+-.") != 0);
+      const bool plain = std::ranges::none_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\t'; });
+      words = text.empty() || (plain && is_footer({text}, 2) && !is_delimiter(line_) && text.find_first_of("+-.") != 0);
       if (!words || count == most_lines || !file_.next_line(line_)) break;
     }
     words = words && count < most_lines;

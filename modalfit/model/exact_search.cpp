@@ -17,13 +17,17 @@ constexpr std::size_t most_splits_tried = 3;
 
 }  // namespace
 
+/// Noise over modulus below which FRFs may be computed ones.
+double PoleSearch::quiet_where(const RefinedPoles& refined) const {
+  return refined.cost > far_off * refined.freedom ? rather_quiet : quiet_noise;
+}
+
 /// Whether neighbouring lines agree to digits that no measurement has although the model does not.
 bool PoleSearch::may_be_exact(const RefinedPoles& refined) const {
   if (band_.known_noise) return false;
   const double noise = relative_noise(band_, entries_);
-  const bool is_far_off = refined.cost > far_off * refined.freedom;
   const bool is_off = refined.cost > refined.freedom || !is_exact(band_, entries_, options_.kind, refined.poles);
-  return noise < (is_far_off ? rather_quiet : quiet_noise) && is_off;
+  return noise < quiet_where(refined) && is_off;
 }
 
 /// FRFs without noise tell poles apart that noise would not, and poles beyond the range better: what follows them to their

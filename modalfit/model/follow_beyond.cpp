@@ -11,8 +11,11 @@ namespace {
 
 constexpr std::size_t most_beyond = 12;          ///< poles that may be added, one after the other
 constexpr std::size_t enough_entries = 24;       ///< FRFs without noise need no mean
-constexpr double rounding_left = 1e-13;          ///< of the moduli: nothing is left to follow
-constexpr double worth_a_pole = 0.5;             ///< of the misfit that a pole leaves
+constexpr double rounding_left = 1e-11;          ///< of the moduli: nothing is left to follow
+constexpr double exact_left = 1e-9;              ///< no step may lower what rounding leaves, and none is needed
+constexpr double surely_worth = 0.01;            ///< of the misfit: no other start is tried
+constexpr double worth_a_pole = 0.8;             ///< of the misfit that a pole leaves: the next may leave nothing
+constexpr double worth_all = 0.5;                ///< of that which all leave
 constexpr std::array<double, 3> distances = {0.2, 0.6, 2.0};  ///< beyond an end, of the range or its end
 
 std::vector<std::size_t> thinned(const std::vector<std::size_t>& entries) {
@@ -48,16 +51,17 @@ std::vector<double> starts_beyond(const Band& band, const std::vector<Pole>& pol
 bool PoleSearch::leaves_more_than_rounding(const RefinedPoles& refined) const {
   if (band_.known_noise || refined.poles.empty()) return false;
   const double left = deviation(band_, entries_, options_.kind, refined.poles);
-  return left > std::max(rounding_left, band_.precision) && relative_noise(band_, entries_) < quiet_noise;
+  return left > std::max(rounding_left, band_.precision) && relative_noise(band_, entries_) < quiet_where(refined);
 }
 
-/// Poles beyond the range until the FRFs are followed to their rounding or no pole halves what is left: what far modes do in the range
+/// Poles beyond the range until the FRFs are followed to their rounding or no pole lowers what is left by a fifth: what far modes do in the range
 /// is more than two residual terms can follow.
 void PoleSearch::follow_beyond(RefinedPoles& refined, ModalFit& out) {
   const std::vector<std::size_t> few = thinned(entries_);
   const std::size_t modes = inside(refined);
   const double all_before = deviation(band_, entries_, options_.kind, refined.poles);
   const std::vector<double> weight = band_.weight;
+  const bool is_quiet = relative_noise(band_, entries_) < quiet_noise;
   RefinedPoles best = refined;
   double left = deviation(band_, few, options_.kind, refined.poles);
   for (std::size_t round = 0; round < most_beyond && left > rounding_left && !stopped(); ++round) {
@@ -71,6 +75,7 @@ void PoleSearch::follow_beyond(RefinedPoles& refined, ModalFit& out) {
       const double trial_left = deviation(band_, few, options_.kind, trial.poles);
       if (inside(trial) != modes || !(trial_left < next_left)) continue;
       next = std::move(trial), next_left = trial_left;
+      if (next_left < std::max(rounding_left, surely_worth * left)) break;
     }
     if (next.poles.empty()) break;
     best = std::move(next), left = next_left;
@@ -80,8 +85,11 @@ void PoleSearch::follow_beyond(RefinedPoles& refined, ModalFit& out) {
   estimate_noise(band_, entries_, options_.kind, best.poles);
   RefinedPoles whole = refine(band_, entries_, options_.kind, best.poles, {}, options_.interrupted);
   out.iterations += whole.iterations;
-  if (whole.converged && inside(whole) == modes && deviation(band_, entries_, options_.kind, whole.poles) < worth_a_pole * all_before) {
+  const double all_left = deviation(band_, entries_, options_.kind, whole.poles);
+  const bool is_followed = all_left < exact_left;
+  if (inside(whole) == modes && (is_followed || (is_quiet && whole.converged && all_left < worth_all * all_before))) {
     refined = std::move(whole);
+    refined.converged = true;
   } else {
     band_.weight = weight;
   }

@@ -89,7 +89,7 @@ TEST_F(ColumnsFile, PipesWordsBelowAndLineEndsOfOthers) {
   for (const char* text : {"| t [s] | x [m] |\n|---|---|\n| 0 | 1 |\n| 1 | 2.5 |\n", "t [s];x [m]\n0;1\n1;2.5\nEnd of data\n",
                            "t [s];x [m]\r0;1\r1;2.5\r", "t [s];x [m]\r\n0;1\r\nPage 1 of 2\r\n1;2.5D+00\r\nPage 2 of 2\r\n\x1A"}) {
     const Columns columns = read_columns(write_file("a.csv", text));
-    ASSERT_EQ(columns.size(), 2U) << text;
+    ASSERT_EQ(columns.columns.size(), 2U) << text;
     EXPECT_EQ(columns.columns[1].unit, "m") << text;
     EXPECT_THAT(columns.columns[1].values, ElementsAre(1.0, 2.5)) << text;
   }
