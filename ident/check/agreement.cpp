@@ -23,7 +23,6 @@ constexpr double sure_deviations = 6.0, least_gain = 0.003;
 constexpr double just_noise = 1.5;    ///< of χ² over degrees of freedom
 constexpr double unsure_noise = 0.3;  ///< of a law of variances
 constexpr double least_noise = 1e-7;  ///< of the largest FRF of a reference: what single precision leaves
-constexpr std::size_t few_lines = 20;
 constexpr double negligible = 1e-12;  ///< of |H_ii H_jj|: FRFs that are zero by symmetry say nothing
 
 /// Largest |H|² of a reference on a line.
@@ -37,11 +36,7 @@ double largest_square(const CheckedFile& file, std::size_t line, Index c) {
 
 /// E|e|² of one FRF of a file; NaN where it is not known. `largest`: largest_square() of its reference.
 double error_square(const CheckedFile& file, std::size_t line, Index r, Index c, double largest) {
-  const double square = std::norm(file.frfs[line](r, c));
-  const double least = least_noise * least_noise * largest;
-  if (file.errors) return file.variance(line, r, c) + least;
-  if (!file.noise) return nan;
-  return (*file.noise)(r, c, square, frf::squared_factor(file.quantity, file.frequency_hz[line])) + least;
+  return file.error_square(line, r, c) + least_noise * least_noise * largest;
 }
 
 /// Sums that become an Agreement.
@@ -197,12 +192,6 @@ struct MirrorPlaces {
     }
   }
 
-  /// |H_ii H_jj| of a line.
-  double points(const CheckedFile& file, std::size_t line, std::size_t i, std::size_t j) const {
-    const Eigen::MatrixXcd& h = file.frfs[line];
-    return std::abs(h(row[i], column[i]) * h(row[j], column[j]));
-  }
-
   /// each(i, j, H_ij, H_ji) of the pairs i < j of a line that were measured.
   template <class Each>
   void each_pair(const CheckedFile& file, std::size_t line, const Each& each) const {
@@ -210,21 +199,18 @@ struct MirrorPlaces {
       for (std::size_t j = i + 1; j < dofs.size(); ++j) {
         const Eigen::MatrixXcd& h = file.frfs[line];
         const Complex a = h(row[i], column[j]), b = h(row[j], column[i]);
-        const double size = std::norm(a) + std::norm(b);
-        if (std::isfinite(size) && !(size <= negligible * points(file, line, i, j))) each(i, j, a, b);
+        const double size = std::norm(a) + std::norm(b), points = std::abs(h(row[i], column[i]) * h(row[j], column[j]));
+        if (std::isfinite(size) && !(size <= negligible * points)) each(i, j, a, b);
       }
     }
   }
 };
 
 /// H_ij and H_ji at one time or on one line are this much of each other's noise: σ² = proportional·|H|² + constant·(mean square
-/// of the pair), the constant in the quantity of the file. One law for all pairs, which half of the differences may contradict. Of
-/// few lines one at a resonance counts for much, where noise of what moves most gets into FRFs that are small (a node, motions of a
-/// virtual point that its sensors tell apart): there the same share of √|H_ii H_jj| is taken for noise, too.
+/// of the pair), the constant in the quantity of the file. One law for all pairs, which half of the differences may contradict.
 struct MirrorLaw {
   double proportional = 0.0, constant = 0.0;
   Eigen::MatrixXd mean_square;
-  double of_points = 0.0;  ///< share of |H_ii H_jj|
   Eigen::MatrixXd beyond;  ///< by which a pair's own differences are larger than the law, as most of its lines say; 1 to 30
 
   MirrorLaw(const CheckedFile& file, const MirrorPlaces& places) {
@@ -254,7 +240,6 @@ struct MirrorLaw {
     const frf::VarianceLaw law = fit_noise(samples);
     proportional = 2.0 * law.proportional;
     constant = 2.0 * law.constant;
-    if (file.frfs.size() < few_lines) of_points = proportional;
     beyond = Eigen::MatrixXd::Ones(n, n);
     if (says_anything()) fit_pairs(file, places);
   }
@@ -267,7 +252,7 @@ struct MirrorLaw {
     for (std::size_t l = 0; l < file.frfs.size(); ++l) {
       const double factor = frf::squared_factor(file.quantity, file.frequency_hz[l]);
       places.each_pair(file, l, [&](std::size_t i, std::size_t j, const Complex& a, const Complex& b) {
-        if (const double ratio = std::norm(a - b) / (*this)(i, j, a, b, factor, places.points(file, l, i, j)); std::isfinite(ratio))
+        if (const double ratio = std::norm(a - b) / (*this)(i, j, a, b, factor); std::isfinite(ratio))
           ratios[i * n + j].push_back(ratio);
       });
     }
@@ -277,9 +262,9 @@ struct MirrorLaw {
   }
 
   /// E|H_ij − H_ji|².
-  double operator()(std::size_t i, std::size_t j, const Complex& a, const Complex& b, double factor, double points) const {
+  double operator()(std::size_t i, std::size_t j, const Complex& a, const Complex& b, double factor) const {
     const double all = proportional * (std::norm(a) + std::norm(b)) + 2.0 * constant * mean_square(at(i), at(j)) * factor;
-    return beyond(at(i), at(j)) * (all + (std::isfinite(points) ? 2.0 * of_points * points : 0.0));
+    return beyond(at(i), at(j)) * all;
   }
 
   bool says_anything() const { return proportional + constant > 1e-12; }
@@ -359,7 +344,7 @@ Agreement mirror_agreement(const CheckedFile& file, bool recorded) {
     for (const Index c : places.column) largest.push_back(largest_square(file, l, c));
     sums.begin_line();
     places.each_pair(file, l, [&](std::size_t i, std::size_t j, const Complex& a, const Complex& b) {
-      const double expected = law ? (*law)(i, j, a, b, factor, places.points(file, l, i, j))
+      const double expected = law ? (*law)(i, j, a, b, factor)
                                   : error_square(file, l, places.row[i], places.column[j], largest[j]) +
                                         error_square(file, l, places.row[j], places.column[i], largest[i]);
       const double ratio = std::norm(a - b) / expected;
