@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
+#include <utility>
 
 #include "base/error.hpp"
 #include "frf/csv/csv_pipes.hpp"
@@ -12,6 +15,7 @@
 #include "frf/mat/mat_column.hpp"
 #include "frf/text/footer.hpp"
 #include "frf/text/number_text.hpp"
+#include "frf/text/special_number.hpp"
 #include "frf/text/unit_names.hpp"
 
 namespace jointid::frf {
@@ -55,12 +59,17 @@ class TextColumns {
   /// A row, or a line of words below them.
   void take(std::string_view line) {
     const std::vector<std::string_view> cells = split(line, titles_.separator());
+    if (cells.size() > 1 && std::ranges::all_of(cells, [](std::string_view cell) { return cell.empty(); })) {
+      empty_.push_back(std::string(line));  // of a spreadsheet, below the numbers
+      return;
+    }
     if (!out_.columns.front().values.empty() && is_footer(cells, out_.columns.size())) {
       if (words_.empty() && !is_page_mark(line)) words_ = std::string(trimmed(line).substr(0, 40)), words_place_ = place();
       if (lower_case(line).find("unit") != std::string::npos)
         fail(out_.file, place(), "'" + std::string(trimmed(line).substr(0, 40)) + "' below the numbers is not read",
              "write units into the titles, and begin lines that are no numbers with #");
     } else if (words_.empty()) {
+      for (const std::string& row : std::exchange(empty_, {})) add(row);
       add(line);
     } else {
       fail(out_.file, words_place_ + ", column 1", "'" + words_ + "' is not a number", "begin lines that are no numbers with #");
@@ -77,7 +86,8 @@ class TextColumns {
     if (!mark_.fits(line)) fail(out_.file, place(), mixed_marks, one_mark);
     for (std::size_t i = 0; i < cells.size(); ++i) {
       double value = 0.0;
-      if (!parse_cell(cells[i], mark_.may_be_comma(), value)) {
+      if (!parse_cell(cells[i], mark_.may_be_comma(), value)) value = std::numeric_limits<double>::quiet_NaN();
+      if (std::isnan(value) && !states_no_value(cells[i])) {
         fail(out_.file, place() + ", column " + std::to_string(i + 1),
              "'" + std::string(cells[i].substr(0, 40)) + "' is not a number", "begin lines that are no numbers with #");
       }
@@ -88,6 +98,7 @@ class TextColumns {
   Columns out_;
   ColumnTitles titles_;
   DecimalMark mark_;
+  std::vector<std::string> empty_;
   std::string words_, words_place_;  ///< first of the lines of words below the rows
   std::size_t line_ = 0;
 };

@@ -93,6 +93,12 @@ TEST_F(ColumnsFile, PipesWordsBelowAndLineEndsOfOthers) {
     EXPECT_EQ(columns.columns[1].unit, "m") << text;
     EXPECT_THAT(columns.columns[1].values, ElementsAre(1.0, 2.5)) << text;
   }
+  for (const char* none : {"#N/A", "-1.#IND", "NaN", ""}) {
+    const Columns columns = read_columns(write_file("a.csv", std::string("t [s];x [m]\n0;1\n1;") + none + "\n2;3\n;\n;\n"));
+    ASSERT_EQ(columns.columns[1].values.size(), 3U) << none;
+    EXPECT_TRUE(std::isnan(columns.columns[1].values[1])) << none;
+  }
+  EXPECT_EQ(read_columns(write_file("a.csv", "t [s];x [m]\n0;1\n;\n2;3\n")).columns[1].values.size(), 3U) << "a sample is missing";
   EXPECT_THAT(error("t [s];x [m]\n0;1\noverload\n1;2\n"), AllOf(HasSubstr("line 3"), HasSubstr("overload")));
   EXPECT_THAT(error("t [s];x\n0;1\n1;2\nY Unit: mm\n"), HasSubstr("Y Unit: mm"));
 }
