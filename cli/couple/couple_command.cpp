@@ -8,10 +8,10 @@
 #include "cli/options/whole_number.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/progress.hpp"
-#include "report/couple/couple_page.hpp"
-#include "report/couple/couple_text.hpp"
 #include "frf/file/file_format.hpp"
 #include "models/model_file.hpp"
+#include "report/couple/couple_page.hpp"
+#include "report/couple/couple_text.hpp"
 #include "report/page/limits.hpp"
 
 namespace jointid::cli {

@@ -188,7 +188,8 @@ class AnalyserText {
     if (unit == keys.end()) return;
     for (std::string& own : units_) {
       if (!own.empty() && own != unit->second)
-        fail({}, "the unit is '" + own + "' above the numbers and '" + unit->second + "' below them", "give --unit, in a scene unit");
+        fail({}, "the unit is '" + own + "' above the numbers and '" + unit->second + "' below them",
+             "give --unit, in a scene unit");
       own = unit->second;
     }
   }

@@ -41,7 +41,9 @@ Cells lines_of(std::string_view text) {
 constexpr std::size_t most_footers = 20;
 
 /// A line of words below the rows.
-bool is_footer_line(std::string_view text) { return text.find_first_of(";\t\"") == std::string_view::npos && is_footer({text}, 2); }
+bool is_footer_line(std::string_view text) {
+  return text.find_first_of(";\t\"") == std::string_view::npos && is_footer({text}, 2);
+}
 
 /// Whether the last line but comments, empty ones and lines of words is a row: most texts are no such table, and need not be cut
 /// into lines.

@@ -15,7 +15,8 @@
 namespace jointid::frf {
 namespace {
 
-constexpr const char* give_reference = "say what 0 dB is, e.g. [dB re 1 g/N] in the title or # unit = dB re 1 g/N, or export magnitudes";
+constexpr const char* give_reference =
+    "say what 0 dB is, e.g. [dB re 1 g/N] in the title or # unit = dB re 1 g/N, or export magnitudes";
 
 struct DecibelReference {
   double value = 1.0;
@@ -24,7 +25,8 @@ struct DecibelReference {
 
 bool is_in_decibels(std::string_view label) {
   const std::string plain = lower_case(label);
-  return plain == "db" || plain.starts_with("db ") || plain.starts_with("db(") || plain.starts_with("db,") || plain.starts_with("db/");
+  return plain == "db" || plain.starts_with("db ") || plain.starts_with("db(") || plain.starts_with("db,") ||
+         plain.starts_with("db/");
 }
 
 /// Of "dB re 1e-6 m/N" and "dB (re g/N)".
@@ -66,7 +68,8 @@ void resolve_decibels(CsvTable& table, const CsvColumns& columns, bool unit_give
     for (const CsvPart part : {CsvPart::re, CsvPart::im}) {
       const std::size_t column = of_pair[part];
       if (column != 0 && is_in_decibels(table.units[column]))
-        table.fail(table.units_line, column, "'" + shown_label(table.units[column]) + "': a real or imaginary part is not in decibels",
+        table.fail(table.units_line, column,
+                   "'" + shown_label(table.units[column]) + "': a real or imaginary part is not in decibels",
                    "export real and imaginary parts, or magnitudes and phases");
     }
     const std::size_t column = of_pair[CsvPart::mag];

@@ -90,7 +90,8 @@ class CsvReader {
   void take_footer(const CsvNote& footer) {
     notes_.push_back(footer);
     const std::string words = footer.key.empty() ? footer.value : footer.key + ": " + footer.value;
-    if (warns_of_data(words)) table_.doubts.push_back("line " + std::to_string(footer.line) + " below the table says '" + shown_label(words) + "'");
+    if (warns_of_data(words))
+      table_.doubts.push_back("line " + std::to_string(footer.line) + " below the table says '" + shown_label(words) + "'");
   }
 
   /// "#DIV/0!", which is no comment, in the first cell of a row.
@@ -173,8 +174,8 @@ class CsvReader {
     const auto empty = [](std::string_view cell) { return cell.empty(); };
     return !std::ranges::all_of(cells, empty) && std::ranges::none_of(cells, [&](std::string_view cell) {
       double value = 0.0;
-      return !cell.empty() && (parse(cell, value) || parse_complex(cell, may_be_comma(cell)) || parse_polar(cell, may_be_comma(cell)) ||
-                               without_thousands(cell));
+      return !cell.empty() && (parse(cell, value) || parse_complex(cell, may_be_comma(cell)) ||
+                               parse_polar(cell, may_be_comma(cell)) || without_thousands(cell));
     });
   }
 

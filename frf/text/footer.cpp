@@ -34,7 +34,8 @@ bool is_footer(const std::vector<std::string_view>& cells, std::size_t columns) 
   if (filled == 1 && is_stroke(first)) return true;
   double value = 0.0;
   if (begins_like_number(first) || parse_cell(first, true, value) || states_no_value(first)) return false;
-  const bool words = std::none_of(cells.begin() + 1, cells.end(), [&](auto cell) { return !cell.empty() && parse_cell(cell, true, value); });
+  const bool words =
+      std::none_of(cells.begin() + 1, cells.end(), [&](auto cell) { return !cell.empty() && parse_cell(cell, true, value); });
   return words || filled < columns;
 }
 
@@ -63,7 +64,8 @@ bool is_page_mark(std::string_view text) {
 }
 
 bool warns_of_data(std::string_view text) {
-  constexpr std::array<std::string_view, 8> words = {"overload", "over-range", "overrange", "clipp", "abort", "incomplete", "truncat", "error"};
+  constexpr std::array<std::string_view, 8> words = {"overload", "over-range", "overrange", "clipp",
+                                                     "abort",    "incomplete", "truncat",   "error"};
   const std::string plain = lower_case(text);
   return std::ranges::any_of(words, [&](std::string_view word) { return plain.find(word) != std::string::npos; });
 }

@@ -175,8 +175,8 @@ std::vector<Suspect> wild_numbers(const CheckedFile& file, const frf::FrfHeader&
   return found;
 }
 
-/// A law of two numbers an FRF cannot follow every line: where a resonance moves what an FRF is made of (virtual points, forces that act
-/// together) its error is larger than its own size says.
+/// A law of two numbers an FRF cannot follow every line: where a resonance moves what an FRF is made of (virtual points, forces
+/// that act together) its error is larger than its own size says.
 constexpr std::size_t few_lines = 40;
 
 void set_recorded_over_law(const std::vector<double>& squares, CheckedFile& file) {
@@ -186,8 +186,9 @@ void set_recorded_over_law(const std::vector<double>& squares, CheckedFile& file
     Eigen::MatrixXd factors = Eigen::MatrixXd::Ones(rows, columns);
     for (Eigen::Index r = 0; r < rows; ++r) {
       for (Eigen::Index c = 0; c < columns; ++c) {
-        const double recorded = squares[(l * static_cast<std::size_t>(rows) + static_cast<std::size_t>(r)) * static_cast<std::size_t>(columns) +
-                                        static_cast<std::size_t>(c)];
+        const double recorded =
+            squares[(l * static_cast<std::size_t>(rows) + static_cast<std::size_t>(r)) * static_cast<std::size_t>(columns) +
+                    static_cast<std::size_t>(c)];
         const double factor = recorded / file.error_square(l, r, c);
         if (std::isfinite(factor) && factor > 0.0) factors(r, c) = factor;
       }
@@ -284,7 +285,8 @@ double CheckedFile::error_square(std::size_t line, Eigen::Index response, Eigen:
   if (!has_recorded_noise()) return std::numeric_limits<double>::quiet_NaN();
   const double factor = line < recorded_over_law.size() ? recorded_over_law[line](response, reference) : 1.0;
   if (errors) return factor * variance(line, response, reference);
-  return factor * (*noise)(response, reference, std::norm(frfs[line](response, reference)), frf::squared_factor(quantity, frequency_hz[line]));
+  return factor * (*noise)(response, reference, std::norm(frfs[line](response, reference)),
+                           frf::squared_factor(quantity, frequency_hz[line]));
 }
 
 std::vector<CheckedFile> read_checked_files(const CheckedSystems& of, const CheckExtent& most,

@@ -26,7 +26,8 @@ struct CheckedFile {
   std::shared_ptr<const CovarianceLaw> errors{};
   std::vector<Suspect> wild{};  ///< numbers far out of their neighbours (frf::WildSearch); of consecutive lines
   std::shared_ptr<const NoiseLaws> noise{};  ///< of each FRF; null where the file knows nothing
-  /// Recorded E|e|² (recorded_squares()) over that of the law, of few lines, one of which counts for much; else empty. [F] responses × references
+  /// Recorded E|e|² (recorded_squares()) over that of the law, of few lines, one of which counts for much; else empty. [F]
+  /// responses × references
   std::vector<Eigen::MatrixXd> recorded_over_law{};
 
   /// Whether the file says how large its noise is.

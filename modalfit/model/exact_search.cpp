@@ -9,7 +9,8 @@
 namespace jointid::modalfit {
 namespace {
 
-/// As quiet_noise where the mean square of the residuals is far above it, for what a model lacks is part of what is taken for noise.
+/// As quiet_noise where the mean square of the residuals is far above it, for what a model lacks is part of what is taken for
+/// noise.
 constexpr double rather_quiet = 1e-2;
 constexpr double far_off = 100.0;
 constexpr double apart = 6.0;  ///< standard deviations between poles of such FRFs

@@ -9,15 +9,15 @@
 namespace jointid::modalfit {
 namespace {
 
-constexpr std::size_t most_beyond = 12;          ///< poles that may be added, one after the other
-constexpr std::size_t enough_entries = 24;       ///< FRFs without noise need no mean
-constexpr double most_operations = 3e10;         ///< of all trials together, some 20 s
-constexpr double rounding_left = 1e-11;          ///< of the moduli: nothing is left to follow
-constexpr double hardly_left = 1e-10;            ///< is not sought after
-constexpr double exact_left = 1e-9;              ///< no step may lower what rounding leaves, and none is needed
-constexpr double surely_worth = 0.01;            ///< of the misfit: no other start is tried
-constexpr double worth_a_pole = 0.8;             ///< of the misfit that a pole leaves: the next may leave nothing
-constexpr double worth_all = 0.5;                ///< of that which all leave
+constexpr std::size_t most_beyond = 12;                       ///< poles that may be added, one after the other
+constexpr std::size_t enough_entries = 24;                    ///< FRFs without noise need no mean
+constexpr double most_operations = 3e10;                      ///< of all trials together, some 20 s
+constexpr double rounding_left = 1e-11;                       ///< of the moduli: nothing is left to follow
+constexpr double hardly_left = 1e-10;                         ///< is not sought after
+constexpr double exact_left = 1e-9;                           ///< no step may lower what rounding leaves, and none is needed
+constexpr double surely_worth = 0.01;                         ///< of the misfit: no other start is tried
+constexpr double worth_a_pole = 0.8;                          ///< of the misfit that a pole leaves: the next may leave nothing
+constexpr double worth_all = 0.5;                             ///< of that which all leave
 constexpr std::array<double, 3> distances = {0.2, 0.6, 2.0};  ///< beyond an end, of the range or its end
 
 std::vector<std::size_t> thinned(const std::vector<std::size_t>& entries) {
@@ -61,8 +61,8 @@ bool PoleSearch::leaves_more_than_rounding(const RefinedPoles& refined) const {
   return left > std::max(hardly_left, band_.precision) && relative_noise(band_, entries_) < quiet_where(refined);
 }
 
-/// Poles beyond the range until the FRFs are followed to their rounding or no pole lowers what is left by a fifth: what far modes do in the range
-/// is more than two residual terms can follow.
+/// Poles beyond the range until the FRFs are followed to their rounding or no pole lowers what is left by a fifth: what far modes
+/// do in the range is more than two residual terms can follow.
 void PoleSearch::follow_beyond(RefinedPoles& refined, ModalFit& out) {
   const std::vector<std::size_t> few = thinned(entries_);
   const std::size_t modes = inside(refined);

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "tasks/couple/couple_frfs.hpp"
 #include "report/page/contents.hpp"
 #include "report/text/display.hpp"
+#include "tasks/couple/couple_frfs.hpp"
 
 /// The plots of a couple report; curves of more than `most` points are thinned, peaks kept.
 namespace jointid::report {

@@ -44,8 +44,10 @@ std::string equivalent_page(const ident::EquivalentScene& scene, const std::vect
   page.add(Text{equivalent_title(scene), true});
   page.add(PlotGroup{"joint",
                      {{"joint",
-                       {plot_of(shown, "Equivalent stiffness", "k (" + stiffness + ")", length, [](const auto& joint) { return joint.stiffness; }),
-                        plot_of(shown, "Equivalent damping", "d (" + stiffness + ")", length, [](const auto& joint) { return joint.damping; })}}}});
+                       {plot_of(shown, "Equivalent stiffness", "k (" + stiffness + ")", length,
+                                [](const auto& joint) { return joint.stiffness; }),
+                        plot_of(shown, "Equivalent damping", "d (" + stiffness + ")", length,
+                                [](const auto& joint) { return joint.damping; })}}}});
   page.add(Text{
       "Deviations are those that the residuals of a level scatter by; gains of whole FRFs that are off are not in them.", true});
   page.add(equivalent_table(levels, display));

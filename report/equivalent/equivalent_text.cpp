@@ -32,7 +32,8 @@ std::string equivalent_text(const ident::EquivalentScene& scene, const std::vect
 
 Table equivalent_table(const std::vector<tasks::LevelJoint>& levels, const Display& display) {
   const std::string length = shown_unit(display, "m").unit, stiffness = shown_unit(display, "N/m").unit;
-  Table table({{"displacement " + length}, {"k " + stiffness}, {"d " + stiffness}, {"±"}, {"misfit %"}, {"lines"}, {"", Align::left}});
+  Table table(
+      {{"displacement " + length}, {"k " + stiffness}, {"d " + stiffness}, {"±"}, {"misfit %"}, {"lines"}, {"", Align::left}});
   for (const tasks::LevelJoint& level : in_units_of(display, levels)) {
     const tasks::EquivalentJoint& joint = level.joint;
     const char* remark = !joint.settled ? "not found"
@@ -65,7 +66,8 @@ std::string equivalent_json(const ident::EquivalentScene& scene, const std::vect
 
 std::string equivalent_csv(const std::vector<tasks::LevelJoint>& levels, const Display& display) {
   const std::string length = shown_unit(display, "m").unit, stiffness = shown_unit(display, "N/m").unit;
-  std::string text = csv_line({"displacement [" + length + "]", "stiffness [" + stiffness + "]", "damping [" + stiffness + "]", "misfit"});
+  std::string text =
+      csv_line({"displacement [" + length + "]", "stiffness [" + stiffness + "]", "damping [" + stiffness + "]", "misfit"});
   for (const tasks::LevelJoint& level : in_units_of(display, levels)) {
     if (!level.joint.settled) continue;
     text += csv_line({fmt::format("{}", level.displacement), fmt::format("{}", level.joint.stiffness),

@@ -22,7 +22,7 @@ constexpr std::array unit_pairs = {UnitPair{"m", "mm", mm_per_m},
                                    UnitPair{"N*m/rad", "N*mm/rad", mm_per_m},
                                    UnitPair{"N*m*s/rad", "N*mm*s/rad", mm_per_m},
                                    UnitPair{"kg*m", "kg*mm", mm_per_m},
-                                   UnitPair{"kg*m^2", "kg*mm^2", mm_per_m * mm_per_m}};
+                                   UnitPair{"kg*m^2", "kg*mm^2", mm_per_m* mm_per_m}};
 
 void scale(std::optional<double>& value, double factor) {
   if (value) *value *= factor;

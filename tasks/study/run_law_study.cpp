@@ -12,7 +12,8 @@ std::optional<laws::LawStudy> run_law_study(const laws::LawScene& scene, const L
   ident::start_together(team, [&] {
     assumed = laws::assumed_states(scene);
     if (team.rank() > 0) return;
-    const laws::TrialFileKey key{scene::contents_of(trials.scene_text, "scene"), options.seed, laws::law_study_plan(scene, assumed)};
+    const laws::TrialFileKey key{scene::contents_of(trials.scene_text, "scene"), options.seed,
+                                 laws::law_study_plan(scene, assumed)};
     file.emplace(trials.path, key, trials.resume);
   });
   if (file) {

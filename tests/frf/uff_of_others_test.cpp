@@ -205,7 +205,8 @@ TEST(UffOfOthers, TypesOutsideOfTheStandardAreNamedWithWhatToDo) {
     Record record = accelerance();
     record.function_type = type;
     EXPECT_THAT(refusal_of(record.str()), AllOf(HasSubstr("record 6"), HasSubstr("write 4 in columns 1 to 5"))) << type;
-    EXPECT_EQ(read(record.str() + at_node(accelerance(), 2).str()).header.response.size(), 1U) << "beside an FRF it is passed over";
+    EXPECT_EQ(read(record.str() + at_node(accelerance(), 2).str()).header.response.size(), 1U)
+        << "beside an FRF it is passed over";
   }
   Record record = accelerance();
   record.function_type = 29;

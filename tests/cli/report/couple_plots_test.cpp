@@ -3,19 +3,19 @@
 
 #include <gmock/gmock.h>
 
-#include <cmath>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <numbers>
 
+#include "frf/hdf5/hdf5_file.hpp"
+#include "problems/case/coupling_problem.hpp"
 #include "report/couple/couple_page.hpp"
 #include "report/equivalent/equivalent_page.hpp"
 #include "report/equivalent/equivalent_text.hpp"
-#include "frf/hdf5/hdf5_file.hpp"
-#include "problems/case/coupling_problem.hpp"
-#include "tasks/couple/couple_frfs.hpp"
 #include "report/page/contents.hpp"
 #include "report/page/limits.hpp"
+#include "tasks/couple/couple_frfs.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::cli {
@@ -66,10 +66,13 @@ TEST(EquivalentText, OfTheUnitsThatAreAskedFor) {
   const ident::EquivalentScene scene;
   EXPECT_THAT(report::equivalent_csv(levels), HasSubstr("5e-06,4000000,100000,0.01"));
   const report::Display display{.millimetres = true};
-  EXPECT_THAT(report::equivalent_csv(levels, display),
-              testing::AllOf(HasSubstr("displacement [mm],stiffness [N/mm],damping [N/mm],misfit"), HasSubstr("0.005,4000,100,0.01")));
-  EXPECT_THAT(report::equivalent_text(scene, levels, display), testing::AllOf(HasSubstr("k N/mm"), HasSubstr("4000"), Not(HasSubstr("N/m "))));
-  EXPECT_THAT(report::equivalent_page(scene, levels, display), testing::AllOf(HasSubstr("k (N/mm)"), HasSubstr("displacement (mm)")));
+  EXPECT_THAT(
+      report::equivalent_csv(levels, display),
+      testing::AllOf(HasSubstr("displacement [mm],stiffness [N/mm],damping [N/mm],misfit"), HasSubstr("0.005,4000,100,0.01")));
+  EXPECT_THAT(report::equivalent_text(scene, levels, display),
+              testing::AllOf(HasSubstr("k N/mm"), HasSubstr("4000"), Not(HasSubstr("N/m "))));
+  EXPECT_THAT(report::equivalent_page(scene, levels, display),
+              testing::AllOf(HasSubstr("k (N/mm)"), HasSubstr("displacement (mm)")));
 }
 
 class CoupleReport : public testing::Test {

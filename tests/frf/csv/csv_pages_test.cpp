@@ -50,22 +50,28 @@ constexpr double standard_gravity = 9.80665;
 TEST_F(CsvPages, BetweenPipes) {
   expect_right("| Frequency [Hz] | Real [m/s²/N] | Imag [m/s²/N] |\n|---:|:---:|---|\n| 10 | 2 | -1 |\n| 20 | 3 | 4 |\n");
   expect_right("# Notes\n\nFrequency|Real|Imag\nHz|g/N|g/N\n10|2|-1\n20|3|4\n", standard_gravity);
-  expect_right("+---+---+---+\n| f [Hz] | Re [m/s²/N] | Im [m/s²/N] |\n+===+===+===+\n| 10,0 | 2,0 | -1,0 |\n| 20,0 | 3,0 | 4,0 |\n+---+---+---+\n");
-  expect_right("┌───┬───┬───┐\n│ Frequency [Hz] │ Real [m/s²/N] │ Imag [m/s²/N] │\n├───┼───┼───┤\n│ 10 │ 2 │ -1 │\n│ 20 │ 3 │ 4 │\n└───┴───┴───┘\n");
-  EXPECT_THAT(error("|f [Hz]|Real [m/s²/N]|Imag [m/s²/N]|\n|10|2|-1|\n|20|3|\n"), AllOf(HasSubstr("line 3"), HasSubstr("2 cells")));
+  expect_right(
+      "+---+---+---+\n| f [Hz] | Re [m/s²/N] | Im [m/s²/N] |\n+===+===+===+\n| 10,0 | 2,0 | -1,0 |\n| 20,0 | 3,0 | 4,0 "
+      "|\n+---+---+---+\n");
+  expect_right(
+      "┌───┬───┬───┐\n│ Frequency [Hz] │ Real [m/s²/N] │ Imag [m/s²/N] │\n├───┼───┼───┤\n│ 10 │ 2 │ -1 │\n│ 20 │ 3 │ 4 "
+      "│\n└───┴───┴───┘\n");
+  EXPECT_THAT(error("|f [Hz]|Real [m/s²/N]|Imag [m/s²/N]|\n|10|2|-1|\n|20|3|\n"),
+              AllOf(HasSubstr("line 3"), HasSubstr("2 cells")));
   EXPECT_THAT(error("|f [Hz]|Real [V/N]|Imag [V/N]|\n|10|2|-1|\n|20|3|4|\n"), HasSubstr("V/N"));
 }
 
 TEST_F(CsvPages, WordsBelowTheNumbers) {
-  for (const char* below : {"End of data\n", "End of data;;\n", "\n\n-----\nEOF\n", "Averages;10\n", "<EOF>\n", ";;\n;;\n", "[2 rows x 3 columns]\n",
-                            "Page 1 of 1\n", "Units: m/s²/N\n"})
+  for (const char* below : {"End of data\n", "End of data;;\n", "\n\n-----\nEOF\n", "Averages;10\n", "<EOF>\n", ";;\n;;\n",
+                            "[2 rows x 3 columns]\n", "Page 1 of 1\n", "Units: m/s²/N\n"})
     expect_right(page_titles + page_rows + below);
   expect_right("Frequency [Hz];Real;Imag\n" + page_rows + "Units: g/N\n", standard_gravity);
   expect_right("Frequency [Hz] Real [g/N] Imag [g/N]\n10 2 -1\n20 3 4\nEnd of file\n", standard_gravity);
   expect_right(page_titles + "10;2;-1\nPage 1 of 2\n\f" + page_titles + "20;3;4\n- 2 -\n");
   EXPECT_THAT(error("Frequency [Hz];Real;Imag\n" + page_rows + "Units: V/V\n"), HasSubstr("V/V"));
   EXPECT_THAT(error(page_titles + page_rows + "Units: g/N\n"), HasSubstr("g/N"));
-  EXPECT_THAT(error(page_titles + "10;2;-1\noverload\n20;3;4\n"), AllOf(HasSubstr("line 3"), HasSubstr("overload"), HasSubstr("#")));
+  EXPECT_THAT(error(page_titles + "10;2;-1\noverload\n20;3;4\n"),
+              AllOf(HasSubstr("line 3"), HasSubstr("overload"), HasSubstr("#")));
   EXPECT_THAT(error(page_titles + page_rows + "Max;3;4\n"), AllOf(HasSubstr("line 4"), HasSubstr("Max")));
   EXPECT_THAT(error(page_titles + page_rows + "30;3\n"), HasSubstr("line 4"));
   EXPECT_THAT(error(page_titles + page_rows + "3O;1;2\n"), HasSubstr("'3O' is not a number"));
@@ -88,7 +94,8 @@ TEST_F(CsvPages, PolarCells) {
   const auto table = [&](const std::string& sign, double per_radian, const std::string& unit) {
     std::string text = title;
     for (const auto& [hz, value] : {std::pair{10, Complex(2, -1)}, {20, Complex(3, 4)}})
-      text += std::to_string(hz) + ";" + fmt::format("{:.17g}{}{:.17g}{}\n", std::abs(value), sign, per_radian * std::arg(value), unit);
+      text += std::to_string(hz) + ";" +
+              fmt::format("{:.17g}{}{:.17g}{}\n", std::abs(value), sign, per_radian * std::arg(value), unit);
     return text;
   };
   constexpr double degrees = 180.0 / std::numbers::pi;
@@ -129,7 +136,8 @@ TEST_F(CsvPages, NumbersOfOtherPrograms) {
 }
 
 TEST(Thousands, MarksBetweenGroups) {
-  for (const auto& [cell, plain] : {std::pair{"1,234.5", "1234.5"}, {"-1.234.567,25", "-1234567.25"}, {"1'234", "1234."}, {"1\u202f234,5", "1234.5"}})
+  for (const auto& [cell, plain] :
+       {std::pair{"1,234.5", "1234.5"}, {"-1.234.567,25", "-1234567.25"}, {"1'234", "1234."}, {"1\u202f234,5", "1234.5"}})
     EXPECT_EQ(without_thousands(cell).value_or("none"), plain) << cell;
   for (const char* cell : {"1,234", "1.234", "12,34.5", "1,234,56", "1 234", "1234", "1,234.5e3", "a", "", "1,,234.5"})
     EXPECT_FALSE(without_thousands(cell)) << cell;
@@ -137,13 +145,15 @@ TEST(Thousands, MarksBetweenGroups) {
 
 TEST_F(CsvPages, LineEndsAndTails) {
   const auto ends = [](std::string text, const std::string& end) {
-    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + end.size())) text.replace(at, 1, end);
+    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + end.size()))
+      text.replace(at, 1, end);
     return text;
   };
   for (const char* end : {"\r", "\r\n", "\r\r\n"}) expect_right(ends(page_titles + page_rows, end));
   expect_right(page_titles + "10;2;-1\r20;3;4\r\n");
   expect_right(page_titles + page_rows + "\x1A\r\n" + std::string(2, '\0'));
-  const std::string analyser = "Units: Ratio\nRef Chan:Resp Chan\t1+Z:1+Z\nFrequency\t Real\t Imaginary\nHz\tm/s^2/N\t \n10\t2\t-1\n20\t3\t4\n";
+  const std::string analyser =
+      "Units: Ratio\nRef Chan:Resp Chan\t1+Z:1+Z\nFrequency\t Real\t Imaginary\nHz\tm/s^2/N\t \n10\t2\t-1\n20\t3\t4\n";
   expect_right(ends(analyser, "\r"));
   expect_right(analyser + std::string(100, '\0'));
   std::string wide = "\xFF\xFE";
