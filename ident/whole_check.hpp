@@ -9,13 +9,13 @@
 
 namespace jointid::ident {
 
-/// check_scene(), and where that finds nothing and the variances of the FRFs are known, what method likelihood says of 32 to 96 lines,
-/// by what they cost: Solution::suspects, lines that it sets aside, and χ² beyond ChiSquare::likely. Scenes of more than 2,500 FRFs, or
-/// that have no such plan, are not fitted.
+/// check_scene(). If it finds nothing and the variances of the FRFs are known, method likelihood follows on 32 to 96 lines,
+/// according to their cost. It gives Solution::suspects, outlier lines, and χ² beyond ChiSquare::likely. Scenes of more than
+/// 2,500 FRFs, or without such a plan, are not fitted.
 CheckResult check_whole(const Scene& scene, const Control& control = {});
 
-/// The same of FRFs in memory, as the scene's [data] lists them; its files need not be there. Virtual points are not looked at: sets have
-/// their coordinates already. Throws InputError for sets whose sizes do not agree (frf::validate()).
+/// The same for FRFs in memory, in the order of the scene's [data]; its files need not exist. Virtual points are ignored: sets
+/// have their coordinates already. Throws InputError for sets whose sizes do not agree (frf::validate()).
 CheckResult check_whole(const Scene& scene, const std::vector<frf::FrfSet>& substructures, const std::vector<frf::FrfSet>& assembly,
                         const Control& control = {});
 

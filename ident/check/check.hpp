@@ -6,23 +6,23 @@
 
 namespace jointid::ident {
 
-/// Looks for mistakes in the FRFs of a plan: reads lines of its files once (at most 64 MB of values, evenly spread over the
-/// lines of the scene), compares H_ij with H_ji, the sign of driving points, and the assembly with its parts: with forces at the
-/// joint alone, H_asm − H_sub lies in the span of H_sub(:, J) and of H_sub(J, :). Where something stands out, each mistake it
-/// knows is undone on trial; the one that heals most comes first.
+/// Looks for errors in the FRFs of a plan. It reads lines of its files once (at most 64 MB of values, evenly spread over the
+/// lines of the scene). It compares H_ij with H_ji, the sign of driving points, and the assembly with its parts: with forces at
+/// the joint only, H_asm − H_sub is in the span of H_sub(:, J) and H_sub(J, :). For an outlier it undoes each known error on
+/// trial; the one that removes most comes first.
 CheckResult check_data(const Plan& plan, const Control& control = {});
 
-/// The same of a scene whose data no plan needs to fit: a mistaken label may be one that the joint or the equations need. FRFs as
+/// The same for a scene whose data need not fit a plan, as a wrong label may be a DOF of the joint or the equations. FRFs as
 /// measured, before a modal model replaces them.
 CheckResult check_scene(const Scene& scene, const Control& control = {});
 CheckResult check_systems(const Scene& scene, std::shared_ptr<frf::FrfSystem> substructures, std::shared_ptr<frf::FrfSystem> assembly,
                           const Control& control = {});
 
-/// The same on at most 24 lines: for solve and plan, where the data are read for something else.
+/// The same on at most 24 lines, for solve and plan.
 CheckResult quick_check(const Plan& plan, const Control& control = {});
 
-/// What makes every joint of a scene miss FRFs that are right, as far as it may apply: the mass of the joint, its law of damping, a DOF
-/// left out, modes that a model lacks, another level of force.
+/// Causes that make every joint of a scene miss correct FRFs, if they can apply: the mass of the joint, its damping law, a DOF
+/// left out, missing modes of a model, another force level.
 std::string other_causes(const Scene& scene);
 
 }  // namespace jointid::ident

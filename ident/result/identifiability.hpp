@@ -8,33 +8,33 @@
 
 namespace jointid::ident {
 
-/// Σ factors[i]·δ(names[i])/scale, where scale is the estimate, or the largest estimate of the same matrix and unit where the
-/// estimate is nearly zero; Σ factors² = 1. `deviation` is its standard deviation.
+/// Σ factors[i]·δ(names[i])/scale, Σ factors² = 1. The scale is the estimate; if that is nearly zero, the largest estimate of the
+/// same matrix and unit. `deviation` is its standard deviation.
 struct LinearCombination {
   std::vector<std::string> names;
   std::vector<double> factors;
   double deviation = 0.0;
 };
 
-/// Unknowns that the data know badly together: the combination of them known worst and, when there are several, the one known
-/// best.
+/// Unknowns that the data do not separate: their least determined combination and, if there are several, the best determined
+/// one.
 struct WeakCombination {
   LinearCombination worst;
   std::optional<LinearCombination> best;
   std::optional<double> correlation;  ///< of the first two unknowns
 };
 
-/// How far a joint can be seen in the data; medians.
+/// Visibility of a joint in the data; medians.
 struct JointVisibility {
   std::optional<double> effect;       ///< |H_sub − H_asm| over its standard deviation; 0.7 when the joint changes nothing
-  std::optional<double> deformation;  ///< work of the combination fixed worst on the assembly's motion over that on the free parts'
+  std::optional<double> deformation;  ///< work of the least determined combination in the assembly's motion over the parts'
 };
 
-/// What systematic errors (gains, delays, masses) have of the variance of an unknown.
+/// Share of systematic errors (gains, delays, masses) in the variance of an unknown.
 struct CalibrationShare {
   std::string unknown;
-  double all = 0.0;  ///< what of its variance would go if all of them were known exactly
-  /// The same of one alone, largest first, those of 5 % or more, at most three.
+  double all = 0.0;  ///< share that would vanish if all of them were exactly known
+  /// The same for one alone, largest first, those of 5 % or more, at most three.
   std::vector<std::pair<std::string, double>> largest;
 };
 
@@ -42,21 +42,21 @@ enum class FindingKind { weak_combination, soft_joint, stiff_joint, nonlinear, m
 
 std::string name(FindingKind kind);
 
-/// What the user should know or do, in sentences.
+/// Notes and remedies for the user, in sentences.
 struct Finding {
   FindingKind kind;
   std::string text;
 };
 
-/// What the data say about the unknowns, and what would help.
+/// Identifiability of the unknowns from the data, and remedies.
 struct Identifiability {
-  std::vector<WeakCombination> weakest;  ///< worst first, at most three
+  std::vector<WeakCombination> weakest;  ///< least determined first, at most three
   JointVisibility joint;
-  /// Joint DOFs that the joint holds together: the assembly moves them against each other less than a tenth as much as the free
-  /// parts (median over FRFs and lines). None when they are all that the joint has.
+  /// Joint DOFs that the joint holds together: their relative motion in the assembly is less than a tenth of that in the free
+  /// parts (median over FRFs and lines). Empty if they are all DOFs of the joint.
   std::vector<std::array<std::string, 2>> stiff_pairs;
-  double largest_relative_error = 0.0;   ///< of the determined unknowns; NaN where errors are withheld
-  std::vector<CalibrationShare> calibration{};  ///< per determined unknown, where systematic errors are estimated
+  double largest_relative_error = 0.0;   ///< of the determined unknowns; NaN if errors are not stated
+  std::vector<CalibrationShare> calibration{};  ///< per determined unknown, if systematic errors are estimated
   std::vector<Finding> findings{};
 };
 

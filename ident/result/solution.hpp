@@ -26,17 +26,17 @@ struct Estimate {
   std::string name;
   std::string unit;
   double value = 0.0;
-  bool determined = true;           ///< false: the data do not fix it, see Solution::message
-  std::optional<double> std_error;  ///< empty where the method has no honest one
+  bool determined = true;           ///< false: the data do not determine it, see Solution::message
+  std::optional<double> std_error;  ///< empty if the method states none
   std::optional<std::array<double, 2>> ci95;
-  /// First-order bound of what rounding does to the value, that of the FRFs and that of the arithmetic, in its unit; of linear
+  /// First-order bound of the effect of rounding on the value, that of the FRFs and that of the arithmetic, in its unit. Linear
   /// methods with Detail::full.
   std::optional<double> rounding;
-  /// Of linear methods with Detail::full, in its unit: what the noise of the FRFs does to the value, √(scatter² + bias²). No standard
-  /// error: it is not the width of a distribution about the truth.
+  /// Effect of the noise of the FRFs on the value, √(scatter² + bias²), in its unit. Linear methods with Detail::full. It is not
+  /// a standard error: it is not the width of a distribution about the truth.
   std::optional<double> error_estimate{};
-  std::optional<double> bias{};  ///< the bias in it, that of noise in the coefficients to first order; empty where it is not known
-  std::string limit{};  ///< the constraint that holds it: "tied", "at its lower bound", "K is singular"; empty: none
+  std::optional<double> bias{};  ///< its part from noise in the coefficients, to first order; empty if unknown
+  std::string limit{};  ///< the active constraint: "tied", "at its lower bound", "K is singular"; empty: none
 };
 
 /// A gain, delay or mass that was estimated with the joint.
@@ -53,18 +53,18 @@ using Matrices = std::map<restrictions::Kind, Matrix>;
 struct BandMatrices {
   std::optional<Range> band_hz;
   Matrices matrices;
-  Matrices errors{};  ///< of the elements, from Estimate::error_estimate; empty where there is none
+  Matrices errors{};  ///< of the elements, from Estimate::error_estimate; empty if there is none
 };
 
-/// How residuals compare with their variances: `value` is about `degrees_of_freedom`, give or take √(2·that), when joint model
-/// and variances are right. Both are of the lines that the verdict goes by: without outlying ones, where these are a third at
+/// Residuals against their variances. `value` is about `degrees_of_freedom` ± √(2·degrees_of_freedom) if joint model and
+/// variances are right. Both are over the lines that the verdict uses: without outlier lines, if these are a third at
 /// most.
 struct ChiSquare {
   double value = 0.0;
   double degrees_of_freedom = 0.0;
-  std::size_t outlying_lines = 0;  ///< lines that fit so badly that they count for less than half
+  std::size_t outlying_lines = 0;  ///< outlier lines, whose weight is less than half
   std::vector<double> by_line;     ///< χ² over its expectation, one per line; NaN for a line without redundancy
-  double likely = 0.0;  ///< value over degrees of freedom that chance exceeds once in three million times; 0: not told
+  double likely = 0.0;  ///< value over degrees of freedom that chance exceeds once in three million times; 0: not stated
 };
 
 struct Fit {
@@ -77,8 +77,8 @@ struct Fit {
   std::optional<double> digits;
   std::size_t iterations = 0;            ///< of iterative methods
   std::optional<ChiSquare> chi_square;   ///< of methods that weigh FRFs by their variances
-  std::optional<double> asm_frf_error;   ///< dB; empty when the scene's equations do not read what it needs
-  /// Of linear methods with Detail::full: squares of the residuals over what the noise of the FRFs explains, WhitenedFit::misfit.
+  std::optional<double> asm_frf_error;   ///< dB; empty if the scene's equations do not read the FRFs for it
+  /// Linear methods with Detail::full: squared residuals over those that the noise explains, WhitenedFit::misfit.
   std::optional<double> misfit{};
 };
 
@@ -89,13 +89,13 @@ struct Quality {
   double rms_relative_error = 0.0;  ///< sqrt(mean((u_i − 1)²)) over the same elements
 };
 
-/// Where the time went, s. Reading overlaps with the rest when several threads work: `assemble` is the time of that stage not spent
-/// reading. Phases add up to the total but for what takes no time worth a name.
+/// Run time by phase, s. Reading overlaps with the rest if several threads work: `assemble` is the time of that stage without
+/// reading. Phases add up to the total, except for very short ones.
 struct RunTime {
   double read = 0.0, assemble = 0.0;
   double start = 0.0;  ///< linear estimates that an iteration starts from, or a weighting is chosen by
   double solve = 0.0, intervals = 0.0, identifiability = 0.0;
-  double regenerate = 0.0;  ///< the assembly's FRFs, and comparing them
+  double regenerate = 0.0;  ///< synthesis of the assembly's FRFs, and their comparison
   double check = 0.0;       ///< of the data: figures of misfit, quick_check()
   double total = 0.0;
 };
@@ -111,55 +111,55 @@ inline constexpr std::array<std::pair<const char*, double RunTime::*>, 8> run_ti
      {"regenerate", &RunTime::regenerate},
      {"check", &RunTime::check}}};
 
-/// Where the variances of a file's FRFs came from, in words for the user.
+/// Source of the variances of a file's FRFs, in words for the user.
 struct VarianceSource {
   std::string file;
   std::string origin;  ///< phrase() of the VarianceOrigin
-  std::string note;    ///< a sentence, empty when there is nothing to say
+  std::string note;    ///< a sentence, or empty
 };
 
-/// What was really done; a silent fall-back would show here.
+/// The way of the solution as it was carried out. It shows any fall-back.
 struct Used {
   Method method = Method::one;
   std::vector<Equation> equations;
   weighting::Weighting weighting = weighting::Weighting::none;
   double delta = 0.0;
   std::string solver;
-  std::string chosen = {};  ///< "method …: why", where the scene left it open; else empty
+  std::string chosen = {};  ///< "method …: why", if the scene names none; else empty
   std::size_t accumulator_bytes = 0;  ///< of the reduced system and its row buffers; of the likelihood, of its data and states
 };
 
-/// Where starts of an iterative method ended.
+/// A minimum that starts of an iterative method reached.
 struct FoundMinimum {
   double cost = 0.0;         ///< χ² of method likelihood; of newton the mean over the lines of log(1 + ‖F‖²/‖H_aa − H_nn‖²)
-  std::size_t starts = 0;    ///< how many of the starts ended there
+  std::size_t starts = 0;    ///< number of starts that ended there
   std::vector<double> values;  ///< of the unknowns, SI
 };
 
-/// What a search from several starts found.
+/// Result of a search from several starts.
 struct MinimumSearch {
   std::vector<FoundMinimum> minima;  ///< best first
-  std::size_t equally_good = 0;      ///< that fit as well as the best, itself included: 1 when the joint is unique as far as was looked
+  std::size_t equally_good = 0;      ///< minima as good as the best, itself included; 1: no other was found
 };
 
 struct Solution {
   Status status = Status::ok;
-  std::string message;  ///< one or more sentences; empty when all is well
+  std::string message;  ///< one or more sentences; empty if the status is ok
   std::vector<Estimate> unknowns;
   std::vector<frf::Dof> dofs;
   std::vector<BandMatrices> bands;  ///< at least one
   Fit fit;
   IntervalKind intervals = IntervalKind::none;
-  std::optional<Admissibility> admissibility;      ///< where the scene has constraints
-  std::optional<Identifiability> identifiability;  ///< of methods that know the covariance of their estimates
-  std::optional<MinimumSearch> search;  ///< where the scene asks for several starts
-  std::map<restrictions::Kind, Quality> quality;   ///< where the scene tells the truth
+  std::optional<Admissibility> admissibility;      ///< if the scene has constraints
+  std::optional<Identifiability> identifiability;  ///< for methods that know the covariance of their estimates
+  std::optional<MinimumSearch> search;  ///< if the scene asks for several starts
+  std::map<restrictions::Kind, Quality> quality;   ///< if the scene has the truth
   RunTime runtime_s;
   Used used;
-  std::vector<std::string> warnings;      ///< what makes the numbers doubtful though they were found, one sentence each
+  std::vector<std::string> warnings;      ///< reasons to doubt the numbers, one sentence each
   std::optional<CheckResult> check{};     ///< of the data, its short form (quick_check()); with Detail::full
   std::vector<SystematicEstimate> systematic{};  ///< of [[data.gains]] and [[data.masses]]
-  std::vector<Suspect> suspects{};  ///< of method likelihood: what the fit itself says against its data; files as they were opened
+  std::vector<Suspect> suspects{};  ///< method likelihood: suspects from the fit itself; files as they were opened
   std::vector<VarianceSource> variances;  ///< per file, of methods that weigh FRFs by their variances
 };
 

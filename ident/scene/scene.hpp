@@ -24,15 +24,15 @@ using scene::Matrix;
 using scene::Path;
 using scene::Range;
 
-/// A file and what the scene says about it ([data.files."name"]): what it does not say itself, and what is wrong in it.
+/// A file, with the scene's missing information and corrections for it ([data.files."name"]).
 struct DataFile {
   Path path;  ///< resolved against the folder of the scene
   frf::OpenOptions options;
   std::vector<DataFile> repeats{};  ///< further runs of the same measurement
   frf::Corrections corrections{};   ///< of its FRFs
-  std::vector<virtualpoint::VirtualPoint> virtual_points{};  ///< whose coordinates take the place of its sensors and impacts there
-  std::optional<frf::NoiseModel> virtual_noise{};  ///< law of the FRFs that these take, where the file does not know it ([noise])
-  std::optional<double> mass{};     ///< kg, of the structure, which hung free: what `check` holds its rigid-body lines against
+  std::vector<virtualpoint::VirtualPoint> virtual_points{};  ///< their coordinates replace its sensors and impacts
+  std::optional<frf::NoiseModel> virtual_noise{};  ///< noise model of these FRFs, if the file has none ([noise])
+  std::optional<double> mass{};     ///< kg, of the structure, which hung free; `check` compares it with the rigid-body lines
 };
 
 /// Which systems' FRFs a modal model replaces.
@@ -53,9 +53,9 @@ struct DataSection {
   std::vector<DataFile> substructures;  ///< uncoupled: FRFs across two files are zero by construction
   std::vector<DataFile> assembly;
   Regeneration regenerate{};  ///< by modal models, before anything else
-  bool reciprocity = false;  ///< on request: an FRF that is not there is taken from its transpose
+  bool reciprocity = false;  ///< on request: reciprocity replaces a missing FRF
   std::vector<GainPrior> gains{};   ///< of method likelihood
-  std::vector<MassPrior> masses{};  ///< those that are not known exactly; of method likelihood
+  std::vector<MassPrior> masses{};  ///< those that are not exactly known; of method likelihood
 };
 
 /// Leaves out lines within half_width·f of every resonance f found in the data.
@@ -80,22 +80,22 @@ std::string name(Equation equation);
 /// The equation by name; throws InputError (usage) with the nearest valid word.
 Equation parse_equation(const std::string& text);
 
-/// Where the variances of the FRFs are taken from.
+/// Source of the variances of the FRFs.
 enum class VarianceChoice {
-  automatic,  ///< what each file has; else the law of [noise]; else the scatter of the data
+  automatic,  ///< those of each file; else the model of [noise]; else the scatter of the data
   file,       ///< variances or coherences of the files
-  noise,      ///< the law of [noise], whatever the files have
+  noise,      ///< the model of [noise], whatever the files have
   local       ///< estimated from the scatter of the data about smooth local models
 };
 
-/// What is known of an unknown beside the data: a normal distribution.
+/// Prior knowledge of an unknown: a normal distribution.
 struct Prior {
   std::string unknown;     ///< its name as printed, "K(1,1)"
   double value = 0.0;      ///< SI
   double deviation = 1.0;  ///< standard deviation, SI, > 0
 };
 
-/// lower ≤ unknown ≤ upper, of which one may be infinite.
+/// lower ≤ unknown ≤ upper; one of them may be infinite.
 struct Bound {
   std::string unknown;  ///< its name as printed
   double lower = 0.0, upper = 0.0;  ///< SI
@@ -110,10 +110,10 @@ struct IdentifySection {
   double delta = 0.0;  ///< 0 ≤ Δ < 2
   Solver solver = Solver::automatic;
   VarianceChoice variance = VarianceChoice::automatic;
-  /// Of files: σ² = a|H|² + b fitted to each FRF. Empty: where they come from few averages or repeats, over enough lines.
+  /// Variances of files: σ² = a|H|² + b fitted to each FRF. Empty: if they are from few averages or repeats, over enough lines.
   std::optional<bool> smooth_variance;
   std::map<restrictions::Kind, Matrix> start;
-  std::size_t starts = 0;  ///< of iterative methods, all of which are followed; 0: the first that is good enough
+  std::size_t starts = 0;  ///< of iterative methods, all are followed; 0: until one is good enough
   std::vector<Prior> priors;  ///< of method likelihood
   std::vector<Bound> bounds;
   std::vector<std::string> ties;  ///< linear equations between unknowns: "K(1,1) = K(2,2)"
@@ -121,11 +121,11 @@ struct IdentifySection {
   std::uint64_t bootstrap_seed = 1;
 };
 
-/// Pairs of coordinates that are coupled rigidly before the identification (docs/formulas.md §4). The joints of a scene are those that
-/// are left then, see reduce_joints().
+/// Pairs of coordinates that are coupled rigidly before the identification (docs/formulas.md §4). The joints of a scene are those
+/// that remain, see reduce_joints().
 struct CoupleFirst {
   std::vector<std::array<frf::Dof, 2>> pairs;
-  std::vector<frf::Dof> hidden;  ///< of the coordinates that result, those without a joint left: their FRFs are not used
+  std::vector<frf::Dof> hidden;  ///< resulting coordinates without a joint; their FRFs are not used
 };
 
 struct NoiseSection {
@@ -136,7 +136,7 @@ struct NoiseSection {
   double mass_errors = 0.0;   ///< of studies: kg, of the mass of the roving sensor at a DOF, the same in all files
 };
 
-/// A scene file, checked for everything that can be checked without opening the data.
+/// A scene file. It is checked as far as possible without opening the data.
 struct Scene {
   Path file;
   std::string title;
