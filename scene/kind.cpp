@@ -1,5 +1,7 @@
 #include "scene/kind.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "scene/value.hpp"
@@ -14,7 +16,44 @@ const Value* member(const Value& table, const std::string& key) {
   return found == members->end() ? nullptr : &found->value;
 }
 
+/// Appends a value so that no two values give one text.
+struct ContentsWriter {
+  std::string& out;
+
+  void operator()(bool value) const { out += value ? "true" : "false"; }
+  void operator()(std::int64_t value) const { out += fmt::format("i{}", value); }
+  void operator()(double value) const { out += fmt::format("d{}", value); }
+  void operator()(const std::string& value) const { out += fmt::format("s{}:{}", value.size(), value); }
+  void operator()(const DateOrTime&) const { out += "t"; }
+  void operator()(const Array& values) const {
+    out += '[';
+    for (const Value& value : values) {
+      std::visit(*this, value.content);
+      out += ',';
+    }
+    out += ']';
+  }
+  void operator()(const Members& members) const {
+    out += '{';
+    for (const Member& each : members) {
+      (*this)(each.key);
+      std::visit(*this, each.value.content);
+      out += ',';
+    }
+    out += '}';
+  }
+};
+
 }  // namespace
+
+std::string contents_of(const std::string& text, const std::filesystem::path& file) {
+  Value document = parse_toml(text, file);
+  if (auto* members = std::get_if<Members>(&document.content))
+    std::erase_if(*members, [](const Member& each) { return each.key == "title"; });
+  std::string out;
+  std::visit(ContentsWriter{out}, document.content);
+  return out;
+}
 
 bool is_law_scene(const std::string& text, const std::filesystem::path& file) {
   const Value document = parse_toml(text, file);

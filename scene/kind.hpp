@@ -9,4 +9,8 @@ namespace jointid::scene {
 /// no TOML.
 bool is_law_scene(const std::string& text, const std::filesystem::path& file);
 
+/// What a scene says, in one text: its keys and values in the order of the file, without its title, comments and spacing. Equal
+/// for scenes that ask for the same. Throws InputError (usage) for what is no TOML.
+std::string contents_of(const std::string& text, const std::filesystem::path& file);
+
 }  // namespace jointid::scene

@@ -3,10 +3,13 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/options/command_options.hpp"
+#include "cli/options/display_options.hpp"
 #include "cli/options/output.hpp"
 #include "cli/options/whole_number.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/progress.hpp"
+#include "frf/file/file_format.hpp"
+#include "models/model_file.hpp"
 #include "report/couple/couple_page.hpp"
 #include "report/couple/couple_text.hpp"
 #include "report/page/limits.hpp"
@@ -28,10 +31,22 @@ void check_outputs(const CoupleArguments& arguments, const ident::CoupleScene& s
   check_targets(ident::files_of(scene), targets);
 }
 
-std::string page_of(const ident::CoupleScene& scene, const tasks::CoupleResult& result) {
+/// With the quantity of the first part that is a file of FRFs where that is asked for.
+report::Display display_of(const CoupleArguments& arguments, const ident::CoupleScene& scene) {
+  report::Display display = cli::display_of(arguments.units, arguments.quantity);
+  if (arguments.quantity != "measured") return display;
+  for (const ident::DataFile& part : scene.parts) {
+    if (models::is_model_file(part.path)) continue;
+    display.quantity = frf::open(part.path, part.options)->header().quantity;
+    break;
+  }
+  return display;
+}
+
+std::string page_of(const CoupleArguments& arguments, const ident::CoupleScene& scene, const tasks::CoupleResult& result) {
   std::vector<tasks::PredictedFrf> predicted;
   if (!result.records.empty()) predicted = tasks::read_predicted(result, report::most_frfs);
-  return report::couple_page(scene, result, predicted);
+  return report::couple_page(scene, result, predicted, display_of(arguments, scene));
 }
 
 }  // namespace
@@ -48,6 +63,8 @@ void add_couple(CLI::App& app, Chosen& chosen) {
                    counts_of_threads());
   add_outputs(command, *arguments, "what was done", "condition numbers, alphas and singular values line by line",
               "predicted FRFs, conditions and thresholds");
+  add_units(command, arguments->units);
+  add_quantity(command, arguments->quantity, "as the file of the first part");
   command->footer(
       "Examples:\n  jointid problem write coupling-C c && jointid couple c/coupling-C.toml --bounds\n"
       "  jointid couple c/coupling-C.toml --bounds --report c.html\n"
@@ -58,13 +75,14 @@ ExitCode execute(const CoupleArguments& arguments, std::ostream& out) {
   const std::filesystem::path path = result_path(arguments);
   const ident::CoupleScene scene = ident::read_couple_scene(arguments.scene);
   check_outputs(arguments, scene, path);
+  display_of(arguments.units, arguments.quantity);
   Progress progress;
   ident::Control control = progress.control();
   control.threads = arguments.threads;
   const tasks::CoupleResult result = tasks::couple(scene, path, arguments.bounds, control);
   if (arguments.json) write_target(*arguments.json, report::couple_json(scene, result), out);
   if (arguments.csv) write_target(*arguments.csv, report::couple_csv(result), out);
-  if (arguments.report) write_target(*arguments.report, page_of(scene, result), out);
+  if (arguments.report) write_target(*arguments.report, page_of(arguments, scene, result), out);
   if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::couple_text(scene, result);
   if (result.status == ident::Status::ok) return ExitCode::done;
   print_error(arguments.scene.string() + ": " + result.message);

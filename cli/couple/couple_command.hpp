@@ -18,6 +18,8 @@ struct CoupleArguments {
   bool bounds = false;
   std::size_t threads = 0;  ///< 0: all cores
   Target json, csv, report;
+  std::string units = "SI";             ///< of the FRFs of the page: SI or mm
+  std::string quantity = "receptance";  ///< of these: receptance, mobility, accelerance or measured
 };
 
 /// Declares `couple`; choosing it stores it.

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/options/command_options.hpp"
+#include "cli/options/display_options.hpp"
 #include "cli/options/output.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/progress.hpp"
@@ -50,6 +51,7 @@ void add_equivalent(CLI::App& app, Chosen& chosen) {
       ->required();
   add_outputs(command, *arguments, "stiffness and damping", "them (input of `loading-curve`)",
               "plots over displacement, and measured loops");
+  add_units(command, arguments->units);
   command->footer(
       "Examples:\n  jointid problem write rig2 rig2 && jointid equivalent rig2/rig2.toml --csv joint.csv\n"
       "  jointid loading-curve joint.csv --stiffness stiffness --damping damping --law ren\n"
@@ -57,16 +59,19 @@ void add_equivalent(CLI::App& app, Chosen& chosen) {
 }
 
 ExitCode execute(const EquivalentArguments& arguments, std::ostream& out) {
+  const report::Display display = display_of(arguments.units);
   const std::string text = scene::read_text(arguments.scene);
-  if (scene::is_law_scene(text, arguments.scene))
+  if (scene::is_law_scene(text, arguments.scene)) {
+    refuse_units(arguments.units);
     return take_direct_steps(arguments, laws::parse_law_scene(text, arguments.scene), out);
+  }
   const ident::EquivalentScene scene = ident::parse_equivalent_scene(text, arguments.scene);
   check_targets(ident::files_of(scene), outputs_of(arguments));
   const std::vector<tasks::LevelJoint> levels = joints_of(scene);
   if (arguments.json) write_target(*arguments.json, report::equivalent_json(scene, levels), out);
-  if (arguments.csv) write_target(*arguments.csv, report::equivalent_csv(levels), out);
-  if (arguments.report) write_target(*arguments.report, report::equivalent_page(scene, levels), out);
-  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::equivalent_text(scene, levels);
+  if (arguments.csv) write_target(*arguments.csv, report::equivalent_csv(levels, display), out);
+  if (arguments.report) write_target(*arguments.report, report::equivalent_page(scene, levels, display), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::equivalent_text(scene, levels, display);
   if (tasks::all_settled(levels)) return ExitCode::done;
   print_error(arguments.scene.string() + ": no stiffness and damping fit the FRFs of some levels");
   return ExitCode::unusable;

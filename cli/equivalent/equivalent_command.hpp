@@ -16,6 +16,7 @@ struct EquivalentArguments {
   std::filesystem::path scene;
   Target json, csv;
   Target report{};  ///< HTML
+  std::string units = "SI";  ///< of text, CSV and page: SI or mm
 };
 
 /// Declares `equivalent`; choosing it stores it.

@@ -5,20 +5,21 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "cli/options/command_options.hpp"
+#include "cli/options/display_options.hpp"
 #include "cli/options/of_option.hpp"
 #include "cli/options/output.hpp"
-#include "report/result/solution_text.hpp"
 #include "cli/text/failure.hpp"
-#include "report/text/frf_plot.hpp"
 #include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/tell_status.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "report/page/limits.hpp"
+#include "report/result/solution_text.hpp"
 #include "report/result/solve_page.hpp"
 #include "report/solution_json.hpp"
 #include "report/text/display.hpp"
+#include "report/text/frf_plot.hpp"
 #include "scene/kind.hpp"
 #include "scene/text.hpp"
 
@@ -29,16 +30,7 @@ void check_outputs(const SolveArguments& arguments, const ident::Scene& scene) {
   check_targets(ident::files_of(scene), {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
 }
 
-const std::vector<std::string> unit_words = {"SI", "mm"}, quantity_words = {"receptance", "mobility", "accelerance", "measured"};
-
-/// Of text, CSV and page. Throws InputError (usage) for other words.
-report::Display display_of(const SolveArguments& arguments) {
-  report::Display display;
-  display.millimetres = of_option("--units", [&] { return find_word(arguments.units, unit_words, "system of units"); }) == 1;
-  of_option("--quantity", [&] { return find_word(arguments.quantity, quantity_words, "quantity of FRFs"); });
-  if (arguments.quantity != "measured") display.quantity = frf::parse_quantity(arguments.quantity);
-  return display;
-}
+report::Display display_of(const SolveArguments& arguments) { return cli::display_of(arguments.units, arguments.quantity); }
 
 void write_numbers(const SolveArguments& arguments, const ident::Solution& solution, const std::string& title, std::ostream& out) {
   const report::Display display = display_of(arguments);
@@ -120,10 +112,10 @@ report::Display display_of(const SolveArguments& arguments, const ident::Plan& p
 }
 
 void refuse_display(const SolveArguments& arguments) {
-  const SolveArguments by_default;
-  const char* option = arguments.units != by_default.units ? "--units" : arguments.quantity != by_default.quantity ? "--quantity" : nullptr;
-  if (option == nullptr) return;
-  throw InputError({ErrorKind::usage, "", option, "does not apply to friction laws", "leave it out: their results are in SI units"});
+  refuse_units(arguments.units);
+  if (arguments.quantity == SolveArguments().quantity) return;
+  throw InputError(
+      {ErrorKind::usage, "", "--quantity", "does not apply to friction laws", "leave it out: their results are in SI units"});
 }
 
 }  // namespace
@@ -133,9 +125,8 @@ SolveArguments& add_linear_solve(CLI::App& app, Chosen& chosen) {
   command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
   add_outputs(command, *arguments, "the solution", "the unknowns", "tables and plots");
   command->add_option("--plot", arguments->plot, "Plot an assembly FRF, measured and synthesised, e.g. 1:+Y/5:+Y");
-  command->add_option("--units", arguments->units, "Of text, CSV and page: SI (default) or mm (N/mm); JSON stays SI");
-  command->add_option("--quantity", arguments->quantity,
-                      "Of plotted FRFs: receptance (default), mobility, accelerance, or measured as the assembly's file");
+  add_units(command, arguments->units);
+  add_quantity(command, arguments->quantity, "as the assembly's file");
   add_whole_number(command, "--threads", arguments->threads, "0 for all cores; the results do not depend on it", counts_of_threads());
   command->footer(
       "Examples:\n  jointid solve joint.toml\n  jointid solve joint.toml --plot 1:+Y/5:+Y\n  jointid solve joint.toml --json - | "

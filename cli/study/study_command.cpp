@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "cli/options/command_options.hpp"
+#include "cli/options/display_options.hpp"
 #include "cli/options/output.hpp"
 #include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
@@ -20,6 +21,7 @@
 #include "report/laws/law_study_text.hpp"
 #include "report/result/study_page.hpp"
 #include "report/result/study_text.hpp"
+#include "report/text/display_of_tasks.hpp"
 #include "scene/kind.hpp"
 #include "scene/text.hpp"
 #include "study/trial_data.hpp"
@@ -38,6 +40,7 @@ std::filesystem::path law_trials_file(const StudyArguments& arguments) {
 }
 
 void check(const StudyArguments& arguments) {
+  display_of(arguments.units);
   if (arguments.trials == 0) throw InputError({ErrorKind::usage, "", "--trials", "it is 0", "give 1 or more"});
 }
 
@@ -104,6 +107,7 @@ Start start_in(ident::Team& team, const StudyArguments& arguments) {
     check(arguments);
     const std::string text = scene::read_text(arguments.scene);
     if (scene::is_law_scene(text, arguments.scene)) {
+      refuse_units(arguments.units);
       start.text = text;
       start.laws = laws::parse_law_scene(text, arguments.scene);
       if (team.rank() == 0) check_outputs(arguments, laws::files_of(*start.laws), law_trials_file(arguments));
@@ -184,8 +188,9 @@ ExitCode study_law_scene(const StudyArguments& arguments, const Start& start, id
   return study->usable > 0 ? ExitCode::done : ExitCode::unusable;
 }
 
-std::string page_of(const tasks::StudyResult& result, const ident::Scene& scene) {
-  return report::study_page(result, scene, tasks::study_histograms(result.file, result.statistics, report::most_unknowns_shown));
+std::string page_of(const tasks::StudyResult& result, const ident::Scene& scene, const report::Display& display) {
+  const auto histograms = tasks::study_histograms(result.file, result.statistics, report::most_unknowns_shown);
+  return report::study_page(report::in_units_of(display, result), scene, report::in_units_of(display, histograms));
 }
 
 }  // namespace
@@ -199,6 +204,7 @@ void add_study(CLI::App& app, Chosen& chosen) {
   command->add_option("--out", arguments->out,
                       "All trials (HDF5; CSV of friction laws); default: SCENE's name with .study.h5 or .study.csv, here");
   add_outputs(command, *arguments, "the statistics", "the unknowns' statistics", "tables and histograms");
+  add_units(command, arguments->units);
   command->footer(
       "Examples:\n  jointid problem write A1 a1 --clean && jointid study a1/A1.toml --trials 10000\n"
       "  jointid study a1/A1.toml --trials 10000 --report a1.html\n"
@@ -213,9 +219,11 @@ ExitCode execute(const StudyArguments& arguments, std::ostream& out) {
   if (team->rank() != 0) return ExitCode::done;
   if (!result.run.complete) throw Interrupted(to_go_on(start.options, result.run.done));
   if (arguments.json) write_target(*arguments.json, report::study_json(result), out);
-  if (arguments.csv) write_target(*arguments.csv, report::study_csv(result), out);
-  if (arguments.report) write_target(*arguments.report, page_of(result, start.data->scene), out);
-  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::study_text(result);
+  const report::Display display = display_of(arguments.units);
+  const tasks::StudyResult shown = report::in_units_of(display, result);
+  if (arguments.csv) write_target(*arguments.csv, report::study_csv(shown), out);
+  if (arguments.report) write_target(*arguments.report, page_of(result, start.data->scene, display), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::study_text(shown);
   return result.statistics.usable > 0 ? ExitCode::done : ExitCode::unusable;
 }
 

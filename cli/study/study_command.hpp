@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <ostream>
+#include <string>
 
 #include "cli/options/chosen_command.hpp"
 #include "cli/options/target.hpp"
@@ -22,6 +23,7 @@ struct StudyArguments {
   std::size_t threads = 0;  ///< 0: all cores
   bool resume = false;
   Target json, csv, report;
+  std::string units = "SI";  ///< of text, CSV and page: SI or mm
 };
 
 /// Declares `study`; choosing it stores it.

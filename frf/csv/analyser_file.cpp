@@ -7,10 +7,13 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "frf/csv/csv_keys.hpp"
+#include "frf/csv/csv_text.hpp"
 #include "frf/csv/csv_titles.hpp"
 #include "frf/set/line_scale.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/set/units.hpp"
+#include "frf/text/footer.hpp"
 #include "frf/text/label_text.hpp"
 #include "frf/text/located.hpp"
 #include "frf/text/number_text.hpp"
@@ -164,9 +167,30 @@ class AnalyserText {
       const std::vector<std::string_view> cells = split(line, '\t');
       if (set_.header.frequency_hz.empty() && is_label(cells)) {
         read_units(cells);
-        continue;
+      } else if (is_footer(cells, 2 * frfs_ + 1)) {
+        footers_.push_back(csv_note(line, line_, '\t'));
+      } else if (footers_.empty()) {
+        read_row(cells);
+      } else {
+        fail("line " + std::to_string(footers_.front().line), "a line of words stands between lines of numbers", "remove it");
       }
-      read_row(cells);
+    }
+    read_footers();
+  }
+
+  /// A unit below the rows counts as one above them.
+  void read_footers() {
+    CsvKeys keys;
+    std::vector<std::string> units = units_;
+    units.insert(units.begin(), "Hz");
+    read_csv_notes(footers_, set_.header.file, units, !options_.unit.empty(), keys);
+    const auto unit = keys.find("unit");
+    if (unit == keys.end()) return;
+    for (std::string& own : units_) {
+      if (!own.empty() && own != unit->second)
+        fail({}, "the unit is '" + own + "' above the numbers and '" + unit->second + "' below them",
+             "give --unit, in a scene unit");
+      own = unit->second;
     }
   }
 
@@ -234,6 +258,7 @@ class AnalyserText {
   bool response_first_ = false;
   std::vector<std::string_view> channels_;
   std::vector<std::string> units_;
+  std::vector<CsvNote> footers_;
   std::vector<Pair> pairs_;
   std::vector<double> cells_;  ///< [line, FRF, 2]
 };
@@ -241,7 +266,8 @@ class AnalyserText {
 }  // namespace
 
 bool looks_like_analyser_text(std::span<const char> head) {
-  std::string_view rest(head.data(), head.size());
+  const std::string text = plain_text(std::string(head.data(), head.size()));
+  std::string_view rest = text;
   if (rest.find('\0') != std::string_view::npos) return false;
   for (std::size_t line = 0; line < most_label_lines && !rest.empty(); ++line) {
     if (is_heading_row(take_until(rest, '\n'))) return true;
@@ -250,7 +276,7 @@ bool looks_like_analyser_text(std::span<const char> head) {
 }
 
 std::unique_ptr<FrfSource> open_analyser_text(const std::filesystem::path& path, const OpenOptions& options) {
-  const std::string text = read_text(path);
+  const std::string text = read_csv_text(path);
   return from_memory(AnalyserText(path, options).read(text));
 }
 

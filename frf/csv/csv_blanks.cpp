@@ -6,6 +6,7 @@
 
 #include "frf/csv/csv_titles.hpp"
 #include "frf/text/complex_text.hpp"
+#include "frf/text/footer.hpp"
 #include "frf/text/number_text.hpp"
 #include "frf/text/special_number.hpp"
 
@@ -18,7 +19,7 @@ bool is_remark(std::string_view text) { return text.front() == '#' || text.front
 
 bool is_value(std::string_view cell) {
   double value = 0.0;
-  return parse_cell(cell, true, value) || parse_complex(cell, true) || states_no_value(cell);
+  return parse_cell(cell, true, value) || parse_complex(cell, true) || parse_polar(cell, true) || states_no_value(cell);
 }
 
 /// The cells of a row of numbers, of which the first is one; empty of any other line.
@@ -37,12 +38,21 @@ Cells lines_of(std::string_view text) {
   return lines;
 }
 
-/// Whether the last line but comments and empty ones is a row: most texts are no such table, and need not be cut into lines.
+constexpr std::size_t most_footers = 20;
+
+/// A line of words below the rows.
+bool is_footer_line(std::string_view text) {
+  return text.find_first_of(";\t\"") == std::string_view::npos && is_footer({text}, 2);
+}
+
+/// Whether the last line but comments, empty ones and lines of words is a row: most texts are no such table, and need not be cut
+/// into lines.
 bool ends_in_row(std::string_view text) {
-  while (!text.empty()) {
+  for (std::size_t footers = 0; !text.empty();) {
     const std::size_t before = text.rfind('\n'), begin = before == std::string_view::npos ? 0 : before + 1;
     const std::string_view plain = trimmed(text.substr(begin));
-    if (!plain.empty() && !is_remark(plain)) return !row_of(plain).empty();
+    const bool footer = !plain.empty() && !is_remark(plain) && is_footer_line(plain) && ++footers <= most_footers;
+    if (!plain.empty() && !is_remark(plain) && !footer) return !row_of(plain).empty();
     text = text.substr(0, begin == 0 ? 0 : before);
   }
   return false;
@@ -103,12 +113,13 @@ class BlankTable {
  public:
   explicit BlankTable(std::string_view text) : lines_(lines_of(text)) {}
 
-  /// Whether the last lines are rows of one length, comments and empty lines among them.
+  /// Whether the last lines but those of words are rows of one length, comments and empty lines among them.
   bool is_there() {
     first_ = lines_.size();
     for (std::size_t i = lines_.size(); i-- > 0;) {
       const std::string_view plain = trimmed(lines_[i]);
       if (plain.empty() || is_remark(plain)) continue;
+      if (is_footer_line(plain) && count_ == 0) continue;
       const std::size_t cells = row_of(plain).size();
       if (cells == 0 || (count_ != 0 && cells != count_)) break;
       count_ = cells, first_ = i;
@@ -125,7 +136,8 @@ class BlankTable {
       if (plain.empty() || i < titles || (i != titles && is_remark(plain))) {
         out.append(lines_[i]);
       } else if (i >= first_) {
-        out.append(with_tabs(split(plain, ' ')));
+        const bool row = !row_of(plain).empty();
+        out.append(row ? with_tabs(split(plain, ' ')) : std::string(plain));
       } else {
         out.append(title_text(plain));
       }

@@ -13,7 +13,9 @@
 #include "base/error.hpp"
 #include "frf/csv/csv_blanks.hpp"
 #include "frf/csv/csv_columns.hpp"
+#include "frf/csv/csv_decibels.hpp"
 #include "frf/csv/csv_nodes.hpp"
+#include "frf/csv/csv_pipes.hpp"
 #include "frf/csv/csv_text.hpp"
 #include "frf/csv/lvm_file.hpp"
 #include "frf/set/line_scale.hpp"
@@ -87,7 +89,11 @@ CsvTable table_of(LvmFile&& lvm, const CsvGiven& given) {
 CsvTable read_table(const std::filesystem::path& path, const OpenOptions& options) {
   const CsvGiven given{.unit = !options.unit.empty(), .frequency_unit = options.frequency_unit};
   std::string text = read_csv_text(path);
-  if (auto table = tabs_for_blanks(text)) text = std::move(*table);
+  if (auto piped = tabs_for_pipes(text)) {
+    text = std::move(*piped);
+  } else if (auto table = tabs_for_blanks(text)) {
+    text = std::move(*table);
+  }
   return looks_like_lvm(text) ? table_of(read_lvm(path.string(), text), given) : read_csv_table(path.string(), text, given);
 }
 
@@ -225,11 +231,12 @@ std::vector<double> read_frequency(const CsvTable& table) {
 bool looks_like_csv(std::span<const char> head) {
   std::string_view rest(head.data(), head.size());
   if (rest.starts_with("\xFF\xFE") || rest.starts_with("\xFE\xFF") || looks_like_lvm(rest)) return true;  // UTF-16, LabVIEW
+  const std::string text = plain_text(std::string(rest));
+  rest = text;
   const auto binary = [](char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\r' && c != '\n'; };
-  while (!rest.empty() && (rest.back() == '\x1A' || rest.back() == '\0')) rest.remove_suffix(1);  // an end of file of DOS
   if (rest.empty() || std::ranges::any_of(rest, binary)) return false;
-  if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
-  if (find_csv_header(rest) || tabs_for_blanks(rest.substr(0, rest.rfind('\n') + 1))) return true;
+  const std::string_view lines = rest.substr(0, rest.rfind('\n') + 1);
+  if (find_csv_header(rest) || tabs_for_pipes(lines) || tabs_for_blanks(lines)) return true;
   while (!rest.empty()) {
     const std::string_view line = rest.substr(0, rest.find('\n'));
     rest.remove_prefix(std::min(rest.size(), line.size() + 1));
@@ -258,7 +265,9 @@ std::unique_ptr<FrfSource> open_csv(const std::filesystem::path& path, const Ope
   FrfSet set;
   set.header.file = table.file;
   set.header.nodes = read_csv_nodes(table);
+  set.header.doubts = table.doubts;
   const CsvColumns columns(table, options, set.header);
+  resolve_decibels(table, columns, !options.unit.empty());
   if (!options.unit.empty()) set_unit(table, columns, options.unit);
   set.header.quantity = read_quantity(table, columns, options);
   set.header.frequency_hz = read_frequency(table);

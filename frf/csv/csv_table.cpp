@@ -10,10 +10,12 @@
 #include "base/error.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/text/complex_text.hpp"
+#include "frf/text/footer.hpp"
 #include "frf/text/label_text.hpp"
 #include "frf/text/located.hpp"
 #include "frf/text/number_text.hpp"
 #include "frf/text/special_number.hpp"
+#include "frf/text/thousands.hpp"
 #include "frf/text/unit_names.hpp"
 
 namespace jointid::frf {
@@ -32,6 +34,9 @@ class CsvReader {
       if (!text.empty() && !(line_ == 1 && separator_ != '\0')) take(line, text);
     }
     if (table_.columns.empty()) return std::move(table_);
+    for (const CsvNote& footer : footers_) take_footer(footer);
+    require_clear_angles();
+    require_clear_commas();
     read_csv_notes(notes_, table_.file, table_.units, given_.unit, table_.keys);
     table_.hz_per_unit = hz_per_unit();
     split_complex();
@@ -61,8 +66,32 @@ class CsvReader {
     } else if (table_.lines.empty() && table_.units_line == table_.header_line && is_units(line)) {
       read_units(line);
     } else {
-      read_row(line);
+      take_row(line, text);
     }
+  }
+
+  /// A row, or a line of words below them; the same titles may stand above each page.
+  void take_row(std::string_view line, std::string_view text) {
+    const std::vector<std::string_view> cells = csv_cells(line, separator_);
+    if (std::ranges::all_of(cells, [](std::string_view cell) { return cell.empty(); })) return;
+    const bool rows = !table_.lines.empty();
+    if (rows && (text == titles_text_ || text == units_text_)) return;
+    if (rows && is_footer(cells, table_.columns.size())) {
+      footers_.push_back(csv_note(text, line_, separator_));
+      if (!is_page_mark(text) && first_words_.empty()) first_words_ = text, words_line_ = line_;
+      return;
+    }
+    if (!first_words_.empty())
+      table_.fail(words_line_, 0, "'" + shown_label(first_words_) + "' stands between lines of numbers",
+                  "begin lines that are no rows of the table with #, or remove what does not belong to it");
+    read_row(line);
+  }
+
+  void take_footer(const CsvNote& footer) {
+    notes_.push_back(footer);
+    const std::string words = footer.key.empty() ? footer.value : footer.key + ": " + footer.value;
+    if (warns_of_data(words))
+      table_.doubts.push_back("line " + std::to_string(footer.line) + " below the table says '" + shown_label(words) + "'");
   }
 
   /// "#DIV/0!", which is no comment, in the first cell of a row.
@@ -73,6 +102,7 @@ class CsvReader {
   void read_header(std::string_view line) {
     if (separator_ == '\0') separator_ = header_ ? header_->separator : csv_separator(line);
     table_.header_line = table_.units_line = line_;
+    titles_text_ = trimmed(line);
     std::vector<std::string_view> cells = csv_cells(line, separator_);
     while (cells.size() > 2 && cells.back().empty()) cells.pop_back();
     const std::size_t index = header_ ? header_->index : 0;
@@ -144,13 +174,15 @@ class CsvReader {
     const auto empty = [](std::string_view cell) { return cell.empty(); };
     return !std::ranges::all_of(cells, empty) && std::ranges::none_of(cells, [&](std::string_view cell) {
       double value = 0.0;
-      return !cell.empty() && (parse(cell, value) || parse_complex(cell, may_be_comma(cell)));
+      return !cell.empty() && (parse(cell, value) || parse_complex(cell, may_be_comma(cell)) ||
+                               parse_polar(cell, may_be_comma(cell)) || without_thousands(cell));
     });
   }
 
   void read_units(std::string_view line) {
     const std::vector<std::string_view> cells = cells_of(line);
     table_.units_line = line_;
+    units_text_ = trimmed(line);
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const std::string unit = as_ratio(std::string(without_brackets(cells[i])));
       if (unit.empty()) continue;
@@ -177,11 +209,14 @@ class CsvReader {
     double value = 0.0;
     if (parse(cell, value)) {
       require_one_decimal_sign(cell, column);
+    } else if (const auto plain = without_thousands(cell); plain && parse_cell(*plain, false, value)) {
+      require_one_decimal_sign(cell.find_last_of(".,") < cell.size() ? cell.substr(cell.find_last_of(".,")) : cell, column);
     } else if (states_no_value(cell)) {
       value = std::numeric_limits<double>::quiet_NaN();
     } else if (column == 0 || !read_complex(cell, column, value)) {
       table_.fail(line_, column, "'" + std::string(cell) + "' is not a number",
-                  "leave the cell empty where nothing was measured");
+                  column == 0 ? "begin lines that are no rows of the table with #"
+                              : "leave the cell empty where nothing was measured; complex numbers are 1.2+3.4j or 1.2∠-45°");
     }
     if (const auto known = imaginary_.find(column); known != imaginary_.end()) known->second.resize(table_.rows() + 1, 0.0);
     table_.cells.push_back(value);
@@ -189,7 +224,8 @@ class CsvReader {
 
   /// Keeps the imaginary part; real numbers above and below have none.
   bool read_complex(std::string_view cell, std::size_t column, double& real) {
-    const auto value = parse_complex(cell, may_be_comma(cell));
+    auto value = parse_complex(cell, may_be_comma(cell));
+    if (!value) value = polar_value(cell, column);
     if (!value) return false;
     real = value->real();
     std::vector<double>& parts = imaginary_[column];
@@ -198,11 +234,38 @@ class CsvReader {
     return true;
   }
 
+  std::optional<Complex> polar_value(std::string_view cell, std::size_t column) {
+    const auto polar = parse_polar(cell, may_be_comma(cell));
+    if (!polar) return std::nullopt;
+    if (polar->unit == AngleUnit::unstated) {
+      if (angle_line_ == 0) angle_line_ = line_, angle_column_ = column;
+      largest_angle_ = std::max(largest_angle_, std::abs(polar->angle));
+    }
+    return polar->value();
+  }
+
+  /// "1.2∠0.7" without the unit of its angle.
+  void require_clear_angles() const {
+    constexpr double surely_degrees = 30.0;
+    if (angle_line_ == 0 || largest_angle_ > surely_degrees) return;
+    table_.fail(angle_line_, angle_column_, "an angle does not say whether it is in degrees or radians",
+                "write its unit behind it: 1.2∠-45° or 1.2∠-0.785rad");
+  }
+
+  /// 1,000 beside 990 may be one or a thousand; programs that write decimals write them in all numbers.
+  void require_clear_commas() const {
+    if (comma_line_ == 0 || surely_decimal_ || !whole_numbers_) return;
+    table_.fail(comma_line_, 0, "all commas stand before three digits: they may be decimal signs or marks of thousands",
+                "export the numbers without marks of thousands, or with decimal points");
+  }
+
   /// 1,234 beside 5.6 may be a thousand and more.
   void require_one_decimal_sign(std::string_view cell, std::size_t column) {
     const bool comma = cell.find(',') != std::string_view::npos, point = cell.find('.') != std::string_view::npos;
     if (comma) comma_line_ = line_;
+    if (comma && !may_be_thousands(cell)) surely_decimal_ = true;
     if (point) point_line_ = line_;
+    if (!comma && !point && !cell.empty()) whole_numbers_ = true;
     if ((!comma && !point) || comma_line_ == 0 || point_line_ == 0) return;
     table_.fail(line_, column,
                 "'" + std::string(cell) + "' and line " + std::to_string(comma ? point_line_ : comma_line_) +
@@ -248,7 +311,12 @@ class CsvReader {
   std::optional<CsvHeaderPlace> header_;
   std::vector<CsvNote> notes_;
   std::map<std::size_t, std::vector<double>> imaginary_;  ///< by column that holds complex numbers
-  std::size_t line_ = 0, comma_line_ = 0, point_line_ = 0;
+  std::vector<CsvNote> footers_;
+  std::string titles_text_, units_text_, first_words_;
+  std::size_t line_ = 0, comma_line_ = 0, point_line_ = 0, words_line_ = 0, angle_line_ = 0, angle_column_ = 0;
+  double largest_angle_ = 0.0;
+  bool surely_decimal_ = false;  ///< a comma
+  bool whole_numbers_ = false;   ///< numbers without comma and point
   char separator_ = '\0';
 };
 

@@ -23,6 +23,7 @@ struct CsvTable {
   std::vector<std::size_t> lines;  ///< line of each row, from 1
   std::vector<double> cells;       ///< [rows, columns], NaN where empty
   std::vector<std::size_t> places;  ///< of each column in the file, from 0
+  std::vector<std::string> doubts;  ///< what lines below the rows say against the data
 
   std::size_t rows() const { return lines.size(); }
   double cell(std::size_t row, std::size_t column) const { return cells[row * columns.size() + column]; }
@@ -41,10 +42,12 @@ struct CsvGiven {
 };
 
 /// Reads the table of a text (read_csv_text()), separated by comma, semicolon or tab (tabs_for_blanks()), or as a first line
-/// `sep=;` says. Free lines may stand above the row of titles (find_csv_header(), read_csv_notes()). Cells may stand in quotes;
+/// `sep=;` says. Free lines may stand above the row of titles (find_csv_header(), read_csv_notes()) and below the
+/// rows (is_footer()); marks of pages and the same titles again may stand between them. Cells may stand in quotes;
 /// numbers may have decimal commas where these do not separate, all of them or none. The first column is the frequency:
 /// `frequency_hz`, "Frequency [Hz]", "Freq (kHz)", "f [Hz]", "omega"; one before it that counts the rows and empty ones at the
-/// end are passed over. A column of complex numbers (parse_complex()) becomes two, with re and im behind its title. What stands
+/// end are passed over. A column of complex numbers (parse_complex(), parse_polar(); angles without a unit are
+/// degrees where one is above 30) becomes two, with re and im behind its title. What stands
 /// in place of a number that is none (states_no_value()) is NaN. Keys: quantity, unit, averages, frequency_unit and node N, in
 /// any case, with = or :, also units for unit; lines `# key = value` with any other key are comments, but for keys that look like
 /// these. Throws InputError naming line and column of what is no finite number, rows of another length than the header, a unit

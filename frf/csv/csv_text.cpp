@@ -1,6 +1,7 @@
 #include "frf/csv/csv_text.hpp"
 
 #include <string_view>
+#include <utility>
 
 #include "frf/text/number_text.hpp"
 
@@ -9,9 +10,24 @@ namespace {
 
 constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
 
-/// Without the end-of-file byte of DOS and NULs that fill the last block.
-std::string without_end_of_file(std::string text) {
-  while (!text.empty() && (text.back() == '\x1A' || text.back() == '\0')) text.pop_back();
+/// Without end-of-file bytes of DOS and NULs that fill the last block, and ends of lines among them.
+void remove_end_of_file(std::string& text) {
+  const std::size_t last = text.find_last_not_of(std::string_view("\x1A\0\r\n", 4));
+  const std::size_t begin = last == std::string::npos ? 0 : last + 1;
+  if (text.find_first_of(std::string_view("\x1A\0", 2), begin) != std::string::npos) text.replace(begin, std::string::npos, "\n");
+}
+
+/// Any number of "\r" before a "\n", "\r" alone and a form feed as "\n".
+std::string with_plain_ends(std::string text) {
+  if (text.find_first_of("\r\f") == std::string::npos) return text;
+  std::size_t to = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    std::size_t end = at;
+    while (end < text.size() && text[end] == '\r') ++end;
+    if (end > at && end < text.size() && text[end] == '\n') at = end;
+    text[to++] = text[at] == '\r' || text[at] == '\f' ? '\n' : text[at];
+  }
+  text.resize(to);
   return text;
 }
 
@@ -31,17 +47,21 @@ void append_utf8(std::string& out, unsigned code) {
 
 }  // namespace
 
-std::string read_csv_text(const std::filesystem::path& path) {
-  std::string text = read_text(path);
+std::string plain_text(std::string text) {
   if (text.starts_with(utf8_mark)) text.erase(0, utf8_mark.size());
   const bool little = text.starts_with("\xFF\xFE"), big = text.starts_with("\xFE\xFF");
-  if (!little && !big) return without_end_of_file(std::move(text));
-  std::string out;
-  for (std::size_t i = 2; i + 1 < text.size(); i += 2) {
-    const auto byte = [&](std::size_t at) { return static_cast<unsigned>(static_cast<unsigned char>(text[at])); };
-    append_utf8(out, little ? byte(i) + 256U * byte(i + 1) : 256U * byte(i) + byte(i + 1));
+  if (little || big) {
+    std::string out;
+    for (std::size_t i = 2; i + 1 < text.size(); i += 2) {
+      const auto byte = [&](std::size_t at) { return static_cast<unsigned>(static_cast<unsigned char>(text[at])); };
+      append_utf8(out, little ? byte(i) + 256U * byte(i + 1) : 256U * byte(i) + byte(i + 1));
+    }
+    text = std::move(out);
   }
-  return without_end_of_file(std::move(out));
+  remove_end_of_file(text);
+  return with_plain_ends(std::move(text));
 }
+
+std::string read_csv_text(const std::filesystem::path& path) { return plain_text(read_text(path)); }
 
 }  // namespace jointid::frf

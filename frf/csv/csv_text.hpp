@@ -5,8 +5,12 @@
 
 namespace jointid::frf {
 
-/// The whole of a text file as UTF-8, without a byte-order mark, end-of-file bytes of DOS and NULs at its end; UTF-16 is
-/// converted. Throws InputError when it cannot be read.
+/// The whole of a text file by plain_text(). Throws InputError when it cannot be read.
 std::string read_csv_text(const std::filesystem::path& path);
+
+/// Text as other programs write it as UTF-8 (or bytes of a code page) with "\n" behind each line: without a byte-order mark,
+/// end-of-file bytes of DOS and NULs at its end; UTF-16 with a mark is converted; "\r\n", "\r\r\n", "\r" alone and a form feed
+/// end a line.
+std::string plain_text(std::string text);
 
 }  // namespace jointid::frf

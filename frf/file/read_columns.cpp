@@ -1,14 +1,21 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
+#include <utility>
 
 #include "base/error.hpp"
+#include "frf/csv/csv_pipes.hpp"
+#include "frf/csv/csv_text.hpp"
 #include "frf/csv/lvm_file.hpp"
 #include "frf/file/column_titles.hpp"
 #include "frf/file/columns.hpp"
 #include "frf/file/file_format.hpp"
 #include "frf/mat/mat_column.hpp"
+#include "frf/text/footer.hpp"
 #include "frf/text/number_text.hpp"
+#include "frf/text/special_number.hpp"
 #include "frf/text/unit_names.hpp"
 
 namespace jointid::frf {
@@ -26,11 +33,10 @@ class TextColumns {
     if (rest.find('\0') != std::string_view::npos) {
       fail(out_.file, {}, "is no text, MATLAB or HDF5 file", "export the columns as CSV, MATLAB or HDF5");
     }
-    if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
     for (line_ = 1; !rest.empty(); ++line_) {
       const std::string_view line = take_until(rest, '\n');
       if (!out_.columns.empty()) {
-        if (!is_comment(trimmed(line))) add(line);
+        if (!is_comment(trimmed(line))) take(line);
       } else if (titles_.begins_with(line, place())) {
         begin();
         add(line);
@@ -50,6 +56,26 @@ class TextColumns {
     mark_ = DecimalMark(titles_.separator());
   }
 
+  /// A row, or a line of words below them.
+  void take(std::string_view line) {
+    const std::vector<std::string_view> cells = split(line, titles_.separator());
+    if (cells.size() > 1 && std::ranges::all_of(cells, [](std::string_view cell) { return cell.empty(); })) {
+      empty_.push_back(std::string(line));  // of a spreadsheet, below the numbers
+      return;
+    }
+    if (!out_.columns.front().values.empty() && is_footer(cells, out_.columns.size())) {
+      if (words_.empty() && !is_page_mark(line)) words_ = std::string(trimmed(line).substr(0, 40)), words_place_ = place();
+      if (lower_case(line).find("unit") != std::string::npos)
+        fail(out_.file, place(), "'" + std::string(trimmed(line).substr(0, 40)) + "' below the numbers is not read",
+             "write units into the titles, and begin lines that are no numbers with #");
+    } else if (words_.empty()) {
+      for (const std::string& row : std::exchange(empty_, {})) add(row);
+      add(line);
+    } else {
+      fail(out_.file, words_place_ + ", column 1", "'" + words_ + "' is not a number", "begin lines that are no numbers with #");
+    }
+  }
+
   void add(std::string_view line) {
     const std::vector<std::string_view> cells = split(line, titles_.separator());
     if (cells.size() != out_.columns.size()) {
@@ -60,7 +86,8 @@ class TextColumns {
     if (!mark_.fits(line)) fail(out_.file, place(), mixed_marks, one_mark);
     for (std::size_t i = 0; i < cells.size(); ++i) {
       double value = 0.0;
-      if (!parse_cell(cells[i], mark_.may_be_comma(), value)) {
+      if (!parse_cell(cells[i], mark_.may_be_comma(), value)) value = std::numeric_limits<double>::quiet_NaN();
+      if (std::isnan(value) && !states_no_value(cells[i])) {
         fail(out_.file, place() + ", column " + std::to_string(i + 1),
              "'" + std::string(cells[i].substr(0, 40)) + "' is not a number", "begin lines that are no numbers with #");
       }
@@ -71,6 +98,8 @@ class TextColumns {
   Columns out_;
   ColumnTitles titles_;
   DecimalMark mark_;
+  std::vector<std::string> empty_;
+  std::string words_, words_place_;  ///< first of the lines of words below the rows
   std::size_t line_ = 0;
 };
 
@@ -172,7 +201,8 @@ Columns columns_of(LvmFile&& lvm) {
 Columns read_columns(const std::filesystem::path& path) {
   const std::optional<FileFormat> binary = detect_binary_format(path);
   if (!binary) {
-    const std::string text = read_text(path);
+    std::string text = read_csv_text(path);
+    if (auto piped = tabs_for_pipes(text)) text = std::move(*piped);
     return looks_like_lvm(text) ? columns_of(read_lvm(path.string(), text)) : TextColumns(path).read(text);
   }
   const auto file = *binary == FileFormat::matlab_v5 ? open_mat_variables_v5(path) : open_mat_variables_v73(path);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
+#include <utility>
 
 #include "frf/text/number_text.hpp"
 #include "frf/text/unit_names.hpp"
@@ -60,7 +62,70 @@ std::size_t begin_of_imaginary(std::string_view text) {
   return 0;
 }
 
+/// Takes the unit behind an angle off `text`.
+AngleUnit take_angle_unit(std::string_view& text) {
+  for (const std::string_view word : {"°", "º", "\xB0", "\xBA", "degrees", "degree", "deg"}) {
+    if (!text.ends_with(word)) continue;
+    text.remove_suffix(word.size());
+    return AngleUnit::degrees;
+  }
+  for (const std::string_view word : {"radians", "radian", "rad"}) {
+    if (!text.ends_with(word)) continue;
+    text.remove_suffix(word.size());
+    return AngleUnit::radians;
+  }
+  return AngleUnit::unstated;
+}
+
+/// "-j0.785", "-0.785j", "i*0.785", "45°j" without the imaginary unit; empty where it has none.
+std::string without_imaginary_unit(std::string_view exponent) {
+  std::string text(exponent);
+  std::erase(text, '*');
+  const std::size_t at = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
+  if (text.size() > at + 1 && is_imaginary_unit(text[at])) return text.erase(at, 1);
+  if (text.size() > at + 1 && is_imaginary_unit(text.back())) return text.substr(0, text.size() - 1);
+  return {};
+}
+
+/// What stands before and behind the sign of an angle; behind an exponential function what it is of, without i.
+std::optional<std::pair<std::string, std::string>> parts_of_polar(std::string text, bool& exponential) {
+  for (const std::string_view sign : {"exp(", "e^(", "e**("}) {
+    const std::size_t at = text.find(sign);
+    if (at == std::string::npos || !text.ends_with(')')) continue;
+    exponential = true;
+    std::string before = text.substr(0, at);
+    while (before.ends_with('*')) before.pop_back();
+    if (before.ends_with("\u00b7")) before.erase(before.size() - 2);
+    return std::pair{before.empty() && at == 0 ? "1" : before,
+                     without_imaginary_unit(std::string_view(text).substr(at + sign.size(), text.size() - at - sign.size() - 1))};
+  }
+  for (const std::string_view sign : {"∠", "@", "/_"}) {
+    const std::size_t at = text.find(sign);
+    if (at != std::string::npos) return std::pair{text.substr(0, at), text.substr(at + sign.size())};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+Complex PolarNumber::value() const {
+  const double radians = unit == AngleUnit::radians ? angle : angle * std::numbers::pi / 180.0;
+  return both_or_neither(magnitude * std::cos(radians), magnitude * std::sin(radians));
+}
+
+std::optional<PolarNumber> parse_polar(std::string_view cell, bool decimal_comma) {
+  std::string text = without_frame(cell);
+  if (decimal_comma) std::ranges::replace(text, ',', '.');
+  bool exponential = false;
+  const auto parts = parts_of_polar(std::move(text), exponential);
+  if (!parts) return std::nullopt;
+  PolarNumber polar;
+  std::string_view angle = parts->second;
+  polar.unit = take_angle_unit(angle);
+  if (exponential && polar.unit == AngleUnit::unstated) polar.unit = AngleUnit::radians;
+  if (!reads_as(parts->first, polar.magnitude) || !reads_as(angle, polar.angle) || polar.magnitude < 0.0) return std::nullopt;
+  return polar;
+}
 
 std::optional<Complex> parse_complex(std::string_view cell, bool decimal_comma) {
   std::string text = without_frame(cell);

@@ -22,6 +22,38 @@ std::string_view take_word(std::string_view& rest) {
   return word;
 }
 
+bool is_digit_of_number(char c) { return c >= '0' && c <= '9'; }
+
+/// Without "\u00a0", "\u2009", "\u202f" at its ends.
+void remove_fixed_blanks(std::string& text) {
+  for (const std::string_view blank : {"\u00a0", "\u2009", "\u202f", " "}) {
+    while (text.starts_with(blank)) text.erase(0, blank.size());
+    while (text.ends_with(blank)) text.erase(text.size() - blank.size());
+  }
+}
+
+/// A number of another notation as std::from_chars() reads it; false where there is nothing to change.
+bool to_plain_number(std::string& text) {
+  const std::string before = text;
+  remove_fixed_blanks(text);
+  constexpr std::string_view minus = "\u2212";
+  for (std::size_t at = text.find(minus); at != std::string::npos; at = text.find(minus)) text.replace(at, minus.size(), "-");
+  const std::size_t mark = text.find_first_of("dD");
+  if (mark != std::string::npos && mark > 0 && (is_digit_of_number(text[mark - 1]) || text[mark - 1] == '.')) text[mark] = 'e';
+  const std::size_t sign = text.find_last_of("+-");
+  const bool bare = sign != std::string::npos && sign > 1 && sign + 4 == text.size() && is_digit_of_number(text[sign - 1]) &&
+                    text.find('.') < sign && text.find_first_of("eE") == std::string::npos;
+  if (bare) text.insert(sign, 1, 'e');
+  return text != before;
+}
+
+bool parse_plain(const std::string& text, double& value) {
+  const char* first = text.c_str() + (text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0);
+  const char* last = text.c_str() + text.size();
+  const auto [end, error] = std::from_chars(first, last, value);
+  return error == std::errc() && end == last && !std::isinf(value);
+}
+
 }  // namespace
 
 std::string read_text(const std::filesystem::path& path) {
@@ -67,10 +99,8 @@ bool parse_cell(std::string_view cell, bool decimal_comma, double& value) {
   if (cell.empty()) return true;
   std::string text(cell);
   if (decimal_comma) std::ranges::replace(text, ',', '.');
-  const char* first = text.c_str() + (text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0);
-  const char* last = text.c_str() + text.size();
-  const auto [end, error] = std::from_chars(first, last, value);
-  return error == std::errc() && end == last && !std::isinf(value);
+  if (parse_plain(text, value)) return true;
+  return to_plain_number(text) && (text.empty() || parse_plain(text, value));
 }
 
 }  // namespace jointid::frf

@@ -21,7 +21,9 @@ std::string_view take_until(std::string_view& rest, char end);
 /// The cells of a line; between blanks (`separator` ' ') any number of them counts as one.
 std::vector<std::string_view> split(std::string_view line, char separator);
 
-/// A finite number, or NaN for an empty cell or one that says NaN; false for anything else.
+/// A finite number, or NaN for an empty cell or one that says NaN; false for anything else. Exponents may begin with D (Fortran,
+/// "1.2D-03") or, of three digits, with their sign alone ("1.2-103"); a minus may be the sign of typesetting (U+2212), and blanks
+/// that do not break may stand around the number.
 bool parse_cell(std::string_view cell, bool decimal_comma, double& value);
 
 }  // namespace jointid::frf

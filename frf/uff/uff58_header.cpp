@@ -137,8 +137,9 @@ std::string widened_data_form(const std::string& line) {
 
 void parse_data_form(Header58& header, const std::string& line, const Place& place) {
   const RecordLine record(widened_data_form(line), 7, place);
-  header.ordinate_type = record.code(0, 10, "ordinate data type (2, 4, 5 or 6)", 2, 6);
-  if (header.ordinate_type == 3) record.fail("ordinate data type (2, 4, 5 or 6)", "3", 0, 10);
+  constexpr const char* types = "ordinate data type (2 and 4 are real, 5 and 6 complex, single and double precision)";
+  header.ordinate_type = record.code(0, 10, types, 2, 6);
+  if (header.ordinate_type == 3) record.fail(types, "3", 0, 10);
   header.points = static_cast<std::uint64_t>(record.code(10, 10, "number of points", 1, 2'147'483'647));
   header.even = record.code(20, 10, "abscissa spacing (0 or 1)", 0, 1) == 1;
   header.abscissa_first = record.real(30, wide, "abscissa minimum");
@@ -236,7 +237,7 @@ std::vector<double> even_abscissa(const Header58& header) {
 std::string function_name(int function_type) {
   const auto index = static_cast<std::size_t>(function_type);
   return index < function_names.size() ? function_names[index]
-                                       : "function of type " + std::to_string(function_type);
+                                       : "function of type " + std::to_string(function_type) + " (UFF 58 has 0 to 28)";
 }
 
 }  // namespace jointid::frf::uff

@@ -69,9 +69,29 @@ std::vector<std::size_t> spectra_of(const std::vector<Dataset>& datasets, Spectr
                     [forces](const Header58& header) { return spectrum_of_forces(header).value_or(forces) == forces; });
 }
 
+/// What records of other or unknown types are that look like FRFs: "dataset 58 number 1".
+std::string unnamed_frf(const std::vector<Dataset>& datasets) {
+  constexpr int general = 0, last_of_format = 28;
+  const auto alike = [&](const Dataset& dataset) {
+    const auto& header = dataset.function;
+    return header && (header->function_type == general || header->function_type > last_of_format) && header->is_complex() &&
+           header->abscissa.data_type == type_frequency && may_be_motion_over_force(*header);
+  };
+  const auto found = std::ranges::find_if(datasets, alike);
+  return found == datasets.end() ? std::string() : found->place.dataset;
+}
+
 [[noreturn]] void nothing_in(const std::vector<Dataset>& datasets, const std::string& file, Spectra wanted) {
   const bool spectra = wanted != Spectra::none;
   const std::string kind = wanted == Spectra::forces ? "forces" : "motions";
+  if (const std::string alike = unnamed_frf(datasets); !alike.empty() && !spectra)
+    throw InputError({.kind = ErrorKind::data,
+                      .file = file,
+                      .place = alike + ", record 6",
+                      .problem = "no frequency response functions; the file holds " + contents(datasets),
+                      .remedy =
+                          "its values are complex, of a motion over a force and over frequencies: if they are FRFs, write 4 "
+                          "in columns 1 to 5 of record 6 of each, or export them as function type 4"});
   throw InputError(
       {.kind = ErrorKind::data,
        .file = file,

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 
+#include "frf/text/footer.hpp"
 #include "frf/uff/uff_text.hpp"
 
 namespace jointid::frf::uff {
@@ -35,12 +36,30 @@ class Scanner {
       if (line_.starts_with(utf8_mark)) line_.remove_prefix(utf8_mark.size());
       if (is_delimiter(line_)) return true;
       if (trim(line_).empty()) continue;
-      if (ends) return false;
+      if (ends || (!datasets_.empty() && only_words_follow())) return false;
       const std::string text = to_utf8(one_byte_per_column(line_.substr(0, 20)));
       place.fail({}, "a dataset must begin with '    -1' but '" + text + "' stands here",
                  datasets_.empty() ? "this is not a UFF file" : damaged);
     }
     return false;
+  }
+
+  /// Whether the line that was read and all others to the end of the file, a few, are words and no numbers: "End of file".
+  bool only_words_follow() {
+    constexpr std::size_t most_lines = 20;
+    const std::uint64_t back = file_.position();
+    const std::string first(line_);
+    bool words = false;
+    std::size_t count = 0;
+    for (line_ = first;; ++count) {
+      const std::string_view text = trim(line_);
+      const bool plain = std::ranges::none_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\t'; });
+      words = text.empty() || (plain && is_footer({text}, 2) && !is_delimiter(line_) && text.find_first_of("+-.") != 0);
+      if (!words || count == most_lines || !file_.next_line(line_)) break;
+    }
+    words = words && count < most_lines;
+    if (!words) file_.seek(back), kept_ = first, line_ = kept_;
+    return words;
   }
 
   Dataset dataset() {
@@ -222,6 +241,7 @@ class Scanner {
 
   ByteFile& file_;
   std::string_view line_;
+  std::string kept_;
   std::int64_t declared_lines_ = 0;
   std::uint64_t declared_bytes_ = 0;
   std::map<int, int> counts_;

@@ -9,22 +9,26 @@
 namespace jointid::modalfit {
 namespace {
 
-/// Noise over modulus below which FRFs may be computed ones; the larger where the mean square of the residuals is far above it, for what a
-/// model lacks is part of what is taken for noise.
-constexpr double quiet = 1e-4, rather_quiet = 1e-2;
+/// As quiet_noise where the mean square of the residuals is far above it, for what a model lacks is part of what is taken for
+/// noise.
+constexpr double rather_quiet = 1e-2;
 constexpr double far_off = 100.0;
 constexpr double apart = 6.0;  ///< standard deviations between poles of such FRFs
 constexpr std::size_t most_splits_tried = 3;
 
 }  // namespace
 
+/// Noise over modulus below which FRFs may be computed ones.
+double PoleSearch::quiet_where(const RefinedPoles& refined) const {
+  return refined.cost > far_off * refined.freedom ? rather_quiet : quiet_noise;
+}
+
 /// Whether neighbouring lines agree to digits that no measurement has although the model does not.
 bool PoleSearch::may_be_exact(const RefinedPoles& refined) const {
   if (band_.known_noise) return false;
   const double noise = relative_noise(band_, entries_);
-  const bool is_far_off = refined.cost > far_off * refined.freedom;
   const bool is_off = refined.cost > refined.freedom || !is_exact(band_, entries_, options_.kind, refined.poles);
-  return noise < (is_far_off ? rather_quiet : quiet) && is_off;
+  return noise < quiet_where(refined) && is_off;
 }
 
 /// FRFs without noise tell poles apart that noise would not, and poles beyond the range better: what follows them to their

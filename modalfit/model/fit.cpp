@@ -80,6 +80,7 @@ class Fitter {
     } else {
       doubt(out);
       compare_damping(refined, out);
+      tell_misfit(out);
     }
   }
 
@@ -96,6 +97,20 @@ class Fitter {
         fmt::format("With {0} damping (--damping {0}) the mean square of the residuals is {1:.2g} in place of {2:.2g}: that "
                     "law follows the FRFs better.",
                     name(kind.damping), other.cost / out.freedom, out.cost / out.freedom));
+  }
+
+  /// FRFs whose lines agree to digits that no measurement has, and a model that leaves more.
+  void tell_misfit(ModalFit& out) const {
+    constexpr double far_above = 3.0, told_from = 1e-9;
+    const double noise = relative_noise(band_, entries_);
+    if (band_.known_noise || !(noise < quiet_noise) ||
+        !(out.deviation > std::max(told_from, far_above * std::max(noise, band_.precision))))
+      return;
+    if (!out.message.empty()) return;
+    out.message = fmt::format(
+        "The model leaves {:.2g} of the FRFs, which agree from line to line to {:.2g}: this is no noise, and frequencies may be "
+        "off by as much of a half-power bandwidth. Modes beyond the range do more in it than the model follows: widen the range.",
+        out.deviation, std::max(noise, band_.precision));
   }
 
   void doubt(ModalFit& out) const {

@@ -17,9 +17,10 @@ class PoleSearch {
   PoleSearch(Band& band, const FitOptions& options, const std::vector<std::size_t>& entries)
       : band_(band), options_(options), entries_(entries) {}
 
-  /// Polyreference poles, clusters, significance and refinement until they agree; peaks of the residual FRFs; doubled poles; poles beyond
-  /// the range; vague poles. FRFs without noise that the outcome does not follow to their digits are searched once more, with poles
-  /// kept apart and split: what follows them is taken.
+  /// Polyreference poles, clusters, significance and refinement until they agree; peaks of the residual FRFs; doubled poles;
+  /// poles beyond the range; vague poles. FRFs without noise that the outcome does not follow to their digits are searched once
+  /// more, with poles kept apart and split: what follows them is taken. Then poles beyond the range are added until such FRFs are
+  /// followed to their rounding or no pole lowers what is left.
   RefinedPoles run(ModalFit& out);
   /// Refines poles that were chosen elsewhere, none of which goes.
   RefinedPoles as_given(std::vector<Pole> poles, ModalFit& out);
@@ -45,6 +46,9 @@ class PoleSearch {
   bool may_be_exact(const RefinedPoles& refined) const;
   void seek_exact(RefinedPoles& refined, ModalFit& out);
   bool split(RefinedPoles& refined, ModalFit& out);
+  double quiet_where(const RefinedPoles& refined) const;
+  bool leaves_more_than_rounding(const RefinedPoles& refined) const;
+  void follow_beyond(RefinedPoles& refined, ModalFit& out);
   std::vector<std::size_t> least_agreed(const RefinedPoles& refined) const;
 
   Band& band_;

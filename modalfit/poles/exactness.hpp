@@ -12,6 +12,9 @@ namespace jointid::modalfit {
 /// A model that follows FRFs to this share of their moduli follows them to digits that no measurement has.
 inline constexpr double nearly_exact = 1e-5;
 
+/// Noise over modulus below which FRFs may be computed ones.
+inline constexpr double quiet_noise = 1e-4;
+
 /// Rms residual over modulus: of the lines of each FRF by their weights, then of the FRFs alike.
 double deviation(const Band& band, const std::vector<std::size_t>& entries, const ModelKind& kind, const std::vector<Pole>& poles);
 

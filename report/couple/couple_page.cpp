@@ -95,9 +95,10 @@ void add_lines(const ident::CoupleScene& scene, const tasks::CoupleResult& resul
   page.add(condition_plots(result, most_points));
 }
 
-void add_frfs(const tasks::CoupleResult& result, const std::vector<tasks::PredictedFrf>& predicted, ReportPage& page) {
+void add_frfs(const tasks::CoupleResult& result, const std::vector<tasks::PredictedFrf>& predicted, const Display& display,
+              ReportPage& page) {
   page.section("Predicted FRFs");
-  page.add(predicted_plots(result.frequency_hz, predicted, most_points));
+  page.add(predicted_plots(result.frequency_hz, predicted, most_points, display));
   const std::size_t frfs = result.responses * result.references;
   if (frfs > predicted.size())
     page.add(
@@ -119,7 +120,7 @@ void add_frfs(const tasks::CoupleResult& result, const std::vector<tasks::Predic
 }  // namespace
 
 std::string couple_page(const ident::CoupleScene& scene, const tasks::CoupleResult& result,
-                        const std::vector<tasks::PredictedFrf>& predicted) {
+                        const std::vector<tasks::PredictedFrf>& predicted, const Display& display) {
   const std::string file = scene.file.filename().string();
   ReportPage page(scene.title.empty() ? file : scene.title, "jointid couple " + file);
   page.status(couple_banner(result));
@@ -127,7 +128,7 @@ std::string couple_page(const ident::CoupleScene& scene, const tasks::CoupleResu
   add_conditions(scene, result, page);
   if (!result.records.empty()) {
     add_lines(scene, result, page);
-    add_frfs(result, predicted, page);
+    add_frfs(result, predicted, display, page);
   }
   return page.html();
 }

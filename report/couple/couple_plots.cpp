@@ -9,6 +9,7 @@
 #include "report/decimate.hpp"
 #include "report/frf_curves.hpp"
 #include "report/page/phase_branch.hpp"
+#include "report/text/display_of_tasks.hpp"
 
 namespace jointid::report {
 namespace {
@@ -68,7 +69,7 @@ Values all_phases(const std::vector<std::complex<double>>& frf) {
   return phases_deg(frf, every);
 }
 
-Choice choice(const Values& frequency_hz, const tasks::PredictedFrf& frf, std::size_t most) {
+Choice choice(const Values& frequency_hz, const tasks::PredictedFrf& frf, std::size_t most, const Display& display) {
   const std::string name = frf.response.name() + " / " + frf.reference.name();
   std::vector<Series> phases;
   if (!frf.measured.empty()) phases.push_back({"measured", all_phases(frf.measured), Style::reference});
@@ -77,7 +78,7 @@ Choice choice(const Values& frequency_hz, const tasks::PredictedFrf& frf, std::s
   CurvePlot phase = over_frequency("Phase", {"phase (°)", false}, frequency_hz, std::move(phases), most);
   choose_branch(phase);
   return {name,
-          {over_frequency("Magnitude of " + name, {receptance_label(frf.response, frf.reference), true}, frequency_hz,
+          {over_frequency("Magnitude of " + name, {frf_label(display, frf.response, frf.reference), true}, frequency_hz,
                           magnitude_series(frf), most),
            phase}};
 }
@@ -97,9 +98,11 @@ std::vector<Series> singular_value_series(const std::vector<LineRecord>& lines) 
 
 }  // namespace
 
-PlotGroup predicted_plots(const std::vector<double>& frequency_hz, const std::vector<tasks::PredictedFrf>& frfs, std::size_t most) {
+PlotGroup predicted_plots(const std::vector<double>& frequency_hz, const std::vector<tasks::PredictedFrf>& frfs, std::size_t most,
+                          const Display& display) {
   PlotGroup group{"FRF", {}};
-  for (const tasks::PredictedFrf& frf : frfs) group.choices.push_back(choice(frequency_hz, frf, most));
+  for (const tasks::PredictedFrf& frf : in_units_of(display, frequency_hz, frfs))
+    group.choices.push_back(choice(frequency_hz, frf, most, display));
   return group;
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/json_value.hpp"
+#include "report/text/display_of_tasks.hpp"
 #include "report/text/table.hpp"
 
 namespace jointid::report {
@@ -19,18 +20,21 @@ std::string equivalent_title(const ident::EquivalentScene& scene) {
                      scene.real ? "made real (7.19)" : "as measured");
 }
 
-std::string equivalent_text(const ident::EquivalentScene& scene, const std::vector<tasks::LevelJoint>& levels) {
+std::string equivalent_text(const ident::EquivalentScene& scene, const std::vector<tasks::LevelJoint>& levels,
+                            const Display& display) {
   std::string text = scene.title.empty() ? "" : scene.title + "\n";
   text += equivalent_title(scene) + "\n\n";
   if (const std::string doubt = tasks::equivalent_doubt(levels); !doubt.empty()) text += "doubtful: " + doubt + "\n\n";
-  text += equivalent_table(levels).text() +
+  text += equivalent_table(levels, display).text() +
           "\n± of either, as the residuals scatter; gains of whole FRFs that are off are not in it\n";
   return text;
 }
 
-Table equivalent_table(const std::vector<tasks::LevelJoint>& levels) {
-  Table table({{"displacement m"}, {"k N/m"}, {"d N/m"}, {"±"}, {"misfit %"}, {"lines"}, {"", Align::left}});
-  for (const tasks::LevelJoint& level : levels) {
+Table equivalent_table(const std::vector<tasks::LevelJoint>& levels, const Display& display) {
+  const std::string length = shown_unit(display, "m").unit, stiffness = shown_unit(display, "N/m").unit;
+  Table table(
+      {{"displacement " + length}, {"k " + stiffness}, {"d " + stiffness}, {"±"}, {"misfit %"}, {"lines"}, {"", Align::left}});
+  for (const tasks::LevelJoint& level : in_units_of(display, levels)) {
     const tasks::EquivalentJoint& joint = level.joint;
     const char* remark = !joint.settled ? "not found"
                          : joint.stiffness < 0.0 || joint.damping < 0.0
@@ -60,9 +64,11 @@ std::string equivalent_json(const ident::EquivalentScene& scene, const std::vect
   return json_text(out);
 }
 
-std::string equivalent_csv(const std::vector<tasks::LevelJoint>& levels) {
-  std::string text = csv_line({"displacement [m]", "stiffness [N/m]", "damping [N/m]", "misfit"});
-  for (const tasks::LevelJoint& level : levels) {
+std::string equivalent_csv(const std::vector<tasks::LevelJoint>& levels, const Display& display) {
+  const std::string length = shown_unit(display, "m").unit, stiffness = shown_unit(display, "N/m").unit;
+  std::string text =
+      csv_line({"displacement [" + length + "]", "stiffness [" + stiffness + "]", "damping [" + stiffness + "]", "misfit"});
+  for (const tasks::LevelJoint& level : in_units_of(display, levels)) {
     if (!level.joint.settled) continue;
     text += csv_line({fmt::format("{}", level.displacement), fmt::format("{}", level.joint.stiffness),
                       fmt::format("{}", level.joint.damping), fmt::format("{}", level.joint.misfit)});

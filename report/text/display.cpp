@@ -16,37 +16,32 @@ struct UnitPair {
   double factor;  ///< shown = factor · SI
 };
 
-constexpr std::array unit_pairs = {UnitPair{"N/m", "N/mm", 1.0 / mm_per_m},
+constexpr std::array unit_pairs = {UnitPair{"m", "mm", mm_per_m},
+                                   UnitPair{"N/m", "N/mm", 1.0 / mm_per_m},
                                    UnitPair{"N*s/m", "N*s/mm", 1.0 / mm_per_m},
                                    UnitPair{"N*m/rad", "N*mm/rad", mm_per_m},
                                    UnitPair{"N*m*s/rad", "N*mm*s/rad", mm_per_m},
                                    UnitPair{"kg*m", "kg*mm", mm_per_m},
-                                   UnitPair{"kg*m^2", "kg*mm^2", mm_per_m * mm_per_m}};
+                                   UnitPair{"kg*m^2", "kg*mm^2", mm_per_m* mm_per_m}};
 
 void scale(std::optional<double>& value, double factor) {
   if (value) *value *= factor;
 }
 
 /// The factor by which the estimate was multiplied.
-double convert(ident::Estimate& estimate) {
-  for (const UnitPair& pair : unit_pairs) {
-    if (estimate.unit != pair.si) continue;
-    estimate.unit = pair.shown;
-    estimate.value *= pair.factor;
-    for (auto* error : {&estimate.std_error, &estimate.rounding, &estimate.error_estimate, &estimate.bias}) scale(*error, pair.factor);
-    if (estimate.ci95) estimate.ci95 = {(*estimate.ci95)[0] * pair.factor, (*estimate.ci95)[1] * pair.factor};
-    return pair.factor;
-  }
-  return 1.0;
+double convert(const Display& display, ident::Estimate& estimate) {
+  const auto [unit, factor] = shown_unit(display, estimate.unit);
+  if (factor == 1.0) return factor;
+  estimate.unit = unit;
+  estimate.value *= factor;
+  for (auto* error : {&estimate.std_error, &estimate.rounding, &estimate.error_estimate, &estimate.bias}) scale(*error, factor);
+  if (estimate.ci95) estimate.ci95 = {(*estimate.ci95)[0] * factor, (*estimate.ci95)[1] * factor};
+  return factor;
 }
 
 double element_factor(restrictions::Kind kind, const frf::Dof& row, const frf::Dof& column) {
   const int power = restrictions::length_power(row, column) + (kind == restrictions::Kind::mass ? 1 : 0);
   return std::pow(mm_per_m, power);
-}
-
-double frf_factor(const frf::Dof& response, const frf::Dof& reference) {
-  return (response.is_rotation() ? 1.0 : mm_per_m) / (reference.is_rotation() ? mm_per_m : 1.0);
 }
 
 }  // namespace
@@ -64,7 +59,7 @@ ident::Matrices in_units_of(const Display& display, ident::Matrices matrices, co
 ident::Solution in_units_of(const Display& display, ident::Solution solution) {
   if (!display.millimetres) return solution;
   for (std::size_t i = 0; i < solution.unknowns.size(); ++i) {
-    const double factor = convert(solution.unknowns[i]);
+    const double factor = convert(display, solution.unknowns[i]);
     if (!solution.search) continue;
     for (auto& minimum : solution.search->minima) minimum.values[i] *= factor;
   }
@@ -77,7 +72,7 @@ ident::Solution in_units_of(const Display& display, ident::Solution solution) {
 
 tasks::Regenerated in_units_of(const Display& display, tasks::Regenerated frfs) {
   for (tasks::RegeneratedFrf& frf : frfs.frfs) {
-    const double factor = display.millimetres ? frf_factor(frf.entry.response, frf.entry.reference) : 1.0;
+    const double factor = frf_factor(display, frf.entry.response, frf.entry.reference);
     for (std::size_t line = 0; line < frfs.frequency_hz.size(); ++line) {
       const auto of_line = frf::LineScale::from_receptance(display.quantity, frfs.frequency_hz[line]);
       frf.measured[line] = factor * of_line.value(frf.measured[line]);
@@ -85,6 +80,18 @@ tasks::Regenerated in_units_of(const Display& display, tasks::Regenerated frfs) 
     }
   }
   return frfs;
+}
+
+double frf_factor(const Display& display, const frf::Dof& response, const frf::Dof& reference) {
+  if (!display.millimetres) return 1.0;
+  return (response.is_rotation() ? 1.0 : mm_per_m) / (reference.is_rotation() ? mm_per_m : 1.0);
+}
+
+ShownUnit shown_unit(const Display& display, const std::string& si) {
+  for (const UnitPair& pair : unit_pairs) {
+    if (display.millimetres && si == pair.si) return {pair.shown, pair.factor};
+  }
+  return {si, 1.0};
 }
 
 std::string units_text(const Display& display) { return display.millimetres ? "N, mm, s" : "SI units"; }

@@ -24,6 +24,16 @@ ident::Matrices in_units_of(const Display& display, ident::Matrices matrices, co
 /// Receptances of SI units as the quantity and the units that are shown.
 tasks::Regenerated in_units_of(const Display& display, tasks::Regenerated frfs);
 
+/// A unit of SI as it is shown: shown = factor · SI. Others stay.
+struct ShownUnit {
+  std::string unit;
+  double factor = 1.0;
+};
+ShownUnit shown_unit(const Display& display, const std::string& si);
+
+/// From m/N, rad/(N·m) … to what is shown, of length alone.
+double frf_factor(const Display& display, const frf::Dof& response, const frf::Dof& reference);
+
 /// "SI units", or "N, mm, s".
 std::string units_text(const Display& display);
 

@@ -1,6 +1,7 @@
 #include "tasks/study/run_law_study.hpp"
 
 #include "laws/task/trial_file.hpp"
+#include "scene/kind.hpp"
 
 namespace jointid::tasks {
 
@@ -11,7 +12,8 @@ std::optional<laws::LawStudy> run_law_study(const laws::LawScene& scene, const L
   ident::start_together(team, [&] {
     assumed = laws::assumed_states(scene);
     if (team.rank() > 0) return;
-    const laws::TrialFileKey key{trials.scene_text, options.seed, laws::law_study_plan(scene, assumed)};
+    const laws::TrialFileKey key{scene::contents_of(trials.scene_text, "scene"), options.seed,
+                                 laws::law_study_plan(scene, assumed)};
     file.emplace(trials.path, key, trials.resume);
   });
   if (file) {

@@ -7,11 +7,13 @@
 #include <span>
 
 #include "frf/hdf5/record_journal.hpp"
+#include "scene/kind.hpp"
 
 namespace jointid::tasks {
 
 std::map<std::string, std::string> study_texts(const std::string& scene_text) {
-  return {{"scene_hash", fmt::format("{:016x}", frf::checksum(std::as_bytes(std::span(scene_text))))},
+  const std::string contents = scene::contents_of(scene_text, "scene");
+  return {{"scene_hash", fmt::format("{:016x}", frf::checksum(std::as_bytes(std::span(contents))))},
           {"jointid_version", JOINTID_VERSION}};
 }
 

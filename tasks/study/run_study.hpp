@@ -20,7 +20,8 @@ struct StudyResult {
   std::vector<std::string> notes{};   ///< notes for the user, one sentence each
 };
 
-/// Origin that a result file keeps in addition to that of study::run_study(): scene_hash and jointid_version. For
+/// Origin that a result file keeps in addition to that of study::run_study(): scene_hash (of scene::contents_of(), so that a title
+/// or a comment makes no other study) and jointid_version. For
 /// study::StudyOptions::texts.
 std::map<std::string, std::string> study_texts(const std::string& scene_text);
 

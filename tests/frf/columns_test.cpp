@@ -85,6 +85,26 @@ TEST_F(ColumnsFile, LabViewMeasurementFiles) {
   EXPECT_THAT(error(head + "0\t1\t2\n***End_of_Header***\n0\t1\t2\n"), HasSubstr("begins another segment"));
 }
 
+TEST_F(ColumnsFile, PipesWordsBelowAndLineEndsOfOthers) {
+  for (const char* text :
+       {"| t [s] | x [m] |\n|---|---|\n| 0 | 1 |\n| 1 | 2.5 |\n", "t [s];x [m]\n0;1\n1;2.5\nEnd of data\n",
+        "t [s];x [m]\r0;1\r1;2.5\r", "t [s];x [m]\r\n0;1\r\nPage 1 of 2\r\n1;2.5D+00\r\nPage 2 of 2\r\n\x1A"}) {
+    const Columns columns = read_columns(write_file("a.csv", text));
+    ASSERT_EQ(columns.columns.size(), 2U) << text;
+    EXPECT_EQ(columns.columns[1].unit, "m") << text;
+    EXPECT_THAT(columns.columns[1].values, ElementsAre(1.0, 2.5)) << text;
+  }
+  for (const char* none : {"#N/A", "-1.#IND", "NaN", ""}) {
+    const Columns columns = read_columns(write_file("a.csv", std::string("t [s];x [m]\n0;1\n1;") + none + "\n2;3\n;\n;\n"));
+    ASSERT_EQ(columns.columns[1].values.size(), 3U) << none;
+    EXPECT_TRUE(std::isnan(columns.columns[1].values[1])) << none;
+  }
+  EXPECT_EQ(read_columns(write_file("a.csv", "t [s];x [m]\n0;1\n;\n2;3\n")).columns[1].values.size(), 3U)
+      << "a sample is missing";
+  EXPECT_THAT(error("t [s];x [m]\n0;1\noverload\n1;2\n"), AllOf(HasSubstr("line 3"), HasSubstr("overload")));
+  EXPECT_THAT(error("t [s];x\n0;1\n1;2\nY Unit: mm\n"), HasSubstr("Y Unit: mm"));
+}
+
 TEST_F(ColumnsFile, FindsAColumnByAWordOfItsName) {
   const Columns read = read_columns(write_file("a.csv", "t,Normal_force,Rel. displacement\n1,2,3\n"));
   EXPECT_EQ(read.find({"displacement", "position"})->name, "Rel. displacement");

@@ -177,6 +177,8 @@ TEST(UffOfOthers, EndOfFileBytesAndMarks) {
     expect_right(read(bytes));
   EXPECT_EQ(read(text + "\x1A" + at_node(accelerance(), 2).str()).header.response.size(), 2U);  // joined by the system
   EXPECT_EQ(read(text + "\xEF\xBB\xBF" + at_node(accelerance(), 2).str()).header.response.size(), 2U);
+  for (const char* below : {"End of file\n", "\nEnd of export\nfile: a.uff\n\n", "Notes: none"}) expect_right(read(text + below));
+  EXPECT_THAT(refusal_of(text + "End\n1.0 2.0\n"), HasSubstr("'End' stands here"));
   const std::string message = refusal_of(text + "junk\n\x1B[31m\x01");
   EXPECT_THAT(message, AllOf(HasSubstr("'junk' stands here"), HasSubstr("export it again")));
   EXPECT_EQ(refusal_of(text + "\x1B[31m\x01\n").find_first_of("\x1B\x01\n"), std::string::npos);
@@ -196,6 +198,19 @@ TEST(UffOfOthers, ValuesThatAreNoNumbersAreNotMeasured) {
   EXPECT_THAT(refusal_of(infinite.str()), HasSubstr("a value is infinite, at 10 Hz"));
   infinite.first = 0.0;  // divided by ω²
   EXPECT_TRUE(std::isnan(read(infinite.str()).values[0].real()));
+}
+
+TEST(UffOfOthers, TypesOutsideOfTheStandardAreNamedWithWhatToDo) {
+  for (const int type : {0, 29, 404}) {
+    Record record = accelerance();
+    record.function_type = type;
+    EXPECT_THAT(refusal_of(record.str()), AllOf(HasSubstr("record 6"), HasSubstr("write 4 in columns 1 to 5"))) << type;
+    EXPECT_EQ(read(record.str() + at_node(accelerance(), 2).str()).header.response.size(), 1U)
+        << "beside an FRF it is passed over";
+  }
+  Record record = accelerance();
+  record.function_type = 29;
+  EXPECT_THAT(refusal_of(record.str()), HasSubstr("function of type 29 (UFF 58 has 0 to 28)"));
 }
 
 TEST(UffOfOthers, RealFrfsHaveNoPhases) {

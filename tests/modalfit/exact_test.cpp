@@ -133,6 +133,18 @@ TEST(Exact, ModesOutsideTheRangeAreFoundToo) {
   expect_exact(found, six(), 1, 1);
 }
 
+/// Two and more modes beyond either end: more than two residual terms and a pole each follow.
+TEST(Exact, PolesFarBeyondTheRangeAreAddedUntilTheFrfsAreFollowed) {
+  const Structure many = structure({50.0, 120.0, 310.0, 420.0, 505.0, 700.0, 1200.0}, std::vector<double>(7, 0.01), 3);
+  for (const Damping law : {Damping::viscous, Damping::hysteretic}) {
+    const frf::FrfSet set =
+        computed(many, {.responses = 3, .references = 3, .first_hz = 200.0, .last_hz = 600.0, .step_hz = 2.0, .law = law});
+    const ModalFit found = fit_of(set, {.kind = {law, false}});
+    expect_exact(found, many, 2, 2);
+    EXPECT_LT(found.deviation, 1e-9);
+  }
+}
+
 /// Weak in all FRFs and yet there.
 TEST(Exact, AModeOfLessThanADecibelStays) {
   Structure weak = six();

@@ -130,6 +130,30 @@ TEST(Units, OfTextTableAndPageJsonStaysSi) {
   EXPECT_THAT(run_command(folder.path(), {"solve", "A1.toml", "--quantity", "mobilty"}).err, HasSubstr("did you mean 'mobility'?"));
 }
 
+TEST(Units, OfAStudyJsonStaysSi) {
+  const InputFolder folder;
+  const auto study = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"study", "A1.toml", "--trials", "20", "--threads", "1", "--resume", "--out", "a.h5"});
+    const Outcome outcome = run_command(folder.path(), options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.out;
+  };
+  const std::string si = study({"--csv", "-"}), mm = study({"--csv", "-", "--units", "mm"});
+  const auto is = fields(mm, "\"K(1,1)\","), was = fields(si, "\"K(1,1)\",");
+  ASSERT_EQ(is.size(), was.size()) << mm;
+  EXPECT_EQ(is[0], "N/mm");
+  for (std::size_t i = 1; i < is.size(); ++i) {
+    if (is[i].empty() || i + 1 == is.size()) continue;  // the last is a share
+    EXPECT_NEAR(std::stod(is[i]), 1e-3 * std::stod(was[i]), 1e-12 * std::abs(std::stod(is[i]))) << i;
+  }
+  EXPECT_THAT(study({"--units", "mm"}), HasSubstr("N*mm/rad"));
+  EXPECT_THAT(study({"--report", "-", "--units", "mm"}), testing::AllOf(HasSubstr("N*mm/rad"), Not(HasSubstr("N*m/rad"))));
+  const auto unknowns = [](const std::string& json) { return nlohmann::json::parse(json)["unknowns"]; };
+  EXPECT_EQ(unknowns(study({"--json", "-", "--units", "mm"})), unknowns(study({"--json", "-"})));
+  for (const char* command : {"study", "equivalent", "couple"})
+    EXPECT_EQ(run_command(folder.path(), {command, "A1.toml", "--units", "cm"}).code, 2) << command;
+}
+
 /// The first screen.
 TEST(Page, BeginsWithVerdictValuesAndWorstFrf) {
   const InputFolder folder;

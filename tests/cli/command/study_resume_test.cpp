@@ -37,9 +37,20 @@ TEST(StudyResume, SaysWhatDiffers) {
   EXPECT_THAT(refused({"--trials", "3"}),
               HasSubstr("a.h5: --resume: it has 5 trials already; repeat that run with as many trials or more"));
   EXPECT_THAT(refused({"--trials", "6", "--seed", "2"}), HasSubstr("it is complete and belongs to another seed;"));
-  folder.replace("A1.toml", "[identify]", "# changed\n[identify]");
+  folder.replace("A1.toml", "[identify]", "[identify]\ndelta = 0.07");
   EXPECT_THAT(refused({"--trials", "6"}), HasSubstr("it is complete and belongs to another scene;"));
   EXPECT_THAT(refused({"--trials", "6", "--seed", "2"}), HasSubstr("belongs to another scene and another seed;"));
+}
+
+/// Only what a scene asks for makes it another.
+TEST(StudyResume, ATitleACommentOrSpacingIsNotAnotherScene) {
+  const InputFolder folder;
+  ASSERT_EQ(study(folder, {"--trials", "5", "--out", "a.h5"}).code, 0);
+  folder.write("A1.toml", "# made on Monday\n" + folder.text("A1.toml") + "\n\n# end\n");
+  folder.replace("A1.toml", "title = \"", "title   = \"another ");
+  const Outcome outcome = study(folder, {"--trials", "7", "--out", "a.h5", "--resume"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("2 trials in"));
 }
 
 /// One number of a finished study changed, or zeros in it: no statistics.

@@ -3,15 +3,19 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
-#include "report/couple/couple_page.hpp"
 #include "frf/hdf5/hdf5_file.hpp"
 #include "problems/case/coupling_problem.hpp"
-#include "tasks/couple/couple_frfs.hpp"
+#include "report/couple/couple_page.hpp"
+#include "report/equivalent/equivalent_page.hpp"
+#include "report/equivalent/equivalent_text.hpp"
 #include "report/page/contents.hpp"
 #include "report/page/limits.hpp"
+#include "tasks/couple/couple_frfs.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::cli {
@@ -38,6 +42,37 @@ TEST(CouplePlots, TheIntervalOfAMagnitudeIsThatOfTheErrorAlongIt) {
   EXPECT_NEAR(series[2].y[0], 2.0 / std::exp(1.959964 * 0.05), 1e-6);
   EXPECT_NEAR(std::log(series[1].y[1] / 5.0) / 1.959964, std::sqrt(18.25) / 25.0, 1e-6);
   EXPECT_TRUE(std::isnan(series[0].y[2]) && std::isnan(series[1].y[2]) && std::isnan(series[2].y[2]));
+}
+
+/// A receptance of 2 m/N with a standard error of 0.1 is an accelerance of −2ω²·1000 mm/s²/N with one of 100 ω².
+TEST(CouplePlots, OfTheQuantityAndTheUnitsThatAreAskedFor) {
+  const frf::Dof dof = frf::Dof::parse("1:+Y"), turn = frf::Dof::parse("2:+RZ");
+  const tasks::PredictedFrf point{dof, dof, {2.0}, {{0.01, 0.01}}, {3.0}, {4.0}}, moment{dof, turn, {2.0}, {}, {}};
+  const report::Display display{.millimetres = true, .quantity = frf::Quantity::accelerance};
+  const report::PlotGroup group = report::predicted_plots({10.0}, {point, moment}, 100, display);
+  const double square = std::pow(2.0 * std::numbers::pi * 10.0, 2);
+  const auto& magnitude = curves(group, 0, 0);
+  EXPECT_EQ(magnitude.y.label, "accelerance (mm/s²/N)");
+  const std::array<double, 3> right = {4000.0 * square, 3000.0 * square, 2000.0 * square};  // measured, all, predicted
+  for (std::size_t i = 0; i < right.size(); ++i) EXPECT_NEAR(magnitude.series[i].y[0], right[i], 1e-10 * right[i]);
+  EXPECT_NEAR(magnitude.series[3].y[0], right[2] * std::exp(1.959964 * 0.05), 1e-6 * right[2]);
+  EXPECT_EQ(curves(group, 1, 0).y.label, "accelerance (mm/s²/(N·mm))");
+  EXPECT_NEAR(curves(group, 1, 0).series[0].y[0], 2.0 * square, 1e-10 * square);
+}
+
+/// 5e-6 m, 4e6 ± 2e3 N/m.
+TEST(EquivalentText, OfTheUnitsThatAreAskedFor) {
+  const std::vector<tasks::LevelJoint> levels = {{"a.h5", 5e-6, 31, {4e6, 1e5, 2e3, 0.01, true}}};
+  const ident::EquivalentScene scene;
+  EXPECT_THAT(report::equivalent_csv(levels), HasSubstr("5e-06,4000000,100000,0.01"));
+  const report::Display display{.millimetres = true};
+  EXPECT_THAT(
+      report::equivalent_csv(levels, display),
+      testing::AllOf(HasSubstr("displacement [mm],stiffness [N/mm],damping [N/mm],misfit"), HasSubstr("0.005,4000,100,0.01")));
+  EXPECT_THAT(report::equivalent_text(scene, levels, display),
+              testing::AllOf(HasSubstr("k N/mm"), HasSubstr("4000"), Not(HasSubstr("N/m "))));
+  EXPECT_THAT(report::equivalent_page(scene, levels, display),
+              testing::AllOf(HasSubstr("k (N/mm)"), HasSubstr("displacement (mm)")));
 }
 
 class CoupleReport : public testing::Test {
