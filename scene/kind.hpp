@@ -9,4 +9,7 @@ namespace jointid::scene {
 /// no TOML.
 bool is_law_scene(const std::string& text, const std::filesystem::path& file);
 
+/// Whether a scene asks for the joint at every line: its [joint], or one of its [[joints]], has `lines`. Throws as is_law_scene().
+bool is_line_scene(const std::string& text, const std::filesystem::path& file);
+
 }  // namespace jointid::scene

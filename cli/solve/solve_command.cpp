@@ -19,7 +19,6 @@
 #include "report/result/solve_page.hpp"
 #include "report/solution_json.hpp"
 #include "report/text/display.hpp"
-#include "scene/kind.hpp"
 #include "scene/text.hpp"
 
 namespace jointid::cli {
@@ -123,7 +122,7 @@ void refuse_display(const SolveArguments& arguments) {
   const SolveArguments by_default;
   const char* option = arguments.units != by_default.units ? "--units" : arguments.quantity != by_default.quantity ? "--quantity" : nullptr;
   if (option == nullptr) return;
-  throw InputError({ErrorKind::usage, "", option, "does not apply to friction laws", "leave it out: their results are in SI units"});
+  throw InputError({ErrorKind::usage, "", option, "does not apply to friction laws and joints at every line", "leave it out: their results are in SI units"});
 }
 
 }  // namespace
@@ -149,10 +148,10 @@ bool is_elsewhere(const SolveArguments& arguments) { return arguments.run_laws =
 ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
   const auto team = ident::join_team();
   std::string text;
-  std::optional<ident::Scene> read;  // none: a scene of friction laws
+  std::optional<ident::Scene> read;  // none: a scene of friction laws, or of the joint at every line
   ident::start_together(*team, [&] {
     text = scene::read_text(arguments.scene);
-    if (scene::is_law_scene(text, arguments.scene)) return;
+    if (is_law_or_line_scene(text, arguments.scene)) return;
     read = ident::parse_scene(text, arguments.scene);
     check_outputs(arguments, *read);
   });
