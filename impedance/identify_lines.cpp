@@ -14,6 +14,7 @@
 #include "impedance/line/closed_forms.hpp"
 #include "impedance/line/line_fit.hpp"
 #include "impedance/line_findings.hpp"
+#include "impedance/line_laws.hpp"
 
 namespace jointid::impedance {
 namespace {
@@ -67,7 +68,6 @@ LineScene with_structure(const LineScene& scene, Structure structure) {
 
 /// Between halves for those closed forms that are of z, whole for the others.
 Structure structure_of(Way way, const LineScene& scene) {
-  const bool has_halves = !scene.facing.empty();
   switch (way) {
     case Way::likelihood:
     case Way::weighed:
@@ -77,7 +77,7 @@ Structure structure_of(Way way, const LineScene& scene) {
     case Way::relative:
       return Structure::massless;
     case Way::nn:
-      return has_halves ? Structure::massless : Structure::symmetric;
+      return scene.structure == Structure::massless ? Structure::massless : Structure::symmetric;
     default:
       return Structure::symmetric;
   }
@@ -99,7 +99,8 @@ WayResult empty_result(Way way, const LineScene& scene) {
 class Lines {
  public:
   Lines(const LineScene& scene, const ident::Plan& plan, const ident::Control& control)
-      : scene_(scene), plan_(plan), control_(control), t_(halves(scene)), threads_(threads_or_cores(control.threads)) {
+      : scene_(scene), plan_(plan), control_(control), t_(halves(scene)), nn_(t_), threads_(threads_or_cores(control.threads)) {
+    if (scene.structure != Structure::massless) nn_ = Eigen::MatrixXd::Identity(t_.rows(), t_.rows());
     ident::Observations& observations = *ident::likelihood_plan(plan)->observations;
     observations.read(plan.lines, [&](std::size_t done) { watch("reading", done); });
     data_ = &observations.lines();
@@ -125,7 +126,7 @@ class Lines {
       case Way::nj:
         return from_nj(line);
       case Way::nn:
-        return from_nn(line, t_);
+        return from_nn(line, nn_);
       case Way::weighed: {
         const auto full = primal(line);
         return full ? weighed(*full, basis) : std::nullopt;
@@ -196,8 +197,8 @@ class Lines {
     if (!out.empty()) return out;
     add(from_nj(blocks_[i]), full);
     Basis between;
-    for (const Eigen::MatrixXd& e : symmetric_basis(static_cast<std::size_t>(t_.cols()))) between.push_back(t_ * e * t_.transpose());
-    add(from_nn(blocks_[i], t_), between);
+    for (const Eigen::MatrixXd& e : symmetric_basis(static_cast<std::size_t>(nn_.cols()))) between.push_back(nn_ * e * nn_.transpose());
+    add(from_nn(blocks_[i], nn_), between);
     return out;
   }
 
@@ -268,7 +269,8 @@ class Lines {
   const LineScene& scene_;
   const ident::Plan& plan_;
   const ident::Control& control_;
-  Eigen::MatrixXd t_;
+  Eigen::MatrixXd t_;   ///< facing halves, or I
+  Eigen::MatrixXd nn_;  ///< the same where the joint has no mass, else I
   std::size_t threads_;
   const std::vector<ident::LineData>* data_ = nullptr;
   const ident::LineLayout* layout_ = nullptr;
@@ -330,6 +332,8 @@ IdentifiedLines identify(const LineScene& scene, const ident::Plan& plan, const 
     return free;
   };
   judge_lines(plan, scene, free_fit, out);
+  add_laws(scene, out);
+  add_smooth(scene, out);
   for (const std::string& warning : plan.warnings) out.notes.push_back(warning);
   return out;
 }

@@ -8,6 +8,7 @@
 #include "base/status.hpp"
 #include "frf/set/frf_set.hpp"
 #include "ident/result/control.hpp"
+#include "impedance/law/law_fit.hpp"
 #include "impedance/line/line_value.hpp"
 #include "impedance/scene/line_scene.hpp"
 
@@ -28,6 +29,13 @@ struct WayResult {
   std::vector<std::optional<LineValue>> lines;
 };
 
+/// An element of the first way smoothed over the lines that have a value.
+struct SmoothElement {
+  std::size_t element = 0;
+  std::vector<std::size_t> lines;
+  SplineFit fit;
+};
+
 struct IdentifiedLines {
   Status status = Status::ok;
   std::string message;
@@ -40,6 +48,8 @@ struct IdentifiedLines {
   std::vector<Eigen::MatrixXcd> joint_receptance;                   ///< of way `dual`, [lines]
   double chi_square = 0.0, freedom = 0.0, likely = 0.0;             ///< of all lines; χ²/f that chance leaves
   std::size_t restarted = 0, failed = 0;                            ///< lines of the likelihood
+  std::vector<LawFit> laws;  ///< of the first way, by AIC, least first
+  std::vector<SmoothElement> smooth;  ///< of the first way, where the scene asks
 };
 
 /// Z_J at every line of the scene's files. Throws InputError as ident::make_plan() does, for gains and masses that are not known, and for

@@ -152,9 +152,13 @@ void note_lost(const WayResult& result, IdentifiedLines& out) {
   if (missing > 0) out.notes.push_back(fmt::format("{} of {} lines lack an FRF that way \"{}\" needs.", missing, result.lines.size(), name(result.way)));
 }
 
-void judge_data(const ident::Plan& plan, IdentifiedLines& out) {
+/// What the short check of the data finds. A number far from its neighbours is no finding where each line fits on its own.
+void judge_data(const ident::Plan& plan, bool lines_fit, IdentifiedLines& out) {
+  ident::CheckResult found = ident::quick_check(plan);
+  if (lines_fit) std::erase_if(found.suspects, [](const ident::Suspect& suspect) { return suspect.kind == ident::SuspectKind::outlier; });
+  if (found.suspects.empty()) return;
   ident::Solution told;
-  ident::tell_check(ident::quick_check(plan), told);
+  ident::tell_check(found, told);
   if (told.status != Status::ok) tell(told.status, told.message, out);
 }
 
@@ -173,25 +177,35 @@ std::optional<std::pair<std::size_t, std::size_t>> bad_run(std::size_t lines, co
 }
 
 bool is_active(const Basis& basis, const LineValue& value) {
+  constexpr double no_motion = 1e-9;
   const Eigen::MatrixXcd z = matrix_of(basis, value.z);
   const Eigen::VectorXd size = z.diagonal().cwiseAbs().cwiseSqrt();
   if (!(size.minCoeff() > 0.0) || !size.allFinite()) return false;
-  const Eigen::VectorXd inverse = size.cwiseInverse();
-  const dense::SymmetricEigen found = dense::symmetric_eigen(inverse.asDiagonal() * z.imag() * inverse.asDiagonal());
-  const Eigen::VectorXd v = inverse.asDiagonal() * found.vectors.col(0);
+  const Eigen::VectorXd unit = size.cwiseInverse();
+  Eigen::MatrixXd span = Eigen::MatrixXd::Zero(unit.size(), unit.size());
+  for (const Eigen::MatrixXd& e : basis) {
+    const Eigen::MatrixXd scaled = unit.asDiagonal() * e * unit.asDiagonal();
+    span += scaled * scaled / std::max(scaled.squaredNorm(), 1e-300);
+  }
+  const dense::SymmetricEigen range = dense::symmetric_eigen(span);
+  const auto moving = (range.values.array() > no_motion * range.values(range.values.size() - 1)).count();
+  const Eigen::MatrixXd directions = unit.asDiagonal() * range.vectors.rightCols(moving);
+  const dense::SymmetricEigen found = dense::symmetric_eigen(directions.transpose() * z.imag() * directions);
+  const Eigen::VectorXd v = directions * found.vectors.col(0);
   Eigen::VectorXd along(value.z.size());
   for (Eigen::Index t = 0; t < along.size(); ++t) along(t) = v.dot(basis[static_cast<std::size_t>(t)] * v);
   const double variance = along.dot(value.covariance.bottomRightCorner(along.size(), along.size()) * along);
-  const double limit = 1.0 + std::sqrt(static_cast<double>(basis.front().rows()));
-  return found.values(0) < -limit * std::sqrt(std::max(0.0, variance)) && variance > 0.0;
+  const double limit = 1.0 + std::sqrt(static_cast<double>(basis.size()));
+  return variance > 0.0 && found.values(0) < -limit * std::sqrt(variance);
 }
 
 void judge_lines(const ident::Plan& plan, const LineScene& scene, const std::function<FreeFit()>& free_fit, IdentifiedLines& out) {
   judge_fit(plan, scene, free_fit, out);
+  const bool lines_fit = out.status == Status::ok && out.freedom > 0.0;
   const WayResult& result = out.ways.front();
   judge_passivity(result, out);
   if (result.way != Way::likelihood) judge_closed_form(result, out);
-  judge_data(plan, out);
+  judge_data(plan, lines_fit, out);
   note_lost(result, out);
   if (out.failed > 0) {
     tell(2 * out.failed > out.frequency_hz.size() ? Status::not_converged : Status::doubtful,

@@ -22,7 +22,8 @@ void judge_lines(const ident::Plan& plan, const LineScene& scene, const std::fun
 /// First and last line of the longest run of at least three lines of which `is_bad` is true; empty where there is none.
 std::optional<std::pair<std::size_t, std::size_t>> bad_run(std::size_t lines, const std::function<bool(std::size_t)>& is_bad);
 
-/// Whether the smallest eigenvalue of Im Z, scaled by the size of its diagonal, is negative beyond 2 + √N − 1 standard errors.
+/// Whether the smallest eigenvalue of Im Z, scaled by the size of its diagonal, is negative beyond 1 + √T standard errors, T elements. Motions
+/// that no element of the basis resists do not count.
 bool is_active(const Basis& basis, const LineValue& value);
 
 }  // namespace jointid::impedance

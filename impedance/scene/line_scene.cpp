@@ -6,8 +6,8 @@
 #include "ident/scene/scene_failure.hpp"
 #include "ident/scene/scene_matrix.hpp"
 #include "ident/scene/scene_sections.hpp"
+#include "impedance/scene/line_sections.hpp"
 #include "restrictions/restriction.hpp"
-#include "scene/document.hpp"
 
 namespace jointid::impedance {
 namespace {
@@ -95,21 +95,75 @@ std::vector<Way> read_ways(const scene::Item& item) {
   return out;
 }
 
+std::vector<LawKind> read_laws(const scene::Item& item) {
+  std::vector<LawKind> out;
+  const auto add = [&](const scene::Item& each) {
+    const std::string word = each.word(law_names());
+    const auto law = static_cast<LawKind>(std::ranges::find(law_names(), word) - law_names().begin());
+    if (std::ranges::find(out, law) != out.end()) each.fail("the law '" + word + "' is named twice");
+    out.push_back(law);
+  };
+  if (item.is_text() && item.text() == "all") {
+    for (std::size_t k = 0; k < law_names().size(); ++k) out.push_back(static_cast<LawKind>(k));
+  } else if (item.is_text()) {
+    add(item);
+  } else {
+    for (const scene::Item& each : item.list_not_empty()) add(each);
+  }
+  return out;
+}
+
+void read_law_keys(const scene::Table& joint, LineScene& out) {
+  if (const auto laws = joint.find("laws")) out.laws = read_laws(*laws);
+  const std::vector<std::string> scopes = {"element", "joint"};
+  for (const char* key : {"law_scope", "law_masses", "smooth", "splines"}) {
+    const auto item = joint.find(key);
+    if (item && out.laws.empty()) item->fail("it is given, but no laws are", "add laws = \"all\", or remove it");
+  }
+  const bool many = out.structure != Structure::given && out.scene.joints.front().dofs.size() > 2;
+  out.law_per_joint = many;
+  if (const auto scope = joint.find("law_scope")) out.law_per_joint = scope->word(scopes) == "joint";
+  if (const auto masses = joint.find("law_masses")) out.law_masses = masses->boolean();
+  if (out.law_masses && out.structure == Structure::massless) {
+    joint.require("law_masses").fail("a massless joint has no masses", "use lines = \"masses\" or \"symmetric\"");
+  }
+  if (out.structure == Structure::masses) out.law_masses = true;
+}
+
+void read_smoothing(const scene::Table& joint, LineScene& out) {
+  constexpr int least = 4, most = 400;
+  const auto smooth = joint.find("smooth"), splines = joint.find("splines");
+  if (splines && !smooth) splines->fail("it is given, but smooth is not", "add smooth = \"marginal\", or remove it");
+  if (splines) out.splines = static_cast<std::size_t>(splines->whole(least, most));
+  if (!smooth) return;
+  if (smooth->is_text()) {
+    const std::string word = smooth->word(smoothing_names());
+    out.smoothing = static_cast<Smoothing>(std::ranges::find(smoothing_names(), word) - smoothing_names().begin());
+  } else {
+    out.lambda = smooth->positive();
+    out.smoothing = Smoothing::given;
+  }
+}
+
 void read_joint(const scene::Table& table, LineScene& out) {
   if (const auto joints = table.find("joints")) {
     joints->fail("Z at every line is that of one joint", "write [joint] with the DOFs of all of them");
   }
   const scene::Item item = table.require("joint");
-  const scene::Table joint = item.table({"dofs", "lines", "facing", "way"});
+  const scene::Table joint = item.table({"dofs", "lines", "facing", "way", "laws", "law_scope", "law_masses", "smooth", "splines"});
   out.scene.joints.emplace_back();
   JointSpec& spec = out.scene.joints.back();
   spec.dofs = joint.require("dofs").dofs();
   read_structure(joint.require("lines"), spec, out);
   if (const auto facing = joint.find("facing")) {
-    if (!has_halves(out.structure)) facing->fail("only \"massless\" and \"masses\" have facing DOFs", "remove facing");
+    if (!has_halves(out.structure) && !(out.structure == Structure::symmetric && joint.find("laws"))) {
+      facing->fail("only \"massless\" and \"masses\", and laws on \"symmetric\", have facing DOFs", "remove facing");
+    }
     read_facing(*facing, spec, out);
   }
   if (const auto way = joint.find("way")) out.ways = read_ways(*way);
+  read_law_keys(joint, out);
+  read_smoothing(joint, out);
   item.here([&] { set_structure(out); });
 }
 
@@ -141,6 +195,9 @@ std::string name(Way way) { return way_names()[static_cast<std::size_t>(way)]; }
 void set_structure(LineScene& scene) {
   JointSpec& joint = scene.scene.joints.front();
   const std::size_t size = joint.dofs.size();
+  if (scene.structure == Structure::symmetric && !scene.facing.empty() && 2 * scene.facing.size() != size) {
+    ident::fail(scene.scene, "[joint] facing", "some DOFs of the joint face no other", "pair all of them, or remove facing");
+  }
   if (has_halves(scene.structure)) {
     if (scene.facing.empty() && size % 2 == 0) scene.facing = halves_of(size);
     if (2 * scene.facing.size() != size) {
@@ -163,8 +220,7 @@ void set_structure(LineScene& scene) {
   identify.start[Kind::stiffness] = ident::Matrix(size, std::vector<double>(size, 0.0));
 }
 
-LineScene parse_line_scene(const std::string& text, const std::filesystem::path& file) {
-  const scene::Document document(text, file, {"data", "frequency", "joint", "joints", "nodes", "identify", "noise", "virtual_points"});
+LineScene read_sections(const scene::Document& document, const std::filesystem::path& file) {
   const scene::Table& table = document.table();
   LineScene out;
   ident::Scene& scene = out.scene;
@@ -179,10 +235,16 @@ LineScene parse_line_scene(const std::string& text, const std::filesystem::path&
     refuse_identify(*identify, read);
     scene.identify = read;
   }
-  read_joint(table, out);
   if (const auto noise = table.find("noise")) scene.noise = ident::read_noise(*noise);
   ident::read_virtual_points(table, file.parent_path(), ident::all_files(scene.data));
   ident::set_virtual_noise(scene.noise, ident::all_files(scene.data));
+  return out;
+}
+
+LineScene parse_line_scene(const std::string& text, const std::filesystem::path& file) {
+  const scene::Document document(text, file, {"data", "frequency", "joint", "joints", "nodes", "identify", "noise", "virtual_points"});
+  LineScene out = read_sections(document, file);
+  read_joint(document.table(), out);
   return out;
 }
 

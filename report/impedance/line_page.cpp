@@ -38,12 +38,41 @@ CurvePlot plot_over(const IdentifiedLines& found, const std::string& title, cons
   return plot;
 }
 
+/// The spline over the values of the first way.
+template <class Part>
+void add_spline(const IdentifiedLines& found, const WayResult& way, std::size_t element, CurvePlot& plot, const Part& part) {
+  if (&way != &found.ways.front()) return;
+  for (const impedance::SmoothElement& one : found.smooth) {
+    if (one.element != element) continue;
+    WayResult smooth = way;
+    for (auto& line : smooth.lines) line.reset();
+    for (std::size_t q = 0; q < one.lines.size(); ++q) {
+      LineValue value;
+      value.z = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(way.elements.size()));
+      value.z(static_cast<Eigen::Index>(element)) = one.fit.z(static_cast<Eigen::Index>(q));
+      smooth.lines[one.lines[q]] = std::move(value);
+    }
+    plot.series.push_back({"spline", over_lines(smooth, part), Style::line});
+  }
+}
+
+/// The best law over the values of the first way.
+template <class Part>
+void add_law(const IdentifiedLines& found, const WayResult& way, CurvePlot& plot, const Part& part) {
+  if (found.laws.empty() || !found.laws.front().converged || &way != &found.ways.front()) return;
+  WayResult law = way;
+  law.lines = found.laws.front().lines;
+  plot.series.push_back({"law " + impedance::name(found.laws.front().law), over_lines(law, part), Style::reference});
+}
+
 CurvePlot part_plot(const IdentifiedLines& found, const WayResult& way, std::size_t element, bool imaginary) {
   const auto t = static_cast<Eigen::Index>(element);
   const auto part = [=](const LineValue& line) { return imaginary ? line.z(t).imag() : line.z(t).real(); };
   const auto error = [=](const LineValue& line) { return normal_95 * (imaginary ? line.im_error(t) : line.re_error(t)); };
   CurvePlot plot = plot_over(found, (imaginary ? "Im " : "Re ") + way.elements[element].name, way.elements[element].unit);
   plot.series.push_back({"value", over_lines(way, part), Style::line});
+  add_law(found, way, plot, part);
+  add_spline(found, way, element, plot, part);
   plot.series.push_back({"95 % low", over_lines(way, [=](const LineValue& line) { return part(line) - error(line); }), Style::dashed});
   plot.series.push_back({"95 % high", over_lines(way, [=](const LineValue& line) { return part(line) + error(line); }), Style::dashed});
   return plot;
@@ -81,6 +110,10 @@ std::string line_page(const impedance::LineScene& scene, const IdentifiedLines& 
   for (const WayResult& way : found.ways) {
     page.section("Z by way " + impedance::name(way.way));
     page.add(element_plots(found, way));
+  }
+  if (!found.laws.empty()) {
+    page.section("Laws");
+    page.add(law_table(found));
   }
   if (found.freedom > 0.0) {
     page.section("Misfit");

@@ -66,6 +66,50 @@ Json way_json(const WayResult& way) {
   return out;
 }
 
+Json law_json(const impedance::LawFit& law) {
+  Json out = {{"law", impedance::name(law.law)},
+              {"converged", law.converged},
+              {"chi_square", value(law.chi_square)},
+              {"degrees_of_freedom", value(law.freedom)},
+              {"aic", value(law.aic)},
+              {"parameters", Json::array()},
+              {"covariance", rows_of(law.covariance)},
+              {"lines", Json::array()}};
+  for (const impedance::FittedParameter& one : law.parameters) {
+    out["parameters"].push_back({{"name", one.name},
+                                 {"value", value(one.value)},
+                                 {"unit", one.unit},
+                                 {"std_error", value(one.std_error)},
+                                 {"ci95", {value(one.value - normal_95 * one.std_error), value(one.value + normal_95 * one.std_error)}}});
+  }
+  for (std::size_t i = 0; i < law.lines.size(); ++i) {
+    if (!law.lines[i]) {
+      out["lines"].push_back(nullptr);
+      continue;
+    }
+    Json line = {{"z", Json::array()}, {"variance", Json::array()}, {"chi_square", value(law.by_line[i])}};
+    for (Eigen::Index t = 0; t < law.lines[i]->z.size(); ++t) {
+      line["z"].push_back(pair(law.lines[i]->z(t)));
+      line["variance"].push_back(value(law.lines[i]->variance(t)));
+    }
+    out["lines"].push_back(line);
+  }
+  return out;
+}
+
+Json smooth_json(const IdentifiedLines& found, const impedance::SmoothElement& one) {
+  Json out = {{"element", found.ways.front().elements[one.element].name},
+              {"lambda", value(one.fit.lambda)},
+              {"criterion", value(one.fit.criterion)},
+              {"effective_degrees", value(one.fit.degrees)},
+              {"lines", one.lines},
+              {"z", Json::array()},
+              {"variance", values(std::span(one.fit.variance.data(), one.lines.size()))},
+              {"variance_sampling", values(std::span(one.fit.variance_sampling.data(), one.lines.size()))}};
+  for (const Complex z : one.fit.z) out["z"].push_back(pair(z));
+  return out;
+}
+
 Json receptances(const std::vector<Eigen::MatrixXcd>& all) {
   Json out = Json::array();
   for (const Eigen::MatrixXcd& y : all) {
@@ -80,7 +124,58 @@ Json receptances(const std::vector<Eigen::MatrixXcd>& all) {
   return out;
 }
 
+Table parameter_table(const impedance::LawFit& law) {
+  Table table({{"parameter", Align::left}, {"value"}, {"unit", Align::left}, {"std error"}, {"95 % interval", Align::left}});
+  for (const impedance::FittedParameter& one : law.parameters) {
+    const double half = normal_95 * one.std_error;
+    table.add({one.name, number(one.value, one.std_error), one.unit, fmt::format("{:.2g}", one.std_error),
+               number(one.value - half, one.std_error) + " to " + number(one.value + half, one.std_error)});
+  }
+  return table;
+}
+
+std::vector<std::string> value_cells(const std::string& way, const impedance::ElementName& element, double hz, Complex z, double re_error,
+                                     double im_error) {
+  std::vector<std::string> out = {way, element.name, element.unit};
+  const double re = normal_95 * re_error, im = normal_95 * im_error;
+  for (const double number : {hz, z.real(), z.imag(), re_error, im_error, z.real() - re, z.real() + re, z.imag() - im, z.imag() + im})
+    out.push_back(csv_number(number));
+  return out;
+}
+
+std::string smooth_text(const IdentifiedLines& found) {
+  if (found.smooth.empty()) return "";
+  Table table({{"element", Align::left}, {"λ"}, {"effective degrees"}, {"error of a line over that of the spline, median"}});
+  for (const impedance::SmoothElement& one : found.smooth) {
+    std::vector<double> gain;
+    for (std::size_t q = 0; q < one.lines.size(); ++q) {
+      const double line = found.ways.front().lines[one.lines[q]]->variance(static_cast<Eigen::Index>(one.element));
+      gain.push_back(std::sqrt(line / one.fit.variance(static_cast<Eigen::Index>(q))));
+    }
+    table.add({found.ways.front().elements[one.element].name, number(one.fit.lambda), fmt::format("{:.1f}", one.fit.degrees),
+               fmt::format("{:.2g}", median(gain))});
+  }
+  return "\nspline over the lines\n" + table.text();
+}
+
+std::string laws_text(const IdentifiedLines& found) {
+  if (found.laws.empty()) return "";
+  std::string text = "\nlaws\n" + law_table(found).text();
+  if (found.laws.front().converged) text += impedance::name(found.laws.front().law) + "\n" + parameter_table(found.laws.front()).text();
+  return text;
+}
+
 }  // namespace
+
+Table law_table(const IdentifiedLines& found) {
+  Table table({{"law", Align::left}, {"unknowns"}, {"χ²"}, {"freedom"}, {"χ²/f"}, {"AIC − least"}, {"", Align::left}});
+  for (const impedance::LawFit& law : found.laws) {
+    table.add({impedance::name(law.law), std::to_string(law.theta.size()), number(law.chi_square), fmt::format("{:.0f}", law.freedom),
+               fmt::format("{:.3g}", law.chi_square / law.freedom), fmt::format("{:.1f}", law.aic - found.laws.front().aic),
+               law.converged ? "" : "not converged"});
+  }
+  return table;
+}
 
 Table line_table(const IdentifiedLines& found, const WayResult& way, std::size_t element, std::size_t most) {
   Table table({{"Hz"}, {"Re"}, {"std error"}, {"Im"}, {"std error"}, {"loss factor"}, {"χ²/f"}});
@@ -113,6 +208,7 @@ std::string line_text(const impedance::LineScene& scene, const IdentifiedLines& 
       text += fmt::format("  and {} more elements: --csv, --json and --report have them\n", way.elements.size() - most_elements);
     }
   }
+  text += laws_text(found) + smooth_text(found);
   for (const std::string& note : found.notes) text += "note: " + note + "\n";
   return text + "status: " + name(found.status) + (found.message.empty() ? "" : ": " + found.message) + "\n";
 }
@@ -136,6 +232,14 @@ std::string line_json(const impedance::LineScene& scene, const IdentifiedLines& 
               {"ways", Json::array()}};
   for (const frf::Dof& dof : found.dofs) out["dofs"].push_back(dof.name());
   for (const WayResult& way : found.ways) out["ways"].push_back(way_json(way));
+  if (!found.laws.empty()) {
+    out["laws"] = Json::array();
+    for (const impedance::LawFit& law : found.laws) out["laws"].push_back(law_json(law));
+  }
+  if (!found.smooth.empty()) {
+    out["smooth"] = Json::array();
+    for (const impedance::SmoothElement& one : found.smooth) out["smooth"].push_back(smooth_json(found, one));
+  }
   if (!found.joint_receptance.empty()) out["joint_receptance"] = receptances(found.joint_receptance);
   return json_text(out);
 }
@@ -149,11 +253,33 @@ std::string line_csv(const IdentifiedLines& found) {
       for (std::size_t i = 0; i < way.lines.size(); ++i) {
         if (!way.lines[i]) continue;
         const LineValue& line = *way.lines[i];
-        const double re = line.z(t).real(), im = line.z(t).imag(), dre = line.re_error(t), dim = line.im_error(t);
-        text += csv_line({impedance::name(way.way), way.elements[e].name, way.elements[e].unit, csv_number(found.frequency_hz[i]), csv_number(re),
-                          csv_number(im), csv_number(dre), csv_number(dim), csv_number(re - normal_95 * dre), csv_number(re + normal_95 * dre),
-                          csv_number(im - normal_95 * dim), csv_number(im + normal_95 * dim), csv_number(line.chi_square),
-                          csv_number(line.freedom), csv_number(found.condition_substructures[i]), csv_number(found.condition_assembly[i])});
+        std::vector<std::string> cells = value_cells(impedance::name(way.way), way.elements[e], found.frequency_hz[i], line.z(t), line.re_error(t),
+                                                     line.im_error(t));
+        for (const double number : {line.chi_square, line.freedom, found.condition_substructures[i], found.condition_assembly[i]})
+          cells.push_back(csv_number(number));
+        text += csv_line(cells);
+      }
+    }
+  }
+  for (const impedance::SmoothElement& one : found.smooth) {
+    for (std::size_t q = 0; q < one.lines.size(); ++q) {
+      const double error = std::sqrt(0.5 * one.fit.variance(static_cast<Eigen::Index>(q)));
+      std::vector<std::string> cells = value_cells("spline", found.ways.front().elements[one.element], found.frequency_hz[one.lines[q]],
+                                                   one.fit.z(static_cast<Eigen::Index>(q)), error, error);
+      cells.resize(cells.size() + 4);
+      text += csv_line(cells);
+    }
+  }
+  for (const impedance::LawFit& law : found.laws) {
+    for (std::size_t i = 0; i < law.lines.size(); ++i) {
+      for (std::size_t e = 0; law.lines[i] && e < found.ways.front().elements.size(); ++e) {
+        const auto t = static_cast<Eigen::Index>(e);
+        const LineValue& line = *law.lines[i];
+        std::vector<std::string> cells = value_cells("law " + impedance::name(law.law), found.ways.front().elements[e], found.frequency_hz[i],
+                                                     line.z(t), line.re_error(t), line.im_error(t));
+        cells.resize(cells.size() + 4);
+        cells[cells.size() - 4] = csv_number(law.by_line[i]);
+        text += csv_line(cells);
       }
     }
   }

@@ -10,6 +10,9 @@ namespace jointid::report {
 /// An element of a way over frequency, at most so many lines spread over them: Z, standard errors, loss factor, χ² over f.
 Table line_table(const impedance::IdentifiedLines& found, const impedance::WayResult& way, std::size_t element, std::size_t most);
 
+/// Laws by AIC, least first.
+Table law_table(const impedance::IdentifiedLines& found);
+
 /// All of it for people.
 std::string line_text(const impedance::LineScene& scene, const impedance::IdentifiedLines& found);
 

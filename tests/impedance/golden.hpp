@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/complex.hpp"
+#include "base/error.hpp"
 #include "frf/set/frf_set.hpp"
 #include "impedance/identify_lines.hpp"
 #include "tests/require.hpp"
