@@ -76,7 +76,7 @@ COUPLE = Kind("couple", "Scenes of `couple`", ["couple", "--out", "x.h5"], ["sce
     T("couple.joint.stiffness", name="`stiffness` and other matrices of `[[couple.joint]]`"),
 ])
 
-LINES = Kind("lines", "Scenes of `solve` with the joint at every line", ["solve"], ["joint-line-by-line", "scene"], [
+LINES = Kind("lines", "Scenes of `solve` with the joint at every line", ["solve"], ["joint-line-by-line", "scene", "gains"], [
     T("", {}),
     T("data", {"substructures": '["a", "b"]', "assembly": '["c"]'}, always=True),
     T("frequency"),
@@ -85,7 +85,7 @@ LINES = Kind("lines", "Scenes of `solve` with the joint at every line", ["solve"
     T("identify"),
 ])
 
-DECOUPLE = Kind("decouple", "Scenes of `decouple`", ["decouple", "--out", "x.h5"], ["joint-line-by-line", "scene"], [
+DECOUPLE = Kind("decouple", "Scenes of `decouple`", ["decouple", "--out", "x.h5"], ["joint-line-by-line", "scene", "gains"], [
     T("", {}),
     T("data", {"substructures": '["a"]', "assembly": '["c"]'}, always=True),
     T("frequency"),

@@ -59,64 +59,38 @@ class SystemReader {
         measured.push_back(one);
       }
     }
-    set_directions(i, measured, out);
+    set_errors(i, measured, out);
     return out;
   }
 
  private:
-  void set_directions(std::size_t i, const std::vector<ident::Measured>& measured, MeasuredSystem& out) const {
+  /// Independent errors first, then those that groups of FRFs have in common: circular, half of the variance in each part.
+  void set_errors(std::size_t i, const std::vector<ident::Measured>& measured, MeasuredSystem& out) const {
     const auto errors = frfs_.errors(i);
-    std::map<std::pair<std::size_t, std::size_t>, Eigen::Index> first;  // column of a group, or of an independent error
-    Eigen::Index columns = 0;
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> first;  // column of a group, or of an independent error
     std::vector<Eigen::MatrixXcd> factors;
-    if (errors) {
-      for (const Eigen::MatrixXcd& covariance : errors->covariance) factors.push_back(dense::semidefinite_cholesky(covariance));
-    }
-    const auto terms = [&](std::size_t e) -> const ident::ErrorTerms& {
-      return errors->terms.at(static_cast<std::size_t>(out.frfs[e].row), static_cast<std::size_t>(out.frfs[e].column));
-    };
-    const auto key = [](const ident::ErrorTerm& term) {
-      return std::pair(term.group, term.group == ident::ErrorTerm::independent ? term.member : 0);
-    };
+    for (std::size_t g = 0; errors && g < errors->covariance.size(); ++g) factors.push_back(dense::semidefinite_cholesky(errors->covariance[g]));
     for (std::size_t e = 0; e < measured.size(); ++e) {
-      if (!errors || terms(e).empty()) {
-        columns += 2;
+      const auto [row, column] = out.frfs[e];
+      const ident::ErrorTerms* terms =
+          errors ? &errors->terms.at(static_cast<std::size_t>(row), static_cast<std::size_t>(column)) : nullptr;
+      if (terms == nullptr || terms->empty()) {
+        out.errors.push_back({{at(e), std::sqrt(measured[e].variance.real())}});
+        out.errors.push_back({{at(e), Complex(0.0, std::sqrt(measured[e].variance.imag()))}});
         continue;
       }
-      for (const ident::ErrorTerm& term : terms(e)) {
-        const Eigen::Index width = term.group == ident::ErrorTerm::independent ? 1 : factors[term.group].cols();
-        if (first.emplace(key(term), columns).second) columns += 2 * width;
+      for (const ident::ErrorTerm& term : *terms) {
+        const bool alone = term.group == ident::ErrorTerm::independent;
+        const Eigen::Index width = alone ? 1 : factors[term.group].cols();
+        const auto [place, is_new] = first.try_emplace({term.group, alone ? term.member : 0}, out.errors.size());
+        if (is_new) out.errors.resize(out.errors.size() + static_cast<std::size_t>(2 * width));
+        for (Eigen::Index k = 0; k < width; ++k) {
+          const Complex value = std::sqrt(0.5) * term.factor * (alone ? Complex(1.0) : factors[term.group](at(term.member), k));
+          if (value == 0.0) continue;
+          out.errors[place->second + static_cast<std::size_t>(2 * k)].emplace_back(at(e), value);
+          out.errors[place->second + static_cast<std::size_t>(2 * k + 1)].emplace_back(at(e), Complex(0.0, 1.0) * value);
+        }
       }
-    }
-    out.directions = Eigen::MatrixXcd::Zero(at(measured.size()), columns);
-    Eigen::Index next = 0;
-    std::vector<bool> is_taken(static_cast<std::size_t>(columns));
-    for (const auto& [group, column] : first) {
-      const Eigen::Index width = group.first == ident::ErrorTerm::independent ? 1 : factors[group.first].cols();
-      for (Eigen::Index k = column; k < column + 2 * width; ++k) is_taken[static_cast<std::size_t>(k)] = true;
-    }
-    for (std::size_t e = 0; e < measured.size(); ++e) {
-      if (errors && !terms(e).empty()) {
-        for (const ident::ErrorTerm& term : terms(e)) add_term(term, first.at(key(term)), factors, at(e), out.directions);
-        continue;
-      }
-      while (is_taken[static_cast<std::size_t>(next)]) ++next;
-      out.directions(at(e), next++) = std::sqrt(measured[e].variance.real());
-      while (is_taken[static_cast<std::size_t>(next)]) ++next;
-      out.directions(at(e), next++) = Complex(0.0, std::sqrt(measured[e].variance.imag()));
-    }
-  }
-
-  /// Circular errors: real and imaginary part have half of the variance each.
-  static void add_term(const ident::ErrorTerm& term, Eigen::Index column, const std::vector<Eigen::MatrixXcd>& factors, Eigen::Index e,
-                       Eigen::MatrixXcd& out) {
-    const double half = std::sqrt(0.5);
-    const bool alone = term.group == ident::ErrorTerm::independent;
-    const Eigen::Index width = alone ? 1 : factors[term.group].cols();
-    for (Eigen::Index k = 0; k < width; ++k) {
-      const Complex value = half * term.factor * (alone ? Complex(1.0) : factors[term.group](at(term.member), k));
-      out(e, column + 2 * k) += value;
-      out(e, column + 2 * k + 1) += Complex(0.0, 1.0) * value;
     }
   }
 

@@ -68,8 +68,9 @@ DecoupledLine decouple(const MeasuredSystem& whole, const MeasuredSystem& a, con
   Eigen::MatrixXcd of_whole(u * u, static_cast<Index>(whole.frfs.size())), of_a(u * u, static_cast<Index>(a.frfs.size()));
   add_errors(whole, l, r, 1.0, of_whole, 0);
   add_errors(a, spread_columns(left, at.v_of_a, n_of_a), spread_columns(right.transpose(), at.e_of_a, n_of_a).transpose(), -1.0, of_a, 0);
-  Eigen::MatrixXcd errors(u * u, whole.directions.cols() + a.directions.cols());
-  errors << of_whole * whole.directions, of_a * a.directions;
+  const Eigen::MatrixXcd by_whole = errors_of(of_whole, whole.errors), by_a = errors_of(of_a, a.errors);
+  Eigen::MatrixXcd errors(u * u, by_whole.cols() + by_a.cols());
+  errors << by_whole, by_a;
   set_errors(errors, out);
   return out;
 }

@@ -4,10 +4,11 @@
 #include <vector>
 
 #include "base/complex.hpp"
+#include "impedance/line/error_columns.hpp"
 
 namespace jointid::impedance {
 
-/// The measured FRFs of a system at a line, and their errors e = directions · u, u real, independent, of variance 1.
+/// The measured FRFs of a system at a line, and their errors.
 struct MeasuredSystem {
   Eigen::MatrixXcd h;  ///< symmetric; NaN where not measured
 
@@ -15,7 +16,7 @@ struct MeasuredSystem {
     Eigen::Index row, column;  ///< row ≤ column
   };
   std::vector<Frf> frfs;
-  Eigen::MatrixXcd directions;  ///< [frfs × errors]
+  ErrorColumns errors;  ///< of `frfs`
 };
 
 /// FRFs of B at a line with their errors to first order.

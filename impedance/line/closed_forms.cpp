@@ -56,7 +56,7 @@ Eigen::MatrixXd covariance_of(const LineBlocks& line, const FirstOrder& d) {
     if (of_assembly) change = -change;
     jacobian.col(LineBlocks::at(e)) = triangle_of(0.5 * (change + change.transpose()));
   }
-  const Matrix errors = jacobian * line.directions;
+  const Matrix errors = errors_of(jacobian, line.errors);
   Eigen::MatrixXd parts(2 * values, errors.cols());
   parts << errors.real(), errors.imag();
   return parts * parts.transpose();

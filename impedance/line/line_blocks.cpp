@@ -13,38 +13,29 @@ class Directions {
   Directions(const ident::LineData& data, std::vector<Complex> weight, std::vector<std::size_t> elements)
       : data_(data), weight_(std::move(weight)), elements_(std::move(elements)) {}
 
-  Eigen::MatrixXcd all() const {
-    const auto count = static_cast<Eigen::Index>(elements_.size());
-    Eigen::MatrixXcd out = Eigen::MatrixXcd::Zero(count, 2 * count);
-    for (Eigen::Index e = 0; e < count; ++e) {
-      const Complex w = weight_[static_cast<std::size_t>(e)];
-      if (group_of(e) != minimise::Correlation::none) continue;
-      out(e, 2 * e) = deviation(w.real());
-      out(e, 2 * e + 1) = Complex(0.0, deviation(w.imag()));
+  ErrorColumns all() const {
+    ErrorColumns out;
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+      if (is_in_group(elements_[e])) continue;
+      const auto frf = static_cast<Eigen::Index>(e);
+      out.push_back({{frf, deviation(weight_[e].real())}});
+      out.push_back({{frf, Complex(0.0, deviation(weight_[e].imag()))}});
     }
-    if (data_.correlation) {
-      for (std::size_t g = 0; g < data_.correlation->groups().size(); ++g) add_group(g, out);
-    }
+    if (!data_.correlation) return out;
+    for (const minimise::Correlation::Group& group : data_.correlation->groups()) add_group(group, out);
     return out;
   }
 
  private:
   static double deviation(double weight) { return weight > 0.0 ? 1.0 / weight : 0.0; }
 
-  std::size_t group_of(Eigen::Index e) const {
-    if (!data_.correlation) return minimise::Correlation::none;
-    return data_.correlation->place(elements_[static_cast<std::size_t>(e)]).group;
+  bool is_in_group(std::size_t element) const {
+    return data_.correlation && data_.correlation->place(element).group != minimise::Correlation::none;
   }
 
-  /// A group takes the columns of its members.
-  void add_group(std::size_t g, Eigen::MatrixXcd& out) const {
-    const minimise::Correlation::Group& group = data_.correlation->groups()[g];
-    std::vector<Eigen::Index> members;  // in `elements`, −1: not measured
-    for (const std::size_t element : group.elements) {
-      const auto found = std::ranges::find(elements_, element);
-      members.push_back(found == elements_.end() ? -1 : found - elements_.begin());
-    }
-    const auto size = static_cast<Eigen::Index>(members.size());
+  /// Real errors of a group, whose factor is over complex numbers, or over real and imaginary parts.
+  void add_group(const minimise::Correlation::Group& group, ErrorColumns& out) const {
+    const auto size = static_cast<Eigen::Index>(group.elements.size());
     Eigen::MatrixXcd errors(size, 2 * size);
     if (group.parts.size() > 0) {
       errors.real() = group.parts.topRows(size);
@@ -53,13 +44,12 @@ class Directions {
       errors << group.factor, Complex(0.0, 1.0) * group.factor;
     }
     for (Eigen::Index k = 0; k < 2 * size; ++k) {
-      const Eigen::Index owner = members[static_cast<std::size_t>(k / 2)];
-      if (owner < 0) continue;
+      out.emplace_back();
       for (Eigen::Index i = 0; i < size; ++i) {
-        const Eigen::Index e = members[static_cast<std::size_t>(i)];
-        if (e < 0) continue;
-        const Complex w = weight_[static_cast<std::size_t>(e)];
-        out(e, 2 * owner + k % 2) = {errors(i, k).real() * deviation(w.real()), errors(i, k).imag() * deviation(w.imag())};
+        const auto found = std::ranges::find(elements_, group.elements[static_cast<std::size_t>(i)]);
+        if (found == elements_.end() || errors(i, k) == 0.0) continue;
+        const Complex w = weight_[static_cast<std::size_t>(found - elements_.begin())];
+        out.back().emplace_back(found - elements_.begin(), Complex(errors(i, k).real() * deviation(w.real()), errors(i, k).imag() * deviation(w.imag())));
       }
     }
   }
@@ -105,7 +95,7 @@ LineBlocks blocks_of(const ident::LineLayout& layout, const ident::LineData& dat
   add(layout.b, data.b, n, n, true);
   add(layout.d, data.d, 0, 0, false);
   out.known_assembly.topLeftCorner(n, n) = out.known_substructures.topLeftCorner(n, n);
-  out.directions = Directions(data, std::move(weights), std::move(elements)).all();
+  out.errors = Directions(data, std::move(weights), std::move(elements)).all();
   return out;
 }
 

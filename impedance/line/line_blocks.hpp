@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ident/likelihood/line/line_data.hpp"
+#include "impedance/line/error_columns.hpp"
 
 namespace jointid::impedance {
 
@@ -22,8 +23,7 @@ struct LineBlocks {
     bool of_assembly;
   };
   std::vector<Frf> frfs;  ///< the E measured ones, once each
-  /// [E × D] of the errors e of `frfs`: e = directions · u, u real, independent, of variance 1.
-  Eigen::MatrixXcd directions;
+  ErrorColumns errors;    ///< of `frfs`
 
   Eigen::MatrixXcd y_substructures() const { return substructures.bottomRightCorner(at(joint), at(joint)); }
   Eigen::MatrixXcd y_assembly() const { return assembly.bottomRightCorner(at(joint), at(joint)); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dense/cholesky.hpp"
 #include "ident/likelihood/model/guess_y.hpp"
 #include "minimise/linear/covariance.hpp"
 
@@ -40,6 +41,17 @@ double length_of(const Eigen::VectorXd& step, const std::vector<double>& theta) 
   return most;
 }
 
+/// By Cholesky where that keeps digits enough, else the step of the directions that have information.
+Eigen::VectorXd step_of(const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient) {
+  constexpr double enough = 1e-13;
+  const Eigen::VectorXd unit = information.diagonal().cwiseSqrt().cwiseInverse();
+  if (unit.allFinite()) {
+    const auto solved = dense::solve_definite(unit.asDiagonal() * information * unit.asDiagonal(), unit.cwiseProduct(gradient));
+    if (solved && solved->reciprocal_condition > enough) return unit.cwiseProduct(solved->x);
+  }
+  return minimise::determined_step(information, gradient);
+}
+
 /// The FRFs and z of a line on the way.
 class Descent {
  public:
@@ -60,7 +72,7 @@ class Descent {
         if (damping > 1e12) break;
         continue;
       }
-      const Eigen::VectorXd step = minimise::determined_step(damped(damping), reduced_.gradient);
+      const Eigen::VectorXd step = step_of(damped(damping), reduced_.gradient);
       out.last_step = std::sqrt(std::max(0.0, step.dot(reduced_.information * step)));
       const double before = cost_;
       if (take(step)) {

@@ -116,7 +116,7 @@ std::vector<LawKind> read_laws(const scene::Item& item) {
 void read_law_keys(const scene::Table& joint, LineScene& out) {
   if (const auto laws = joint.find("laws")) out.laws = read_laws(*laws);
   const std::vector<std::string> scopes = {"element", "joint"};
-  for (const char* key : {"law_scope", "law_masses", "smooth", "splines"}) {
+  for (const char* key : {"law_scope", "law_masses"}) {
     const auto item = joint.find(key);
     if (item && out.laws.empty()) item->fail("it is given, but no laws are", "add laws = \"all\", or remove it");
   }

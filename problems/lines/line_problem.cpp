@@ -57,7 +57,7 @@ Complex fractional_zener(double omega, double k0, double kinf, double tau, doubl
   return (k0 + kinf * s) / (1.0 + s);
 }
 
-std::vector<Complex> upper_triangle(const Eigen::MatrixXcd& z) {
+std::vector<Complex> elements_of(const Eigen::MatrixXcd& z) {
   std::vector<Complex> out;
   for (Eigen::Index r = 0; r < z.rows(); ++r) {
     for (Eigen::Index c = r; c < z.cols(); ++c) out.push_back(z(r, c));
@@ -108,7 +108,7 @@ LineProblem zener_mount() {
   const Structure both = merged(a, b);
   out.assembly = {with_impedance(both, both.dofs(), {vertical(2), vertical(3)}, hz, impedance, "isolator-zener_AB.h5")};
   out.law = {"K0 = 30000 N/m", "Kinf = 90000 N/m", "tau = 0.00265 s", "alpha = 0.6"};
-  for (const double f : hz) out.truth.push_back(upper_triangle(impedance(angular(f)).topLeftCorner(1, 1)));
+  for (const double f : hz) out.truth.push_back(elements_of(impedance(angular(f)).topLeftCorner(1, 1)));
   out.scene = head_of(out) + "[joint]\ndofs = [\"2:+Y\", \"3:+Y\"]\nlines = \"massless\"\nlaws = \"all\"\n";
   return out;
 }
@@ -153,7 +153,7 @@ LineProblem six_axes() {
   out.substructures = {square_set(a, of_a, hz, "isolator_A.h5"), square_set(b, of_b, hz, "isolator_B.h5")};
   out.assembly = {with_impedance(merged(a, b), all, joint, hz, impedance, "isolator_AB.h5")};
   out.law = {"Kinf/K0 = 4", "tau = 0.00053 s", "alpha = 0.5"};
-  for (const double f : hz) out.truth.push_back(upper_triangle(impedance(angular(f)).topLeftCorner(6, 6)));
+  for (const double f : hz) out.truth.push_back(elements_of(impedance(angular(f)).topLeftCorner(6, 6)));
   out.scene = head_of(out) + "[joint]\ndofs = " + dof_list(joint) + "\nlines = \"massless\"\nlaws = [\"fractional-zener\", \"zener\", \"kelvin-voigt\", \"hysteretic\"]\n";
   return out;
 }
