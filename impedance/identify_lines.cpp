@@ -197,7 +197,8 @@ class Lines {
     if (!out.empty()) return out;
     add(from_nj(blocks_[i]), full);
     Basis between;
-    for (const Eigen::MatrixXd& e : symmetric_basis(static_cast<std::size_t>(nn_.cols()))) between.push_back(nn_ * e * nn_.transpose());
+    for (const Eigen::MatrixXd& e : symmetric_basis(static_cast<std::size_t>(nn_.cols())))
+      between.push_back(nn_ * e * nn_.transpose());
     add(from_nn(blocks_[i], nn_), between);
     return out;
   }
@@ -213,7 +214,8 @@ class Lines {
     return fit.converged && (!(fit.value.freedom > 0.0) || fit.value.chi_square <= chi_square_quantile(fit.value.freedom, 4.0));
   }
 
-  LineFit best_fit(std::size_t i, const restrictions::Restriction& restriction, const Basis& basis, ident::LineModel& model) const {
+  LineFit best_fit(std::size_t i, const restrictions::Restriction& restriction, const Basis& basis,
+                   ident::LineModel& model) const {
     LineFit best;
     const ident::JointImpedance of = joint(restriction, i);
     for (const Eigen::VectorXcd& start : starts(i, basis)) {
@@ -226,7 +228,8 @@ class Lines {
 
   static bool is_better(const LineFit& one, const LineFit& other) {
     if (!std::isfinite(one.value.chi_square)) return false;
-    return !std::isfinite(other.value.chi_square) || one.value.chi_square < other.value.chi_square - 1e-6 * (1.0 + other.value.chi_square) ||
+    return !std::isfinite(other.value.chi_square) ||
+           one.value.chi_square < other.value.chi_square - 1e-6 * (1.0 + other.value.chi_square) ||
            (one.converged && !other.converged && one.value.chi_square <= other.value.chi_square);
   }
 
@@ -262,7 +265,8 @@ class Lines {
   void require_some(const std::vector<LineFit>& fits_of) const {
     if (std::ranges::any_of(fits_of, [](const LineFit& fit) { return fit.value.z.size() > 0; })) return;
     ident::fail(scene_.scene, "[data]", "no line has the FRFs that a way to Z begins from",
-                "measure both systems at the joint, or H(n,j) of both at as many other DOFs as the joint has, or H(n,n) of both and H(j,n) of "
+                "measure both systems at the joint, or H(n,j) of both at as many other DOFs as the joint has, or H(n,n) of both "
+                "and H(j,n) of "
                 "the parts; else identify matrices ([joint.stiffness])");
   }
 
@@ -290,12 +294,14 @@ void add_conditions(const Lines& lines, IdentifiedLines& out) {
 }
 
 void add_receptances(const Lines& lines, IdentifiedLines& out) {
-  for (std::size_t i = 0; i < lines.size(); ++i) out.joint_receptance.push_back(joint_receptance(lines.blocks(i)).value_or(Eigen::MatrixXcd()));
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    out.joint_receptance.push_back(joint_receptance(lines.blocks(i)).value_or(Eigen::MatrixXcd()));
 }
 
 void require_values(const LineScene& scene, const WayResult& result) {
   if (std::ranges::any_of(result.lines, [](const auto& line) { return line.has_value(); })) return;
-  ident::fail(scene.scene, "[joint] way", "the data lack FRFs that way \"" + name(result.way) + "\" needs", "use way = \"likelihood\"");
+  ident::fail(scene.scene, "[joint] way", "the data lack FRFs that way \"" + name(result.way) + "\" needs",
+              "use way = \"likelihood\"");
 }
 
 IdentifiedLines identify(const LineScene& scene, const ident::Plan& plan, const ident::Control& control) {

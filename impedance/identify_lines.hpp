@@ -25,7 +25,7 @@ struct WayResult {
   Way way = Way::likelihood;
   Structure structure = Structure::symmetric;  ///< of its elements: closed forms have their own
   std::vector<ElementName> elements;
-  Basis basis;                                 ///< of the elements over all joint DOFs
+  Basis basis;  ///< of the elements over all joint DOFs
   std::vector<std::optional<LineValue>> lines;
 };
 
@@ -42,18 +42,18 @@ struct IdentifiedLines {
   std::vector<std::string> notes;
   std::vector<frf::Dof> dofs;
   std::vector<double> frequency_hz;
-  std::vector<WayResult> ways;  ///< as the scene asks; the first is the result
-  WayResult likelihood;         ///< what the others are judged by
+  std::vector<WayResult> ways;                                      ///< as the scene asks; the first is the result
+  WayResult likelihood;                                             ///< what the others are judged by
   std::vector<double> condition_substructures, condition_assembly;  ///< of H(j,j); NaN where not measured
   std::vector<Eigen::MatrixXcd> joint_receptance;                   ///< of way `dual`, [lines]
   double chi_square = 0.0, freedom = 0.0, likely = 0.0;             ///< of all lines; χ²/f that chance leaves
   std::size_t restarted = 0, failed = 0;                            ///< lines of the likelihood
-  std::vector<LawFit> laws;  ///< of the first way, by AIC, least first
-  std::vector<SmoothElement> smooth;  ///< of the first way, where the scene asks
+  std::vector<LawFit> laws;                                         ///< of the first way, by AIC, least first
+  std::vector<SmoothElement> smooth;                                ///< of the first way, where the scene asks
 };
 
-/// Z_J at every line of the scene's files. Throws InputError as ident::make_plan() does, for gains and masses that are not known, and for
-/// data that no way can start from.
+/// Z_J at every line of the scene's files. Throws InputError as ident::make_plan() does, for gains and masses that are not known,
+/// and for data that no way can start from.
 IdentifiedLines identify_lines(const LineScene& scene, const ident::Control& control = {});
 
 /// The same on FRFs in memory.

@@ -32,7 +32,8 @@ struct WorstRun {
   double ratio = 0.0, excess = 0.0;
 };
 
-std::optional<WorstRun> worst_run(const std::vector<std::optional<LineValue>>& lines, const std::function<double(double)>& likely) {
+std::optional<WorstRun> worst_run(const std::vector<std::optional<LineValue>>& lines,
+                                  const std::function<double(double)>& likely) {
   std::optional<WorstRun> worst;
   for (const std::size_t width : {3U, 5U, 10U, 20U}) {
     if (width > lines.size()) continue;
@@ -54,7 +55,8 @@ std::optional<WorstRun> worst_run(const std::vector<std::optional<LineValue>>& l
 std::string structure_text(Structure structure) { return "structure \"" + name(structure) + "\""; }
 
 /// What a free Z says of a structure that does not fit.
-void tell_structure(const LineScene& scene, const FreeFit& free, const std::function<double(double)>& likely, IdentifiedLines& out) {
+void tell_structure(const LineScene& scene, const FreeFit& free, const std::function<double(double)>& likely,
+                    IdentifiedLines& out) {
   const double more = out.freedom - free.freedom, fall = out.chi_square - free.chi_square;
   if (scene.structure == Structure::symmetric || !(more > 0.0) || !(fall / more > likely(more))) return;
   const bool free_fits = free.freedom > 0.0 && free.chi_square / free.freedom <= likely(free.freedom);
@@ -82,7 +84,8 @@ void judge_fit(const ident::Plan& plan, const LineScene& scene, const std::funct
   }
   if (!(out.freedom > 0.0)) {
     tell(Status::doubtful,
-         "Nothing can contradict this answer: there are as many unknowns as FRFs. Add FRFs away from the joint, or a structure such as "
+         "Nothing can contradict this answer: there are as many unknowns as FRFs. Add FRFs away from the joint, or a structure "
+         "such as "
          "lines = \"massless\".",
          out);
     return;
@@ -96,13 +99,15 @@ void judge_fit(const ident::Plan& plan, const LineScene& scene, const std::funct
   std::string sentence = fmt::format("χ²/f is {:.3g} where chance leaves {:.3g}", ratio, out.likely);
   if (run) sentence += fmt::format(", and {:.3g} from {}", run->ratio, band_text(out, run->first, run->last));
   tell(ratio > poor ? Status::poor_fit : Status::doubtful,
-       sentence + ": Z and its intervals may be wrong there. Look for interface DOFs that are left out (rotations), a structure that "
-                  "does not fit, and faulty FRFs (`jointid check` with matrices in place of lines).",
+       sentence +
+           ": Z and its intervals may be wrong there. Look for interface DOFs that are left out (rotations), a structure that "
+           "does not fit, and faulty FRFs (`jointid check` with matrices in place of lines).",
        out);
 }
 
 void judge_passivity(const WayResult& result, IdentifiedLines& out) {
-  const auto run = bad_run(result.lines.size(), [&](std::size_t i) { return result.lines[i] && is_active(result.basis, *result.lines[i]); });
+  const auto run =
+      bad_run(result.lines.size(), [&](std::size_t i) { return result.lines[i] && is_active(result.basis, *result.lines[i]); });
   if (!run) return;
   tell(Status::doubtful,
        "Z is not passive from " + band_text(out, run->first, run->second) +
@@ -146,16 +151,20 @@ void note_lost(const WayResult& result, IdentifiedLines& out) {
     lost += small ? 1 : 0;
   }
   if (lost > 0) {
-    out.notes.push_back(fmt::format("On {} of {} lines a diagonal element is smaller than its standard error: the data do not see it there.",
-                                    lost, result.lines.size()));
+    out.notes.push_back(
+        fmt::format("On {} of {} lines a diagonal element is smaller than its standard error: the data do not see it there.",
+                    lost, result.lines.size()));
   }
-  if (missing > 0) out.notes.push_back(fmt::format("{} of {} lines lack an FRF that way \"{}\" needs.", missing, result.lines.size(), name(result.way)));
+  if (missing > 0)
+    out.notes.push_back(
+        fmt::format("{} of {} lines lack an FRF that way \"{}\" needs.", missing, result.lines.size(), name(result.way)));
 }
 
 /// What the short check of the data finds. A number far from its neighbours is no finding where each line fits on its own.
 void judge_data(const ident::Plan& plan, bool lines_fit, IdentifiedLines& out) {
   ident::CheckResult found = ident::quick_check(plan);
-  if (lines_fit) std::erase_if(found.suspects, [](const ident::Suspect& suspect) { return suspect.kind == ident::SuspectKind::outlier; });
+  if (lines_fit)
+    std::erase_if(found.suspects, [](const ident::Suspect& suspect) { return suspect.kind == ident::SuspectKind::outlier; });
   if (found.suspects.empty()) return;
   ident::Solution told;
   ident::tell_check(found, told);
@@ -199,7 +208,8 @@ bool is_active(const Basis& basis, const LineValue& value) {
   return variance > 0.0 && found.values(0) < -limit * std::sqrt(variance);
 }
 
-void judge_lines(const ident::Plan& plan, const LineScene& scene, const std::function<FreeFit()>& free_fit, IdentifiedLines& out) {
+void judge_lines(const ident::Plan& plan, const LineScene& scene, const std::function<FreeFit()>& free_fit,
+                 IdentifiedLines& out) {
   judge_fit(plan, scene, free_fit, out);
   const bool lines_fit = out.status == Status::ok && out.freedom > 0.0;
   const WayResult& result = out.ways.front();

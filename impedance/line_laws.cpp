@@ -46,7 +46,8 @@ void add_masses(const LineScene& scene, const WayResult& result, LawLayout& out)
   out.mass = Eigen::MatrixXd::Zero(index(result.elements.size()), index(dofs.size()));
   for (std::size_t i = 0; i < dofs.size(); ++i) {
     const std::string whole = fmt::format("Z({},{})", i + 1, i + 1), own = fmt::format("m({})", i + 1);
-    const auto found = std::ranges::find_if(result.elements, [&](const ElementName& e) { return e.name == whole || e.name == own; });
+    const auto found =
+        std::ranges::find_if(result.elements, [&](const ElementName& e) { return e.name == whole || e.name == own; });
     if (found == result.elements.end()) {
       ident::fail(scene.scene, "[joint] law_masses", "the structure has no diagonal element of its own for " + dofs[i].name(),
                   "use lines = \"masses\" or \"symmetric\"");
@@ -74,7 +75,9 @@ std::string telling_band(const IdentifiedLines& found, const LawFit& best, const
     half += std::max(0.0, other.by_line[i] - best.by_line[i]);
     if (half >= 0.5 * sum) break;
   }
-  return first > last ? "" : fmt::format("; half of what separates them is from {:.4g} to {:.4g} Hz", found.frequency_hz[first], found.frequency_hz[last]);
+  return first > last ? ""
+                      : fmt::format("; half of what separates them is from {:.4g} to {:.4g} Hz", found.frequency_hz[first],
+                                    found.frequency_hz[last]);
 }
 
 }  // namespace
@@ -115,14 +118,15 @@ void add_laws(const LineScene& scene, IdentifiedLines& out) {
   }
   if (best.freedom > 0.0 && best.chi_square > chi_square_quantile(best.freedom, 5.0)) {
     if (out.status == Status::ok) out.status = Status::doubtful;
-    out.message += (out.message.empty() ? "" : " ") +
-                   fmt::format("No law of these explains the lines: the best, \"{}\", has χ²/f = {:.3g}. Z at the lines stays valid.", name(best.law),
-                               best.chi_square / best.freedom);
+    out.message +=
+        (out.message.empty() ? "" : " ") +
+        fmt::format("No law of these explains the lines: the best, \"{}\", has χ²/f = {:.3g}. Z at the lines stays valid.",
+                    name(best.law), best.chi_square / best.freedom);
   }
   if (out.laws.size() < 2 || !out.laws[1].converged) return;
   const double difference = out.laws[1].aic - best.aic;
-  out.notes.push_back(fmt::format("Law \"{}\" by AIC; the runner-up is \"{}\", ΔAIC = {:.1f}{}{}.", name(best.law), name(out.laws[1].law), difference,
-                                  telling_band(out, best, out.laws[1]),
+  out.notes.push_back(fmt::format("Law \"{}\" by AIC; the runner-up is \"{}\", ΔAIC = {:.1f}{}{}.", name(best.law),
+                                  name(out.laws[1].law), difference, telling_band(out, best, out.laws[1]),
                                   difference < 4.0 ? ". The lines do not separate them" : ""));
 }
 
@@ -151,8 +155,10 @@ void add_smooth(const LineScene& scene, IdentifiedLines& out) {
     one.fit = fit_spline(hz, z, variance, splines, *scene.smoothing, scene.lambda);
     if (one.fit.z.size() > 0) out.smooth.push_back(std::move(one));
   }
-  out.notes.push_back(out.smooth.empty() ? fmt::format("No element was smoothed: that needs {} lines with a value.", fewest)
-                                         : "Bands of the spline cover 95 % on average over the lines, not at each; smoothed values are no data for a law.");
+  out.notes.push_back(
+      out.smooth.empty()
+          ? fmt::format("No element was smoothed: that needs {} lines with a value.", fewest)
+          : "Bands of the spline cover 95 % on average over the lines, not at each; smoothed values are no data for a law.");
 }
 
 }  // namespace jointid::impedance

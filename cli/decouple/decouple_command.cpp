@@ -26,9 +26,12 @@ std::filesystem::path decoupled_path(const DecoupleArguments& arguments) {
 void add_decouple(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<DecoupleArguments>(
       app, chosen, "decouple", "Decouple a substructure: FRFs of B with variances from those of AB and A");
-  command->add_option("SCENE", arguments->scene, "Scene file (TOML) with [data] assembly (AB), substructures (A) and [decouple]")->required();
-  command->add_option("--out", arguments->out, "FRFs of B (HDF5, UFF, MAT or CSV); default: SCENE's name with .decoupled.h5, here");
-  add_whole_number(command, "--threads", arguments->threads, "0 for all cores; the results do not depend on it", counts_of_threads());
+  command->add_option("SCENE", arguments->scene, "Scene file (TOML) with [data] assembly (AB), substructures (A) and [decouple]")
+      ->required();
+  command->add_option("--out", arguments->out,
+                      "FRFs of B (HDF5, UFF, MAT or CSV); default: SCENE's name with .decoupled.h5, here");
+  add_whole_number(command, "--threads", arguments->threads, "0 for all cores; the results do not depend on it",
+                   counts_of_threads());
   add_outputs(command, *arguments, "FRFs and the dynamic stiffness of B with their variances", "FRFs of B");
   command->footer("Examples:\n  jointid decouple fixture.toml\n  jointid decouple fixture.toml --out B.h5 --json -");
 }
@@ -36,7 +39,8 @@ void add_decouple(CLI::App& app, Chosen& chosen) {
 ExitCode execute(const DecoupleArguments& arguments, std::ostream& out) {
   const std::filesystem::path path = decoupled_path(arguments);
   const impedance::DecoupleScene scene = impedance::read_decouple_scene(arguments.scene);
-  check_targets(ident::files_of(scene.lines.scene), {{"--out", path.string()}, {"--json", arguments.json}, {"--csv", arguments.csv}});
+  check_targets(ident::files_of(scene.lines.scene),
+                {{"--out", path.string()}, {"--json", arguments.json}, {"--csv", arguments.csv}});
   Progress progress;
   ident::Control control = progress.control();
   control.threads = arguments.threads;

@@ -8,7 +8,8 @@
 
 namespace jointid::cli {
 
-/// Runs a command on the text of a scene of friction laws, or of the joint at every line; null in the program that leaves those to jointid-all.
+/// Runs a command on the text of a scene of friction laws, or of the joint at every line; null in the program that leaves those to
+/// jointid-all.
 template <class Arguments>
 using LawSceneRun = ExitCode (*)(const Arguments& arguments, const std::string& text, std::ostream& out);
 

@@ -122,7 +122,8 @@ void refuse_display(const SolveArguments& arguments) {
   const SolveArguments by_default;
   const char* option = arguments.units != by_default.units ? "--units" : arguments.quantity != by_default.quantity ? "--quantity" : nullptr;
   if (option == nullptr) return;
-  throw InputError({ErrorKind::usage, "", option, "does not apply to friction laws and joints at every line", "leave it out: their results are in SI units"});
+  throw InputError({ErrorKind::usage, "", option, "does not apply to friction laws and joints at every line",
+                    "leave it out: their results are in SI units"});
 }
 
 }  // namespace

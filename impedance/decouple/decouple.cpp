@@ -69,7 +69,8 @@ class SystemReader {
     const auto errors = frfs_.errors(i);
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> first;  // column of a group, or of an independent error
     std::vector<Eigen::MatrixXcd> factors;
-    for (std::size_t g = 0; errors && g < errors->covariance.size(); ++g) factors.push_back(dense::semidefinite_cholesky(errors->covariance[g]));
+    for (std::size_t g = 0; errors && g < errors->covariance.size(); ++g)
+      factors.push_back(dense::semidefinite_cholesky(errors->covariance[g]));
     for (std::size_t e = 0; e < measured.size(); ++e) {
       const auto [row, column] = out.frfs[e];
       const ident::ErrorTerms* terms =
@@ -140,7 +141,8 @@ class ClosedForms {
     const Dofs& v = way == DecoupleWay::standard ? interface_ : wide;
     const Dofs& e = way == DecoupleWay::both ? wide : interface_;
     if (way != DecoupleWay::standard && internal_.empty()) {
-      ident::fail(scene_.lines.scene, "[decouple] way", "way \"" + name(way) + "\" needs internal DOFs of A that the assembly has",
+      ident::fail(scene_.lines.scene, "[decouple] way",
+                  "way \"" + name(way) + "\" needs internal DOFs of A that the assembly has",
                   "use way = \"standard\", or measure some on both");
     }
     const DecoupleAt where{.u = places_of(out.dofs, whole_->dofs()),
@@ -152,8 +154,9 @@ class ClosedForms {
     out.lines.resize(lines);
     for_each_index(lines, threads, [&](std::size_t i) {
       const MeasuredSystem whole = whole_->line(i), a = a_->line(i);
-      if (!all_known(whole.h, where.u, where.u) || !all_known(whole.h, where.u, where.e) || !all_known(whole.h, where.v, where.u) ||
-          !all_known(whole.h, where.v, where.e) || !all_known(a.h, where.v_of_a, where.e_of_a)) {
+      if (!all_known(whole.h, where.u, where.u) || !all_known(whole.h, where.u, where.e) ||
+          !all_known(whole.h, where.v, where.u) || !all_known(whole.h, where.v, where.e) ||
+          !all_known(a.h, where.v_of_a, where.e_of_a)) {
         return;
       }
       out.lines[i] = impedance::decouple(whole, a, where);
@@ -213,8 +216,8 @@ void judge(const DecoupledWay& way, const DecoupledWay& likelihood, Decoupled& o
   const std::string which = way.way == DecoupleWay::likelihood ? "The receptance of B" : "Way \"" + name(way.way) + "\"";
   if (error > too_large) {
     tell(Status::doubtful,
-         fmt::format("{} has errors of {:.2g} of its FRFs in the median: intervals to first order do not hold there{}.", which, error,
-                     way.way == DecoupleWay::likelihood ? "; those of Z do" : ""),
+         fmt::format("{} has errors of {:.2g} of its FRFs in the median: intervals to first order do not hold there{}.", which,
+                     error, way.way == DecoupleWay::likelihood ? "; those of Z do" : ""),
          out);
   }
   if (way.way == DecoupleWay::likelihood) return;
@@ -227,12 +230,14 @@ void judge(const DecoupledWay& way, const DecoupledWay& likelihood, Decoupled& o
   });
   if (!run) return;
   tell(Status::doubtful,
-       fmt::format("{} is more than five of its standard errors from the likelihood from {:.6g} to {:.6g} Hz. Use way = \"likelihood\".", which,
-                   out.frequency_hz[run->first], out.frequency_hz[run->second]),
+       fmt::format(
+           "{} is more than five of its standard errors from the likelihood from {:.6g} to {:.6g} Hz. Use way = \"likelihood\".",
+           which, out.frequency_hz[run->first], out.frequency_hz[run->second]),
        out);
 }
 
-Decoupled finished(const DecoupleScene& scene, frf::FrfSystem& a, frf::FrfSystem& whole, IdentifiedLines lines, const ident::Control& control) {
+Decoupled finished(const DecoupleScene& scene, frf::FrfSystem& a, frf::FrfSystem& whole, IdentifiedLines lines,
+                   const ident::Control& control) {
   Decoupled out;
   out.status = lines.status;
   out.message = lines.message;
@@ -247,8 +252,9 @@ Decoupled finished(const DecoupleScene& scene, frf::FrfSystem& a, frf::FrfSystem
     if (way != DecoupleWay::likelihood && !forms) {
       forms = std::make_unique<ClosedForms>(scene, a, whole, ident::choose_lines(scene.lines.scene, a, whole, notes));
     }
-    out.ways.push_back(way == DecoupleWay::likelihood ? likelihood
-                                                      : forms->run(way, out.frequency_hz.size(), threads_or_cores(control.threads)));
+    out.ways.push_back(way == DecoupleWay::likelihood
+                           ? likelihood
+                           : forms->run(way, out.frequency_hz.size(), threads_or_cores(control.threads)));
   }
   judge(out.ways.front(), likelihood, out);
   out.likelihood = std::move(lines);

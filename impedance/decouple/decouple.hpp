@@ -24,8 +24,8 @@ struct Decoupled {
   IdentifiedLines likelihood;      ///< Z of B at the interface
 };
 
-/// B from AB and A. Status as identify_lines() gives it of the likelihood, which other ways are held against; doubtful, too, where errors
-/// to first order are above a tenth of the FRFs. Throws InputError as identify_lines().
+/// B from AB and A. Status as identify_lines() gives it of the likelihood, which other ways are held against; doubtful, too,
+/// where errors to first order are above a tenth of the FRFs. Throws InputError as identify_lines().
 Decoupled decouple(const DecoupleScene& scene, const ident::Control& control = {});
 Decoupled decouple(const DecoupleScene& scene, const std::vector<frf::FrfSet>& a, const std::vector<frf::FrfSet>& whole,
                    const ident::Control& control = {});

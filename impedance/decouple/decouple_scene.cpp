@@ -44,6 +44,8 @@ DecoupleScene parse_decouple_scene(const std::string& text, const std::filesyste
   return out;
 }
 
-DecoupleScene read_decouple_scene(const std::filesystem::path& file) { return parse_decouple_scene(scene::read_text(file), file); }
+DecoupleScene read_decouple_scene(const std::filesystem::path& file) {
+  return parse_decouple_scene(scene::read_text(file), file);
+}
 
 }  // namespace jointid::impedance

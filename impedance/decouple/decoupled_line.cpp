@@ -14,7 +14,8 @@ using Places = std::vector<Index>;
 Eigen::MatrixXcd part_of(const Eigen::MatrixXcd& from, const Places& rows, const Places& columns) {
   Eigen::MatrixXcd out(static_cast<Index>(rows.size()), static_cast<Index>(columns.size()));
   for (Index r = 0; r < out.rows(); ++r) {
-    for (Index c = 0; c < out.cols(); ++c) out(r, c) = from(rows[static_cast<std::size_t>(r)], columns[static_cast<std::size_t>(c)]);
+    for (Index c = 0; c < out.cols(); ++c)
+      out(r, c) = from(rows[static_cast<std::size_t>(r)], columns[static_cast<std::size_t>(c)]);
   }
   return out;
 }
@@ -27,8 +28,8 @@ Eigen::MatrixXcd spread_columns(const Eigen::MatrixXcd& m, const Places& places,
 }
 
 /// Adds δH of every error of a system, L δH R, column by column of `vec H_B`.
-void add_errors(const MeasuredSystem& system, const Eigen::MatrixXcd& l, const Eigen::MatrixXcd& r, double sign, Eigen::MatrixXcd& jacobian,
-                Index first) {
+void add_errors(const MeasuredSystem& system, const Eigen::MatrixXcd& l, const Eigen::MatrixXcd& r, double sign,
+                Eigen::MatrixXcd& jacobian, Index first) {
   for (std::size_t e = 0; e < system.frfs.size(); ++e) {
     const auto [p, q] = system.frfs[e];
     Eigen::MatrixXcd change = l.col(p) * r.row(q);
@@ -67,7 +68,8 @@ DecoupledLine decouple(const MeasuredSystem& whole, const MeasuredSystem& a, con
   const Eigen::MatrixXcd r = (spread_columns(identity, at.u, n) - spread_columns(right.transpose(), at.e, n)).transpose();
   Eigen::MatrixXcd of_whole(u * u, static_cast<Index>(whole.frfs.size())), of_a(u * u, static_cast<Index>(a.frfs.size()));
   add_errors(whole, l, r, 1.0, of_whole, 0);
-  add_errors(a, spread_columns(left, at.v_of_a, n_of_a), spread_columns(right.transpose(), at.e_of_a, n_of_a).transpose(), -1.0, of_a, 0);
+  add_errors(a, spread_columns(left, at.v_of_a, n_of_a), spread_columns(right.transpose(), at.e_of_a, n_of_a).transpose(), -1.0,
+             of_a, 0);
   const Eigen::MatrixXcd by_whole = errors_of(of_whole, whole.errors), by_a = errors_of(of_a, a.errors);
   Eigen::MatrixXcd errors(u * u, by_whole.cols() + by_a.cols());
   errors << by_whole, by_a;

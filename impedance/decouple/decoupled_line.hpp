@@ -21,16 +21,16 @@ struct MeasuredSystem {
 
 /// FRFs of B at a line with their errors to first order.
 struct DecoupledLine {
-  Eigen::MatrixXcd h;                       ///< [u × u]
+  Eigen::MatrixXcd h;  ///< [u × u]
   Eigen::MatrixXd variance_re, variance_im;
   std::vector<Eigen::MatrixXcd> covariance;  ///< of the rows of each column, E[δ_r δ_s*]
   Eigen::VectorXd singular_values;           ///< of (H_AB − H_A)(v, e); empty for the likelihood
 };
 
-/// (23) with (24): H_B(u,u) = H_AB(u,u) − H_AB(u,e) [(H_AB − H_A)(v,e)]⁺ H_AB(v,u). `kept`: singular values, 0 for all. Of A the places
-/// of v and e are given apart. All FRFs that it takes must be known.
+/// (23) with (24): H_B(u,u) = H_AB(u,u) − H_AB(u,e) [(H_AB − H_A)(v,e)]⁺ H_AB(v,u). `kept`: singular values, 0 for all. Of A the
+/// places of v and e are given apart. All FRFs that it takes must be known.
 struct DecoupleAt {
-  std::vector<Eigen::Index> u, v, e;      ///< in AB
+  std::vector<Eigen::Index> u, v, e;         ///< in AB
   std::vector<Eigen::Index> v_of_a, e_of_a;  ///< the same coordinates in A
   std::size_t kept = 0;
 };

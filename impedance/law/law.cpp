@@ -47,8 +47,8 @@ LawValue linear_value(const Eigen::VectorXd& theta, std::initializer_list<Comple
 }  // namespace
 
 const std::vector<std::string>& law_names() {
-  static const std::vector<std::string> words = {"hysteretic", "kelvin-voigt", "zener",           "fractional-zener",
-                                                 "linear",     "quadratic",    "kelvin-voigt-mass"};
+  static const std::vector<std::string> words = {"hysteretic", "kelvin-voigt",     "zener", "fractional-zener", "linear",
+                                                 "quadratic",  "kelvin-voigt-mass"};
   return words;
 }
 

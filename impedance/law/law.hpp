@@ -10,13 +10,13 @@ namespace jointid::impedance {
 
 /// Laws of a dynamic stiffness over frequency (docs/joint-line-by-line.md, Laws). s = (iωτ)^α, u = ω/(1000 rad/s).
 enum class LawKind {
-  hysteretic,         ///< K + iD
-  kelvin_voigt,       ///< K + iωC
-  zener,              ///< (K₀ + K_∞ s)/(1 + s), α = 1
-  fractional_zener,   ///< the same, 0 < α ≤ 1
-  linear,             ///< k₀ + k₁u + i(d₀ + d₁u): a description, not causal
-  quadratic,          ///< the same with k₂u² and d₂u²
-  kelvin_voigt_mass   ///< K + iωC − ω²m
+  hysteretic,        ///< K + iD
+  kelvin_voigt,      ///< K + iωC
+  zener,             ///< (K₀ + K_∞ s)/(1 + s), α = 1
+  fractional_zener,  ///< the same, 0 < α ≤ 1
+  linear,            ///< k₀ + k₁u + i(d₀ + d₁u): a description, not causal
+  quadratic,         ///< the same with k₂u² and d₂u²
+  kelvin_voigt_mass  ///< K + iωC − ω²m
 };
 
 std::string name(LawKind law);

@@ -34,7 +34,8 @@ std::vector<WhitenedLine> whitened_lines(const std::vector<double>& omega, const
     if (!lines[i] || !lines[i]->z.allFinite() || !lines[i]->covariance.allFinite()) continue;
     const Vector scale = lines[i]->covariance.diagonal().cwiseSqrt();
     if (!(scale.minCoeff() > 0.0)) continue;
-    const auto lower = dense::cholesky(scale.cwiseInverse().asDiagonal() * lines[i]->covariance * scale.cwiseInverse().asDiagonal());
+    const auto lower =
+        dense::cholesky(scale.cwiseInverse().asDiagonal() * lines[i]->covariance * scale.cwiseInverse().asDiagonal());
     if (!lower) continue;
     out.push_back({i, omega[i], scale, *lower, {}});
     Vector parts(2 * lines[i]->z.size());
@@ -44,8 +45,8 @@ std::vector<WhitenedLine> whitened_lines(const std::vector<double>& omega, const
   return out;
 }
 
-/// The law as a function of all its parameters: those of z_1, z_2, …, or where they share it K_1, K_2, … and what multiplies them, then the
-/// masses.
+/// The law as a function of all its parameters: those of z_1, z_2, …, or where they share it K_1, K_2, … and what multiplies
+/// them, then the masses.
 class Model {
  public:
   Model(LawKind law, const LawLayout& layout)
@@ -220,7 +221,8 @@ std::vector<Vector> element_starts(LawKind law, const std::vector<WhitenedLine>&
 }
 
 /// The line values of the element that is known best beside its size, alone.
-std::vector<std::optional<LineValue>> best_element(const LawLayout& layout, const std::vector<std::optional<LineValue>>& lines, Index& which) {
+std::vector<std::optional<LineValue>> best_element(const LawLayout& layout, const std::vector<std::optional<LineValue>>& lines,
+                                                   Index& which) {
   const auto known = [&](Index e) {
     double sum = 0.0;
     for (const auto& line : lines) {
@@ -287,7 +289,8 @@ void name_parameters(const LawLayout& layout, LawFit& out) {
 
 }  // namespace
 
-LawFit fit_law(LawKind law, const LawLayout& layout, const std::vector<double>& omega, const std::vector<std::optional<LineValue>>& lines) {
+LawFit fit_law(LawKind law, const LawLayout& layout, const std::vector<double>& omega,
+               const std::vector<std::optional<LineValue>>& lines) {
   const std::vector<WhitenedLine> used = whitened_lines(omega, lines);
   const Model model(law, layout);
   LawFit out;
@@ -330,9 +333,8 @@ std::vector<LawFit> fit_laws(const std::vector<LawKind>& laws, const LawLayout& 
                              const std::vector<std::optional<LineValue>>& lines) {
   std::vector<LawFit> out;
   for (const LawKind law : laws) out.push_back(fit_law(law, layout, omega, lines));
-  std::ranges::stable_sort(out, [](const LawFit& a, const LawFit& b) {
-    return std::pair(!a.converged, a.aic) < std::pair(!b.converged, b.aic);
-  });
+  std::ranges::stable_sort(
+      out, [](const LawFit& a, const LawFit& b) { return std::pair(!a.converged, a.aic) < std::pair(!b.converged, b.aic); });
   return out;
 }
 

@@ -9,7 +9,8 @@
 
 namespace jointid::impedance {
 
-/// Which elements follow laws, and how masses stand beside them: value of element e = Σ_s place(e, s) z_s(ω) − ω² Σ_i mass(e, i) m_i.
+/// Which elements follow laws, and how masses stand beside them: value of element e = Σ_s place(e, s) z_s(ω) − ω² Σ_i mass(e, i)
+/// m_i.
 struct LawLayout {
   std::vector<std::string> names, units;  ///< of the z_s
   Eigen::MatrixXd place;                  ///< [elements × S]
@@ -31,12 +32,13 @@ struct LawFit {
   Eigen::VectorXd theta;
   Eigen::MatrixXd covariance;
   double chi_square = 0.0, freedom = 0.0, aic = 0.0;
-  std::vector<double> by_line;            ///< χ²
+  std::vector<double> by_line;                  ///< χ²
   std::vector<std::optional<LineValue>> lines;  ///< the law's values of the elements, with their covariance
 };
 
 /// The lines that have a value with a finite covariance; `omega` in rad/s.
-LawFit fit_law(LawKind law, const LawLayout& layout, const std::vector<double>& omega, const std::vector<std::optional<LineValue>>& lines);
+LawFit fit_law(LawKind law, const LawLayout& layout, const std::vector<double>& omega,
+               const std::vector<std::optional<LineValue>>& lines);
 
 /// Laws by AIC, least first; those that did not converge last.
 std::vector<LawFit> fit_laws(const std::vector<LawKind>& laws, const LawLayout& layout, const std::vector<double>& omega,

@@ -6,10 +6,12 @@ namespace jointid::impedance {
 
 Eigen::MatrixXcd errors_of(const Eigen::MatrixXcd& jacobian, const ErrorColumns& columns) {
   std::vector<bool> is_used(static_cast<std::size_t>(jacobian.cols()));
-  for (Eigen::Index e = 0; e < jacobian.cols(); ++e) is_used[static_cast<std::size_t>(e)] = (jacobian.col(e).array() != 0.0).any();
+  for (Eigen::Index e = 0; e < jacobian.cols(); ++e)
+    is_used[static_cast<std::size_t>(e)] = (jacobian.col(e).array() != 0.0).any();
   std::vector<std::size_t> kept;
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    if (std::ranges::any_of(columns[k], [&](const auto& one) { return is_used[static_cast<std::size_t>(one.first)]; })) kept.push_back(k);
+    if (std::ranges::any_of(columns[k], [&](const auto& one) { return is_used[static_cast<std::size_t>(one.first)]; }))
+      kept.push_back(k);
   }
   Eigen::MatrixXcd out = Eigen::MatrixXcd::Zero(jacobian.rows(), static_cast<Eigen::Index>(kept.size()));
   for (std::size_t k = 0; k < kept.size(); ++k) {

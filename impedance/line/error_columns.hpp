@@ -8,8 +8,8 @@
 
 namespace jointid::impedance {
 
-/// Errors e of measured FRFs as sums of real, independent errors u of variance 1: e = Σ_k column_k u_k, of which only what is not zero is
-/// kept, (FRF, factor).
+/// Errors e of measured FRFs as sums of real, independent errors u of variance 1: e = Σ_k column_k u_k, of which only what is not
+/// zero is kept, (FRF, factor).
 using ErrorColumns = std::vector<std::vector<std::pair<Eigen::Index, Complex>>>;
 
 /// J · column_k, those that are not zero.

@@ -49,7 +49,8 @@ class Directions {
         const auto found = std::ranges::find(elements_, group.elements[static_cast<std::size_t>(i)]);
         if (found == elements_.end() || errors(i, k) == 0.0) continue;
         const Complex w = weight_[static_cast<std::size_t>(found - elements_.begin())];
-        out.back().emplace_back(found - elements_.begin(), Complex(errors(i, k).real() * deviation(w.real()), errors(i, k).imag() * deviation(w.imag())));
+        out.back().emplace_back(found - elements_.begin(),
+                                Complex(errors(i, k).real() * deviation(w.real()), errors(i, k).imag() * deviation(w.imag())));
       }
     }
   }
@@ -74,8 +75,8 @@ LineBlocks blocks_of(const ident::LineLayout& layout, const ident::LineData& dat
   std::vector<Complex> weights;
   std::vector<std::size_t> elements;
   std::size_t element = 0;
-  const auto add = [&](const std::vector<ident::Element>& places, const ident::Channel& channel, Eigen::Index row, Eigen::Index column,
-                       bool of_assembly) {
+  const auto add = [&](const std::vector<ident::Element>& places, const ident::Channel& channel, Eigen::Index row,
+                       Eigen::Index column, bool of_assembly) {
     Eigen::MatrixXcd& values = of_assembly ? out.assembly : out.substructures;
     Eigen::MatrixXd& known = of_assembly ? out.known_assembly : out.known_substructures;
     for (std::size_t i = 0; i < places.size(); ++i, ++element) {
@@ -100,9 +101,8 @@ LineBlocks blocks_of(const ident::LineLayout& layout, const ident::LineData& dat
 }
 
 bool is_known(const Eigen::MatrixXd& known, const std::vector<Eigen::Index>& rows, const std::vector<Eigen::Index>& columns) {
-  return std::ranges::all_of(rows, [&](Eigen::Index r) {
-    return std::ranges::all_of(columns, [&](Eigen::Index c) { return known(r, c) > 0.0; });
-  });
+  return std::ranges::all_of(
+      rows, [&](Eigen::Index r) { return std::ranges::all_of(columns, [&](Eigen::Index c) { return known(r, c) > 0.0; }); });
 }
 
 }  // namespace jointid::impedance

@@ -9,9 +9,9 @@
 
 namespace jointid::impedance {
 
-/// The measured FRFs of a line as matrices over n coordinates away from the joint, then N of the joint, with the errors of what was
-/// measured. H(n,n) of both systems is told as their difference alone: `substructures` has H_sub − H_asm there, `assembly` zeros. No
-/// formula for Z needs more.
+/// The measured FRFs of a line as matrices over n coordinates away from the joint, then N of the joint, with the errors of what
+/// was measured. H(n,n) of both systems is told as their difference alone: `substructures` has H_sub − H_asm there, `assembly`
+/// zeros. No formula for Z needs more.
 struct LineBlocks {
   std::size_t others = 0, joint = 0;
   double omega = 0.0;

@@ -11,9 +11,9 @@ namespace jointid::impedance {
 namespace {
 
 constexpr std::size_t most_steps = 100;
-constexpr double settled = 1e-8;      // of the last step, in standard deviations
-constexpr double longest = 10.0;      // of a step, in |z|
-constexpr double by_rounding = 1e-13; // of χ²
+constexpr double settled = 1e-8;       // of the last step, in standard deviations
+constexpr double longest = 10.0;       // of a step, in |z|
+constexpr double by_rounding = 1e-13;  // of χ²
 
 std::vector<double> unknowns_of(const Eigen::VectorXcd& z) {
   std::vector<double> out;
@@ -127,7 +127,8 @@ class Descent {
   void finish(LineFit& out) {
     const bool has_information = linearise(0.0);
     out.value.z = values_of(theta_);
-    const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(theta_.size()), static_cast<Eigen::Index>(theta_.size()));
+    const Eigen::MatrixXd none =
+        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(theta_.size()), static_cast<Eigen::Index>(theta_.size()));
     out.value.covariance = minimise::covariance_of(has_information ? reduced_.information : none);
     out.value.chi_square = cost_;
     out.value.freedom = data_.redundancy(model_.layout()) - static_cast<double>(theta_.size());
@@ -145,7 +146,8 @@ class Descent {
 
 }  // namespace
 
-LineFit fit_line(const ident::LineData& data, const ident::JointImpedance& joint, const Eigen::VectorXcd& start, ident::LineModel& model) {
+LineFit fit_line(const ident::LineData& data, const ident::JointImpedance& joint, const Eigen::VectorXcd& start,
+                 ident::LineModel& model) {
   return Descent(data, joint, start, model).run();
 }
 

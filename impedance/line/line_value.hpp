@@ -10,8 +10,8 @@ namespace jointid::impedance {
 
 /// Elements of Z at a line with the covariance of their errors.
 struct LineValue {
-  Eigen::VectorXcd z;          ///< [T]
-  Eigen::MatrixXd covariance;  ///< [2T × 2T], all real parts, then all imaginary ones
+  Eigen::VectorXcd z;                ///< [T]
+  Eigen::MatrixXd covariance;        ///< [2T × 2T], all real parts, then all imaginary ones
   double chi_square = std::nan("");  ///< of what is left; NaN: the way has none
   double freedom = 0.0;
 

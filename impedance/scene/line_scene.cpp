@@ -57,7 +57,8 @@ void read_facing(const scene::Item& item, const JointSpec& joint, LineScene& out
     for (std::size_t k = 0; k < 2; ++k) {
       places[k] = frf::find_coordinate(joint.dofs, dofs[k]);
       if (places[k] == frf::npos) pair.fail(dofs[k].name() + " is not a DOF of the joint", "add it to dofs");
-      if (dofs[k].sign != joint.dofs[places[k]].sign) pair.fail(dofs[k].name() + " has another sign in dofs", "write it as there");
+      if (dofs[k].sign != joint.dofs[places[k]].sign)
+        pair.fail(dofs[k].name() + " has another sign in dofs", "write it as there");
       if (used[places[k]]) pair.fail(dofs[k].name() + " is in two pairs", "each DOF has one partner");
       used[places[k]] = true;
     }
@@ -72,7 +73,8 @@ void read_structure(const scene::Item& item, JointSpec& joint, LineScene& out) {
     return;
   }
   if (!item.is_table()) {
-    item.fail("is no structure of Z", "write \"symmetric\", \"massless\", \"masses\", \"diagonal\", { matrix = … } or { springs = … }");
+    item.fail("is no structure of Z",
+              "write \"symmetric\", \"massless\", \"masses\", \"diagonal\", { matrix = … } or { springs = … }");
   }
   out.structure = Structure::given;
   const scene::Table table = item.table({"matrix", "springs"});
@@ -150,7 +152,8 @@ void read_joint(const scene::Table& table, LineScene& out) {
     joints->fail("Z at every line is that of one joint", "write [joint] with the DOFs of all of them");
   }
   const scene::Item item = table.require("joint");
-  const scene::Table joint = item.table({"dofs", "lines", "facing", "way", "laws", "law_scope", "law_masses", "smooth", "splines"});
+  const scene::Table joint =
+      item.table({"dofs", "lines", "facing", "way", "laws", "law_scope", "law_masses", "smooth", "splines"});
   out.scene.joints.emplace_back();
   JointSpec& spec = out.scene.joints.back();
   spec.dofs = joint.require("dofs").dofs();
@@ -171,7 +174,8 @@ void refuse_identify(const scene::Item& item, const ident::IdentifySection& iden
   const scene::Table table = item.open_table();
   for (const auto& [key, value] : table.members()) {
     if (key != "method" && key != "equations" && key != "variance" && key != "smooth_variance") {
-      value.fail("does not apply to lines", "remove " + key + ": [joint] lines has method, equations, variance and smooth_variance");
+      value.fail("does not apply to lines",
+                 "remove " + key + ": [joint] lines has method, equations, variance and smooth_variance");
     }
   }
   if (!identify.automatic && identify.method != ident::Method::likelihood) {
@@ -201,7 +205,8 @@ void set_structure(LineScene& scene) {
   if (has_halves(scene.structure)) {
     if (scene.facing.empty() && size % 2 == 0) scene.facing = halves_of(size);
     if (2 * scene.facing.size() != size) {
-      ident::fail(scene.scene, "[joint] facing", "the joint has " + std::to_string(size) + " DOFs, of which facing ones are pairs",
+      ident::fail(scene.scene, "[joint] facing",
+                  "the joint has " + std::to_string(size) + " DOFs, of which facing ones are pairs",
                   "list the DOFs of one part, then those that face them; or give facing = [[\"4:+Y\", \"5:+Y\"], …]");
     }
     joint.matrices[Kind::stiffness] = between_halves(scene, size);
@@ -242,7 +247,8 @@ LineScene read_sections(const scene::Document& document, const std::filesystem::
 }
 
 LineScene parse_line_scene(const std::string& text, const std::filesystem::path& file) {
-  const scene::Document document(text, file, {"data", "frequency", "joint", "joints", "nodes", "identify", "noise", "virtual_points"});
+  const scene::Document document(text, file,
+                                 {"data", "frequency", "joint", "joints", "nodes", "identify", "noise", "virtual_points"});
   LineScene out = read_sections(document, file);
   read_joint(document.table(), out);
   return out;

@@ -49,15 +49,16 @@ struct LineScene {
   Structure structure = Structure::symmetric;
   std::vector<std::pair<std::size_t, std::size_t>> facing;  ///< joint coordinates of both halves; empty unless massless or masses
   std::vector<Way> ways = {Way::likelihood};                ///< the first is the result
-  std::vector<LawKind> laws;   ///< fitted to the result; empty: none
-  bool law_per_joint = false;  ///< elements share all of a law but their stiffness
-  std::optional<Smoothing> smoothing;  ///< of the result over lines; empty: none
-  double lambda = 0.0;                 ///< where it is given
-  std::size_t splines = 0;             ///< 0: a third of the lines, 12 to 40
-  bool law_masses = false;     ///< masses of the joint's DOFs are unknowns beside the law
+  std::vector<LawKind> laws;                                ///< fitted to the result; empty: none
+  bool law_per_joint = false;                               ///< elements share all of a law but their stiffness
+  std::optional<Smoothing> smoothing;                       ///< of the result over lines; empty: none
+  double lambda = 0.0;                                      ///< where it is given
+  std::size_t splines = 0;                                  ///< 0: a third of the lines, 12 to 40
+  bool law_masses = false;                                  ///< masses of the joint's DOFs are unknowns beside the law
 };
 
-/// Makes one of a scene with data whose joint's DOFs are there: matrices of the structure, checks of `facing`. Throws InputError (usage).
+/// Makes one of a scene with data whose joint's DOFs are there: matrices of the structure, checks of `facing`. Throws InputError
+/// (usage).
 void set_structure(LineScene& scene);
 
 /// Throws InputError (usage) with file, place, value and remedy.

@@ -17,7 +17,8 @@ using Index = Eigen::Index;
 /// The four B-splines that are not zero at w of an interval of knots, 0 ≤ w ≤ 1.
 std::array<double, 4> cubic_splines(double w) {
   const double v = 1.0 - w;
-  return {v * v * v / 6.0, (3.0 * w * w * w - 6.0 * w * w + 4.0) / 6.0, (-3.0 * w * w * w + 3.0 * w * w + 3.0 * w + 1.0) / 6.0, w * w * w / 6.0};
+  return {v * v * v / 6.0, (3.0 * w * w * w - 6.0 * w * w + 4.0) / 6.0, (-3.0 * w * w * w + 3.0 * w * w + 3.0 * w + 1.0) / 6.0,
+          w * w * w / 6.0};
 }
 
 /// A minimum of a function between two logarithms, the least of a grid made finer.
@@ -101,10 +102,12 @@ const std::vector<std::string>& smoothing_names() {
   return words;
 }
 
-std::string name(Smoothing smoothing) { return smoothing == Smoothing::given ? "given" : smoothing_names()[static_cast<std::size_t>(smoothing)]; }
+std::string name(Smoothing smoothing) {
+  return smoothing == Smoothing::given ? "given" : smoothing_names()[static_cast<std::size_t>(smoothing)];
+}
 
-SplineFit fit_spline(const std::vector<double>& hz, const Eigen::VectorXcd& z, const Eigen::VectorXd& variance, std::size_t splines,
-                     Smoothing smoothing, double lambda) {
+SplineFit fit_spline(const std::vector<double>& hz, const Eigen::VectorXcd& z, const Eigen::VectorXd& variance,
+                     std::size_t splines, Smoothing smoothing, double lambda) {
   if (splines < 4 || z.size() < 4) throw std::invalid_argument("a cubic spline needs four B-splines and four lines");
   const Spline spline(hz, z, variance, splines);
   const auto criterion = [smoothing](const SplineFit& fit) {

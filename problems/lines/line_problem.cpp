@@ -27,7 +27,8 @@ std::vector<double> axis_of(double from, double step, int count) {
   return all;
 }
 
-frf::FrfSet square_set(const Structure& structure, const std::vector<frf::Dof>& dofs, const std::vector<double>& hz, const std::string& file) {
+frf::FrfSet square_set(const Structure& structure, const std::vector<frf::Dof>& dofs, const std::vector<double>& hz,
+                       const std::string& file) {
   frf::FrfSet set = frequency_response(structure, {.response = dofs, .reference = dofs, .frequency_hz = hz});
   set.header.file = file;
   return set;
@@ -41,9 +42,11 @@ frf::FrfSet with_impedance(const Structure& both, const std::vector<frf::Dof>& d
   for (std::size_t line = 0; line < hz.size(); ++line) {
     Eigen::Map<RowMatrixXc> h(set.values.data() + set.index(line, 0, 0), n, n);
     Eigen::MatrixXcd columns(n, j);
-    for (Eigen::Index k = 0; k < j; ++k) columns.col(k) = h.col(at(frf::find_coordinate(dofs, joint[static_cast<std::size_t>(k)])));
+    for (Eigen::Index k = 0; k < j; ++k)
+      columns.col(k) = h.col(at(frf::find_coordinate(dofs, joint[static_cast<std::size_t>(k)])));
     Eigen::MatrixXcd own(j, j);
-    for (Eigen::Index k = 0; k < j; ++k) own.row(k) = columns.row(at(frf::find_coordinate(dofs, joint[static_cast<std::size_t>(k)])));
+    for (Eigen::Index k = 0; k < j; ++k)
+      own.row(k) = columns.row(at(frf::find_coordinate(dofs, joint[static_cast<std::size_t>(k)])));
     const Eigen::MatrixXcd z = impedance(angular(hz[line]));
     const Eigen::MatrixXcd inner = z * dense::inverse(Eigen::MatrixXcd::Identity(j, j) + own * z);
     const Eigen::MatrixXcd changed = h - columns * inner * columns.transpose();
@@ -74,8 +77,8 @@ std::string dof_list(const std::vector<frf::Dof>& dofs) {
 std::string head_of(const LineProblem& problem) {
   std::string files;
   for (const frf::FrfSet& set : problem.substructures) files += (files.empty() ? "\"" : ", \"") + set.header.file + "\"";
-  return "title = \"" + problem.name + ": " + problem.description + "\"\n\n[data]\nsubstructures = [" + files + "]\nassembly = [\"" +
-         problem.assembly.front().header.file + "\"]\n\n";
+  return "title = \"" + problem.name + ": " + problem.description + "\"\n\n[data]\nsubstructures = [" + files +
+         "]\nassembly = [\"" + problem.assembly.front().header.file + "\"]\n\n";
 }
 
 /// Two masses on springs to each side of a rubber mount: ground–k₀–m₀–k₁–m₁ – joint – m₂–k₂–m₃–k₃–ground.
@@ -154,14 +157,16 @@ LineProblem six_axes() {
   out.assembly = {with_impedance(merged(a, b), all, joint, hz, impedance, "isolator_AB.h5")};
   out.law = {"Kinf/K0 = 4", "tau = 0.00053 s", "alpha = 0.5"};
   for (const double f : hz) out.truth.push_back(elements_of(impedance(angular(f)).topLeftCorner(6, 6)));
-  out.scene = head_of(out) + "[joint]\ndofs = " + dof_list(joint) + "\nlines = \"massless\"\nlaws = [\"fractional-zener\", \"zener\", \"kelvin-voigt\", \"hysteretic\"]\n";
+  out.scene = head_of(out) + "[joint]\ndofs = " + dof_list(joint) +
+              "\nlines = \"massless\"\nlaws = [\"fractional-zener\", \"zener\", \"kelvin-voigt\", \"hysteretic\"]\n";
   return out;
 }
 
 /// Two beams joined rigidly: A is taken out of AB.
 LineProblem beams_to_decouple() {
   constexpr BeamSection section = {.width = 0.03, .thickness = 0.01, .youngs_modulus = 2.07e11, .density = 7860.0};
-  Structure a = beam(section, {.first_node = 1, .x = {0.0, 0.1, 0.2, 0.3}}), b = beam(section, {.first_node = 4, .x = {0.3, 0.4, 0.5}});
+  Structure a = beam(section, {.first_node = 1, .x = {0.0, 0.1, 0.2, 0.3}}),
+            b = beam(section, {.first_node = 4, .x = {0.3, 0.4, 0.5}});
   Structure whole = beam(section, {.first_node = 1, .x = {0.0, 0.1, 0.2, 0.3, 0.4, 0.5}});
   for (Structure* each : {&a, &b, &whole}) each->add_proportional_damping(0.01);
   const std::vector<double> hz = axis_of(220.0, 25.0, 41);
@@ -173,7 +178,8 @@ LineProblem beams_to_decouple() {
   out.substructures = {square_set(a, a.dofs(), hz, "decoupling-beams_A.h5")};
   out.assembly = {square_set(whole, whole.dofs(), hz, "decoupling-beams_AB.h5")};
   const frf::FrfSet truth = square_set(b, beam_dofs(4), hz, "B.h5");
-  for (std::size_t i = 0; i < hz.size(); ++i) out.truth.push_back({truth.values[4 * i], truth.values[4 * i + 1], truth.values[4 * i + 3]});
+  for (std::size_t i = 0; i < hz.size(); ++i)
+    out.truth.push_back({truth.values[4 * i], truth.values[4 * i + 1], truth.values[4 * i + 3]});
   out.scene = head_of(out) + "[decouple]\ninterface = " + dof_list(beam_dofs(4)) + "\nway = [\"likelihood\", \"standard\"]\n";
   return out;
 }
@@ -221,7 +227,8 @@ std::filesystem::path write(const LineProblem& problem, const std::filesystem::p
   std::string scene = problem.scene;
   const bool tells_variances = !options.clean && std::string(format.name) == "h5";
   if (!tells_variances) {
-    scene += "\n[noise]  # what the files do not tell\nmodel = \"circular\"\nlevel = " + nlohmann::json(problem.noise).dump() + "\n";
+    scene +=
+        "\n[noise]  # what the files do not tell\nmodel = \"circular\"\nlevel = " + nlohmann::json(problem.noise).dump() + "\n";
   }
   for (const auto* sets : {&data.substructures, &data.assembly}) {
     for (const frf::FrfSet& set : *sets) {

@@ -17,8 +17,8 @@ struct LineProblem {
   std::vector<frf::FrfSet> substructures, assembly;  ///< noise-free; header.file names them in the scene
   std::string scene;                                 ///< TOML text for `jointid solve` or `jointid decouple`
   bool decouples = false;
-  double noise = 0.01;                               ///< circular, of every FRF
-  std::vector<std::string> law;                      ///< "K0 = 30000 N/m", of the joint
+  double noise = 0.01;           ///< circular, of every FRF
+  std::vector<std::string> law;  ///< "K0 = 30000 N/m", of the joint
   /// Z of the joint, or H of B at the interface: upper triangle row by row, [lines][elements].
   std::vector<std::vector<Complex>> truth;
 };

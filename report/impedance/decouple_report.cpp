@@ -50,7 +50,8 @@ Json way_of(const DecoupledWay& way) {
       continue;
     }
     Json one = {{"frf", complex_rows(line->h)}, {"variance", variance_rows(*line)}};
-    one["singular_values"] = values(std::span(line->singular_values.data(), static_cast<std::size_t>(line->singular_values.size())));
+    one["singular_values"] =
+        values(std::span(line->singular_values.data(), static_cast<std::size_t>(line->singular_values.size())));
     out["lines"].push_back(one);
   }
   return out;
@@ -64,7 +65,10 @@ Json stiffness_of(const impedance::IdentifiedLines& lines) {
       out["lines"].push_back(nullptr);
       continue;
     }
-    Json one = {{"z", Json::array()}, {"variance", Json::array()}, {"chi_square", value(line->chi_square)}, {"degrees_of_freedom", value(line->freedom)}};
+    Json one = {{"z", Json::array()},
+                {"variance", Json::array()},
+                {"chi_square", value(line->chi_square)},
+                {"degrees_of_freedom", value(line->freedom)}};
     for (Eigen::Index t = 0; t < line->z.size(); ++t) {
       one["z"].push_back({value(line->z(t).real()), value(line->z(t).imag())});
       one["variance"].push_back(value(line->variance(t)));
@@ -85,8 +89,8 @@ Table error_table(const Decoupled& found) {
         for (const auto& line : way.lines) {
           if (line) all.push_back(std::sqrt(line->variance_re(r, c) + line->variance_im(r, c)) / std::abs(line->h(r, c)));
         }
-        table.add({way.dofs[static_cast<std::size_t>(r)].name() + "/" + way.dofs[static_cast<std::size_t>(c)].name(), impedance::name(way.way),
-                   std::to_string(all.size()), fmt::format("{:.2g}", median(all))});
+        table.add({way.dofs[static_cast<std::size_t>(r)].name() + "/" + way.dofs[static_cast<std::size_t>(c)].name(),
+                   impedance::name(way.way), std::to_string(all.size()), fmt::format("{:.2g}", median(all))});
       }
     }
   }
@@ -101,8 +105,9 @@ std::string decouple_text(const impedance::DecoupleScene& scene, const Decoupled
                       comma_list(scene.interface, [](const frf::Dof& dof) { return dof.name(); }), found.frequency_hz.size(),
                       found.frequency_hz.front(), found.frequency_hz.back());
   if (found.likelihood.freedom > 0.0) {
-    text += fmt::format("χ² = {:.5g} of {:.0f} degrees of freedom, χ²/f = {:.3g} (chance leaves up to {:.3g})\n", found.likelihood.chi_square,
-                        found.likelihood.freedom, found.likelihood.chi_square / found.likelihood.freedom, found.likelihood.likely);
+    text += fmt::format("χ² = {:.5g} of {:.0f} degrees of freedom, χ²/f = {:.3g} (chance leaves up to {:.3g})\n",
+                        found.likelihood.chi_square, found.likelihood.freedom,
+                        found.likelihood.chi_square / found.likelihood.freedom, found.likelihood.likely);
   }
   text += error_table(found).text();
   for (const std::string& note : found.notes) text += "note: " + note + "\n";
@@ -136,9 +141,10 @@ std::string decouple_csv(const Decoupled& found) {
           if (!way.lines[i]) continue;
           const auto row = static_cast<Eigen::Index>(r), column = static_cast<Eigen::Index>(c);
           const Complex h = way.lines[i]->h(row, column);
-          text += csv_line({impedance::name(way.way), way.dofs[r].name(), way.dofs[c].name(), csv_number(found.frequency_hz[i]), csv_number(h.real()),
-                            csv_number(h.imag()), csv_number(std::sqrt(way.lines[i]->variance_re(row, column))),
-                            csv_number(std::sqrt(way.lines[i]->variance_im(row, column)))});
+          text +=
+              csv_line({impedance::name(way.way), way.dofs[r].name(), way.dofs[c].name(), csv_number(found.frequency_hz[i]),
+                        csv_number(h.real()), csv_number(h.imag()), csv_number(std::sqrt(way.lines[i]->variance_re(row, column))),
+                        csv_number(std::sqrt(way.lines[i]->variance_im(row, column)))});
         }
       }
     }

@@ -73,8 +73,10 @@ CurvePlot part_plot(const IdentifiedLines& found, const WayResult& way, std::siz
   plot.series.push_back({"value", over_lines(way, part), Style::line});
   add_law(found, way, plot, part);
   add_spline(found, way, element, plot, part);
-  plot.series.push_back({"95 % low", over_lines(way, [=](const LineValue& line) { return part(line) - error(line); }), Style::dashed});
-  plot.series.push_back({"95 % high", over_lines(way, [=](const LineValue& line) { return part(line) + error(line); }), Style::dashed});
+  plot.series.push_back(
+      {"95 % low", over_lines(way, [=](const LineValue& line) { return part(line) - error(line); }), Style::dashed});
+  plot.series.push_back(
+      {"95 % high", over_lines(way, [=](const LineValue& line) { return part(line) + error(line); }), Style::dashed});
   return plot;
 }
 
@@ -83,8 +85,10 @@ PlotGroup element_plots(const IdentifiedLines& found, const WayResult& way) {
   for (std::size_t e = 0; e < std::min(most_frfs, way.elements.size()); ++e) {
     const auto t = static_cast<Eigen::Index>(e);
     CurvePlot loss = plot_over(found, "loss factor", "Im/Re");
-    loss.series.push_back({"loss factor", over_lines(way, [t](const LineValue& line) { return line.z(t).imag() / line.z(t).real(); })});
-    out.choices.push_back({way.elements[e].name, {part_plot(found, way, e, false), part_plot(found, way, e, true), std::move(loss)}});
+    loss.series.push_back(
+        {"loss factor", over_lines(way, [t](const LineValue& line) { return line.z(t).imag() / line.z(t).real(); })});
+    out.choices.push_back(
+        {way.elements[e].name, {part_plot(found, way, e, false), part_plot(found, way, e, true), std::move(loss)}});
   }
   return out;
 }

@@ -17,13 +17,14 @@ using impedance::WayResult;
 constexpr std::size_t most_rows = 20, most_elements = 6;
 
 std::string of_lines(const IdentifiedLines& found) {
-  return fmt::format("{} lines, {:.6g} to {:.6g} Hz", found.frequency_hz.size(), found.frequency_hz.front(), found.frequency_hz.back());
+  return fmt::format("{} lines, {:.6g} to {:.6g} Hz", found.frequency_hz.size(), found.frequency_hz.front(),
+                     found.frequency_hz.back());
 }
 
 std::string chi_square_text(const IdentifiedLines& found) {
   if (!(found.freedom > 0.0)) return "χ²: no degrees of freedom\n";
-  return fmt::format("χ² = {:.5g} of {:.0f} degrees of freedom, χ²/f = {:.3g} (chance leaves up to {:.3g})\n", found.chi_square, found.freedom,
-                     found.chi_square / found.freedom, found.likely);
+  return fmt::format("χ² = {:.5g} of {:.0f} degrees of freedom, χ²/f = {:.3g} (chance leaves up to {:.3g})\n", found.chi_square,
+                     found.freedom, found.chi_square / found.freedom, found.likely);
 }
 
 /// Lines at which a table has rows.
@@ -60,27 +61,27 @@ Json line_json(const std::optional<LineValue>& line) {
 }
 
 Json way_json(const WayResult& way) {
-  Json out = {{"way", impedance::name(way.way)}, {"structure", impedance::name(way.structure)}, {"elements", Json::array()}, {"lines", Json::array()}};
-  for (const impedance::ElementName& element : way.elements) out["elements"].push_back({{"name", element.name}, {"unit", element.unit}});
+  Json out = {{"way", impedance::name(way.way)},
+              {"structure", impedance::name(way.structure)},
+              {"elements", Json::array()},
+              {"lines", Json::array()}};
+  for (const impedance::ElementName& element : way.elements)
+    out["elements"].push_back({{"name", element.name}, {"unit", element.unit}});
   for (const auto& line : way.lines) out["lines"].push_back(line_json(line));
   return out;
 }
 
 Json law_json(const impedance::LawFit& law) {
-  Json out = {{"law", impedance::name(law.law)},
-              {"converged", law.converged},
-              {"chi_square", value(law.chi_square)},
-              {"degrees_of_freedom", value(law.freedom)},
-              {"aic", value(law.aic)},
-              {"parameters", Json::array()},
-              {"covariance", rows_of(law.covariance)},
-              {"lines", Json::array()}};
+  Json out = {{"law", impedance::name(law.law)},          {"converged", law.converged}, {"chi_square", value(law.chi_square)},
+              {"degrees_of_freedom", value(law.freedom)}, {"aic", value(law.aic)},      {"parameters", Json::array()},
+              {"covariance", rows_of(law.covariance)},    {"lines", Json::array()}};
   for (const impedance::FittedParameter& one : law.parameters) {
-    out["parameters"].push_back({{"name", one.name},
-                                 {"value", value(one.value)},
-                                 {"unit", one.unit},
-                                 {"std_error", value(one.std_error)},
-                                 {"ci95", {value(one.value - normal_95 * one.std_error), value(one.value + normal_95 * one.std_error)}}});
+    out["parameters"].push_back(
+        {{"name", one.name},
+         {"value", value(one.value)},
+         {"unit", one.unit},
+         {"std_error", value(one.std_error)},
+         {"ci95", {value(one.value - normal_95 * one.std_error), value(one.value + normal_95 * one.std_error)}}});
   }
   for (std::size_t i = 0; i < law.lines.size(); ++i) {
     if (!law.lines[i]) {
@@ -134,11 +135,12 @@ Table parameter_table(const impedance::LawFit& law) {
   return table;
 }
 
-std::vector<std::string> value_cells(const std::string& way, const impedance::ElementName& element, double hz, Complex z, double re_error,
-                                     double im_error) {
+std::vector<std::string> value_cells(const std::string& way, const impedance::ElementName& element, double hz, Complex z,
+                                     double re_error, double im_error) {
   std::vector<std::string> out = {way, element.name, element.unit};
   const double re = normal_95 * re_error, im = normal_95 * im_error;
-  for (const double number : {hz, z.real(), z.imag(), re_error, im_error, z.real() - re, z.real() + re, z.imag() - im, z.imag() + im})
+  for (const double number :
+       {hz, z.real(), z.imag(), re_error, im_error, z.real() - re, z.real() + re, z.imag() - im, z.imag() + im})
     out.push_back(csv_number(number));
   return out;
 }
@@ -161,7 +163,8 @@ std::string smooth_text(const IdentifiedLines& found) {
 std::string laws_text(const IdentifiedLines& found) {
   if (found.laws.empty()) return "";
   std::string text = "\nlaws\n" + law_table(found).text();
-  if (found.laws.front().converged) text += impedance::name(found.laws.front().law) + "\n" + parameter_table(found.laws.front()).text();
+  if (found.laws.front().converged)
+    text += impedance::name(found.laws.front().law) + "\n" + parameter_table(found.laws.front()).text();
   return text;
 }
 
@@ -170,9 +173,9 @@ std::string laws_text(const IdentifiedLines& found) {
 Table law_table(const IdentifiedLines& found) {
   Table table({{"law", Align::left}, {"unknowns"}, {"χ²"}, {"freedom"}, {"χ²/f"}, {"AIC − least"}, {"", Align::left}});
   for (const impedance::LawFit& law : found.laws) {
-    table.add({impedance::name(law.law), std::to_string(law.theta.size()), number(law.chi_square), fmt::format("{:.0f}", law.freedom),
-               fmt::format("{:.3g}", law.chi_square / law.freedom), fmt::format("{:.1f}", law.aic - found.laws.front().aic),
-               law.converged ? "" : "not converged"});
+    table.add({impedance::name(law.law), std::to_string(law.theta.size()), number(law.chi_square),
+               fmt::format("{:.0f}", law.freedom), fmt::format("{:.3g}", law.chi_square / law.freedom),
+               fmt::format("{:.1f}", law.aic - found.laws.front().aic), law.converged ? "" : "not converged"});
   }
   return table;
 }
@@ -189,7 +192,8 @@ Table line_table(const IdentifiedLines& found, const WayResult& way, std::size_t
     const double re = line->re_error(t), im = line->im_error(t);
     const bool has_chi_square = line->freedom > 0.0 && std::isfinite(line->chi_square);
     table.add({fmt::format("{:.6g}", found.frequency_hz[i]), number(line->z(t).real(), re), fmt::format("{:.2g}", re),
-               number(line->z(t).imag(), im), fmt::format("{:.2g}", im), fmt::format("{:.3g}", line->z(t).imag() / line->z(t).real()),
+               number(line->z(t).imag(), im), fmt::format("{:.2g}", im),
+               fmt::format("{:.3g}", line->z(t).imag() / line->z(t).real()),
                has_chi_square ? fmt::format("{:.2f}", line->chi_square / line->freedom) : "–"});
   }
   return table;
@@ -197,8 +201,8 @@ Table line_table(const IdentifiedLines& found, const WayResult& way, std::size_t
 
 std::string line_text(const impedance::LineScene& scene, const IdentifiedLines& found) {
   std::string text = scene.scene.title.empty() ? "" : scene.scene.title + "\n";
-  text += "dynamic stiffness of the joint at every line: " + of_lines(found) + "; structure " + impedance::name(scene.structure) + "\n" +
-          chi_square_text(found);
+  text += "dynamic stiffness of the joint at every line: " + of_lines(found) + "; structure " + impedance::name(scene.structure) +
+          "\n" + chi_square_text(found);
   for (const WayResult& way : found.ways) {
     text += "\nway " + impedance::name(way.way) + "\n";
     for (std::size_t e = 0; e < std::min(most_elements, way.elements.size()); ++e) {
@@ -245,16 +249,17 @@ std::string line_json(const impedance::LineScene& scene, const IdentifiedLines& 
 }
 
 std::string line_csv(const IdentifiedLines& found) {
-  std::string text = csv_line({"way", "element", "unit", "frequency_hz", "re", "im", "std_error_re", "std_error_im", "ci95_re_low", "ci95_re_high",
-                               "ci95_im_low", "ci95_im_high", "chi_square", "degrees_of_freedom", "condition_substructures", "condition_assembly"});
+  std::string text = csv_line({"way", "element", "unit", "frequency_hz", "re", "im", "std_error_re", "std_error_im",
+                               "ci95_re_low", "ci95_re_high", "ci95_im_low", "ci95_im_high", "chi_square", "degrees_of_freedom",
+                               "condition_substructures", "condition_assembly"});
   for (const WayResult& way : found.ways) {
     for (std::size_t e = 0; e < way.elements.size(); ++e) {
       const auto t = static_cast<Eigen::Index>(e);
       for (std::size_t i = 0; i < way.lines.size(); ++i) {
         if (!way.lines[i]) continue;
         const LineValue& line = *way.lines[i];
-        std::vector<std::string> cells = value_cells(impedance::name(way.way), way.elements[e], found.frequency_hz[i], line.z(t), line.re_error(t),
-                                                     line.im_error(t));
+        std::vector<std::string> cells = value_cells(impedance::name(way.way), way.elements[e], found.frequency_hz[i], line.z(t),
+                                                     line.re_error(t), line.im_error(t));
         for (const double number : {line.chi_square, line.freedom, found.condition_substructures[i], found.condition_assembly[i]})
           cells.push_back(csv_number(number));
         text += csv_line(cells);
@@ -264,8 +269,9 @@ std::string line_csv(const IdentifiedLines& found) {
   for (const impedance::SmoothElement& one : found.smooth) {
     for (std::size_t q = 0; q < one.lines.size(); ++q) {
       const double error = std::sqrt(0.5 * one.fit.variance(static_cast<Eigen::Index>(q)));
-      std::vector<std::string> cells = value_cells("spline", found.ways.front().elements[one.element], found.frequency_hz[one.lines[q]],
-                                                   one.fit.z(static_cast<Eigen::Index>(q)), error, error);
+      std::vector<std::string> cells =
+          value_cells("spline", found.ways.front().elements[one.element], found.frequency_hz[one.lines[q]],
+                      one.fit.z(static_cast<Eigen::Index>(q)), error, error);
       cells.resize(cells.size() + 4);
       text += csv_line(cells);
     }
@@ -275,8 +281,8 @@ std::string line_csv(const IdentifiedLines& found) {
       for (std::size_t e = 0; law.lines[i] && e < found.ways.front().elements.size(); ++e) {
         const auto t = static_cast<Eigen::Index>(e);
         const LineValue& line = *law.lines[i];
-        std::vector<std::string> cells = value_cells("law " + impedance::name(law.law), found.ways.front().elements[e], found.frequency_hz[i],
-                                                     line.z(t), line.re_error(t), line.im_error(t));
+        std::vector<std::string> cells = value_cells("law " + impedance::name(law.law), found.ways.front().elements[e],
+                                                     found.frequency_hz[i], line.z(t), line.re_error(t), line.im_error(t));
         cells.resize(cells.size() + 4);
         cells[cells.size() - 4] = csv_number(law.by_line[i]);
         text += csv_line(cells);

@@ -18,8 +18,10 @@ Beams beams(const json& given, const std::string& way) {
   std::copy_n(all.begin(), a.size(), a.begin());
   return {{golden::set_of("A.h5", given["frequency_Hz"], a, golden::triangle(a), given["H_A"], given["sigma_A"])},
           {golden::set_of("AB.h5", given["frequency_Hz"], all, golden::triangle(all), given["H_AB"], given["sigma_AB"])},
-          parse_decouple_scene("[data]\nsubstructures = [\"A.h5\"]\nassembly = [\"AB.h5\"]\n[decouple]\ninterface = [\"7:+Y\", \"8:+Y\"]\nway = " + way,
-                               "scene.toml")};
+          parse_decouple_scene(
+              "[data]\nsubstructures = [\"A.h5\"]\nassembly = [\"AB.h5\"]\n[decouple]\ninterface = [\"7:+Y\", \"8:+Y\"]\nway = " +
+                  way,
+              "scene.toml")};
 }
 
 void expect_way(const DecoupledWay& way, const json& expected) {
@@ -33,7 +35,8 @@ void expect_way(const DecoupledWay& way, const json& expected) {
     for (std::size_t r = 0; r < way.dofs.size(); ++r) {
       for (std::size_t c = 0; c < way.dofs.size(); ++c) {
         const auto row = static_cast<Eigen::Index>(r), column = static_cast<Eigen::Index>(c);
-        EXPECT_LT(std::abs(way.lines[i]->h(row, column) - golden::complex(expected["H"][i][r][c])), 1e-9 * largest) << name(way.way) << i << r << c;
+        EXPECT_LT(std::abs(way.lines[i]->h(row, column) - golden::complex(expected["H"][i][r][c])), 1e-9 * largest)
+            << name(way.way) << i << r << c;
         const double variance = way.lines[i]->variance_re(row, column) + way.lines[i]->variance_im(row, column);
         EXPECT_NEAR(variance / expected["variance"][i][r][c].get<double>(), 1.0, 1e-7) << name(way.way) << i << r << c;
         EXPECT_NEAR(way.lines[i]->covariance[c](row, row).real() / variance, 1.0, 1e-12);

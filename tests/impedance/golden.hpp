@@ -30,8 +30,8 @@ inline json golden_case(const std::string& id) {
   return {};
 }
 
-#define IMPEDANCE_CASE(variable, id)                              \
-  const nlohmann::json variable = golden::golden_case(id);        \
+#define IMPEDANCE_CASE(variable, id)                       \
+  const nlohmann::json variable = golden::golden_case(id); \
   if (variable.is_null()) JOINTID_SKIP("golden/impedance.json is missing")
 
 inline Complex complex(const json& value) { return {value[0].get<double>(), value[1].get<double>()}; }
@@ -50,7 +50,9 @@ inline frf::FrfSet set_of(const std::string& file, const json& frequency, const 
   const std::size_t lines = set.header.frequency_hz.size(), n = coordinates.size();
   set.values.assign(lines * n * n, {std::nan(""), std::nan("")});
   set.variance = set.values;
-  const auto place = [&](std::size_t c) { return static_cast<std::size_t>(std::ranges::find(coordinates, c) - coordinates.begin()); };
+  const auto place = [&](std::size_t c) {
+    return static_cast<std::size_t>(std::ranges::find(coordinates, c) - coordinates.begin());
+  };
   for (std::size_t line = 0; line < lines; ++line) {
     for (std::size_t p = 0; p < pairs.size(); ++p) {
       const std::size_t r = place(pairs[p].first), c = place(pairs[p].second);
@@ -96,9 +98,11 @@ inline LinesCase lines_case(const json& given) {
   return out;
 }
 
-inline LineScene scene_of(const std::string& dofs, const std::string& rest, const std::string& substructures = "\"A.h5\", \"B.h5\"") {
-  return parse_line_scene("[data]\nsubstructures = [" + substructures + "]\nassembly = [\"AB.h5\"]\n[joint]\ndofs = [" + dofs + "]\n" + rest,
-                          "scene.toml");
+inline LineScene scene_of(const std::string& dofs, const std::string& rest,
+                          const std::string& substructures = "\"A.h5\", \"B.h5\"") {
+  return parse_line_scene(
+      "[data]\nsubstructures = [" + substructures + "]\nassembly = [\"AB.h5\"]\n[joint]\ndofs = [" + dofs + "]\n" + rest,
+      "scene.toml");
 }
 
 /// Values of a way against those expected, to `digits` of the largest of their list.
@@ -133,7 +137,8 @@ inline void expect_likelihood(const WayResult& way, const json& expected, double
     for (std::size_t t = 0; t < expected["z"][i].size(); ++t) {
       const auto k = static_cast<Eigen::Index>(t);
       const double deviation = std::sqrt(expected["variance"][i][t].get<double>());
-      EXPECT_LT(std::abs(way.lines[i]->z(k) - complex(expected["z"][i][t])), 1e-6 * deviation) << "line " << i << ", element " << t;
+      EXPECT_LT(std::abs(way.lines[i]->z(k) - complex(expected["z"][i][t])), 1e-6 * deviation)
+          << "line " << i << ", element " << t;
       EXPECT_NEAR(way.lines[i]->variance(k) / (deviation * deviation), 1.0, 1e-6) << "line " << i << ", element " << t;
     }
     EXPECT_NEAR(way.lines[i]->chi_square, expected["chi2"][i].get<double>(), 1e-8 * expected["chi2"][i].get<double>()) << i;

@@ -27,7 +27,8 @@ TEST(LawFit, SevenLawsOfTheLinesOfSiso) {
   IMPEDANCE_CASE(golden, "siso_laws");
   const json& given = golden["given"];
   std::vector<std::optional<LineValue>> lines;
-  for (std::size_t i = 0; i < given["z"].size(); ++i) lines.push_back(value_of(golden::complex(given["z"][i]), given["variance"][i].get<double>()));
+  for (std::size_t i = 0; i < given["z"].size(); ++i)
+    lines.push_back(value_of(golden::complex(given["z"][i]), given["variance"][i].get<double>()));
   std::vector<LawKind> all;
   for (std::size_t k = 0; k < law_names().size(); ++k) all.push_back(static_cast<LawKind>(k));
   const std::vector<LawFit> fits = fit_laws(all, one_element(), omegas(given["frequency_Hz"]), lines);
@@ -54,8 +55,9 @@ TEST(LawFit, WithMassesOnWholeMatrices) {
   IMPEDANCE_CASE(golden, "siso_mass");
   golden::LinesCase given = golden::lines_case(golden["given"]);
   const IdentifiedLines found =
-      identify_lines(golden::scene_of(given.dofs, "lines = \"symmetric\"\nlaws = [\"fractional-zener\"]\nlaw_masses = true\n"
-                                                  "facing = [[\"2:+Y\", \"3:+Y\"]]"),
+      identify_lines(golden::scene_of(given.dofs,
+                                      "lines = \"symmetric\"\nlaws = [\"fractional-zener\"]\nlaw_masses = true\n"
+                                      "facing = [[\"2:+Y\", \"3:+Y\"]]"),
                      std::move(given.substructures), std::move(given.assembly));
   ASSERT_EQ(found.laws.size(), 1U);
   const LawFit& fit = found.laws.front();

@@ -13,13 +13,13 @@ struct Normalised {
   double rms = 0.0, coverage = 0.0;
 };
 
-Normalised normalised(const WayResult& way, const std::vector<std::vector<Complex>>& truth) {
+Normalised normalised(const WayResult& way, const std::vector<std::vector<Complex>>& truth, std::size_t stride = 1) {
   Normalised out;
   double count = 0.0;
-  for (std::size_t i = 0; i < truth.size(); ++i) {
+  for (std::size_t i = 0; i < way.lines.size(); ++i) {
     for (std::size_t t = 0; t < truth[i].size(); ++t) {
       const auto k = static_cast<Eigen::Index>(t);
-      const Complex error = way.lines[i]->z(k) - truth[i][t];
+      const Complex error = way.lines[i]->z(k) - truth[i * stride][t];
       const double re = error.real() / way.lines[i]->re_error(k), im = error.imag() / way.lines[i]->im_error(k);
       out.rms += re * re + im * im;
       out.coverage += (std::abs(re) < normal_95) + (std::abs(im) < normal_95);
@@ -46,12 +46,12 @@ TEST(LineProblems, TheRubberMountsLawIsFound) {
 
 TEST(LineProblems, AnIsolatorOfSixCoordinates) {
   const problems::LineProblem problem = problems::polluted(problems::make_line_problem("isolator"), 1);
-  const LineScene scene = parse_line_scene(problem.scene, "isolator.toml");
+  const LineScene scene = parse_line_scene(problem.scene + "\n[frequency]\nstep = 96.0\n", "isolator.toml");
   const IdentifiedLines found = identify_lines(scene, problem.substructures, problem.assembly);
-  const Normalised errors = normalised(found.ways.front(), problem.truth);
-  EXPECT_NEAR(errors.rms, 1.0, 0.1);
-  EXPECT_NEAR(errors.coverage, 0.95, 0.03);
-  EXPECT_NEAR(found.chi_square / found.freedom, 1.0, 0.05);
+  const Normalised errors = normalised(found.ways.front(), problem.truth, 4);
+  EXPECT_NEAR(errors.rms, 1.0, 0.15);
+  EXPECT_NEAR(errors.coverage, 0.95, 0.04);
+  EXPECT_NEAR(found.chi_square / found.freedom, 1.0, 0.1);
   EXPECT_EQ(found.laws.front().law, LawKind::fractional_zener);
   const auto& parameters = found.laws.front().parameters;
   ASSERT_EQ(parameters.size(), 24U);  // 21 stiffnesses, then what they share
@@ -97,14 +97,17 @@ TEST(LineScenes, MistakesAreRefusedWithTheirPlace) {
 TEST(LineScenes, ANamedSpringIsTheMasslessJoint) {
   const problems::LineProblem problem = problems::polluted(problems::make_line_problem("isolator-zener"), 2);
   const auto solve = [&](const std::string& lines) {
-    return identify_lines(parse_line_scene("[data]\nsubstructures = [\"A\", \"B\"]\nassembly = [\"AB\"]\n[joint]\ndofs = [\"2:+Y\", \"3:+Y\"]\nlines = " + lines,
-                                           "s.toml"),
-                          problem.substructures, problem.assembly);
+    return identify_lines(
+        parse_line_scene(
+            "[data]\nsubstructures = [\"A\", \"B\"]\nassembly = [\"AB\"]\n[joint]\ndofs = [\"2:+Y\", \"3:+Y\"]\nlines = " + lines,
+            "s.toml"),
+        problem.substructures, problem.assembly);
   };
   const IdentifiedLines named = solve("{ matrix = [[\"a\", \"-a\"], [\"-a\", \"a\"]] }"), massless = solve("\"massless\"");
   EXPECT_EQ(named.ways[0].elements[0].name, "Z.a");
   for (std::size_t i = 0; i < massless.frequency_hz.size(); ++i) {
-    EXPECT_LT(std::abs(named.ways[0].lines[i]->z(0) - massless.ways[0].lines[i]->z(0)), 1e-6 * massless.ways[0].lines[i]->re_error(0));
+    EXPECT_LT(std::abs(named.ways[0].lines[i]->z(0) - massless.ways[0].lines[i]->z(0)),
+              1e-6 * massless.ways[0].lines[i]->re_error(0));
   }
 }
 

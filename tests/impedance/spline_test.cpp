@@ -14,7 +14,8 @@ struct Values {
 };
 
 Values values_of(const json& given) {
-  Values out{given["frequency_Hz"].get<std::vector<double>>(), Eigen::VectorXcd(static_cast<Eigen::Index>(given["z"].size())), {}};
+  Values out{
+      given["frequency_Hz"].get<std::vector<double>>(), Eigen::VectorXcd(static_cast<Eigen::Index>(given["z"].size())), {}};
   out.variance.resize(out.z.size());
   for (Eigen::Index q = 0; q < out.z.size(); ++q) {
     out.z(q) = golden::complex(given["z"][static_cast<std::size_t>(q)]);
@@ -37,7 +38,8 @@ TEST(Spline, GoldenValues) {
   IMPEDANCE_CASE(smooth, "siso_smooth");
   const Values values = values_of(lines["given"]);
   const json& expected = smooth["expected"]["pspline"];
-  const SplineFit fixed = fit_spline(values.hz, values.z, values.variance, 12, Smoothing::given, expected["fixed"]["lambda_"].get<double>());
+  const SplineFit fixed =
+      fit_spline(values.hz, values.z, values.variance, 12, Smoothing::given, expected["fixed"]["lambda_"].get<double>());
   expect_spline(fixed, expected["fixed"], 1e-9);
   EXPECT_NEAR(fixed.rss, expected["fixed"]["rss"].get<double>(), 1e-9 * fixed.rss);
   EXPECT_NEAR(fixed.marginal, expected["fixed"]["ml"].get<double>(), 1e-9 * fixed.marginal);
