@@ -12,6 +12,7 @@
 #include "base/stopwatch.hpp"
 #include "bench/bench.hpp"
 #include "impedance/identify_lines.hpp"
+#include "impedance/scene/read_line_scene.hpp"
 #include "problems/lines/line_problem.hpp"
 
 namespace {

@@ -109,6 +109,9 @@ class Lines {
     each("reading", [&](std::size_t i, ident::LineModel&) { blocks_[i] = blocks_of(*layout_, (*data_)[i]); });
   }
 
+  /// Of the last step of each line, in standard deviations.
+  void set_tolerance(double tolerance) { tolerance_ = tolerance; }
+
   std::size_t size() const { return data_->size(); }
   const LineBlocks& blocks(std::size_t i) const { return blocks_[i]; }
 
@@ -219,7 +222,7 @@ class Lines {
     LineFit best;
     const ident::JointImpedance of = joint(restriction, i);
     for (const Eigen::VectorXcd& start : starts(i, basis)) {
-      LineFit fit = fit_line((*data_)[i], of, start, model);
+      LineFit fit = fit_line((*data_)[i], of, start, model, tolerance_);
       if (best.value.z.size() == 0 || is_better(fit, best)) best = std::move(fit);
       if (fits(best)) break;
     }
@@ -254,7 +257,7 @@ class Lines {
         }
         start(t) = {median(re), median(im)};
       }
-      LineFit fit = fit_line((*data_)[i], joint(restriction, i), start, model);
+      LineFit fit = fit_line((*data_)[i], joint(restriction, i), start, model, tolerance_);
       if (before[i].value.z.size() > 0 && !is_better(fit, before[i])) return;
       fits_of[i] = std::move(fit);
       ++mended;
@@ -276,6 +279,7 @@ class Lines {
   Eigen::MatrixXd t_;   ///< facing halves, or I
   Eigen::MatrixXd nn_;  ///< the same where the joint has no mass, else I
   std::size_t threads_;
+  double tolerance_ = 1e-7;
   const std::vector<ident::LineData>* data_ = nullptr;
   const ident::LineLayout* layout_ = nullptr;
   std::vector<LineBlocks> blocks_;
@@ -305,7 +309,7 @@ void require_values(const LineScene& scene, const WayResult& result) {
 }
 
 IdentifiedLines identify(const LineScene& scene, const ident::Plan& plan, const ident::Control& control) {
-  const Lines lines(scene, plan, control);
+  Lines lines(scene, plan, control);
   IdentifiedLines out;
   out.dofs = scene.scene.joints.front().dofs;
   for (const ident::Line& line : plan.lines) out.frequency_hz.push_back(line.frequency_hz);
@@ -329,6 +333,8 @@ IdentifiedLines identify(const LineScene& scene, const ident::Plan& plan, const 
     const ident::LineData& first = ident::likelihood_plan(plan)->observations->lines().front();
     const ident::LineLayout& layout = ident::likelihood_plan(plan)->observations->layout();
     if (first.redundancy(layout) <= 2.0 * static_cast<double>(result.basis.size())) return free;
+    constexpr double enough = 0.03;  // for χ²
+    lines.set_tolerance(enough);
     lines.run_likelihood(restrictions::build({whole.scene.joints.front()}), result);
     for (const auto& line : result.lines) {
       if (!line || !std::isfinite(line->chi_square)) continue;

@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "ident/plan/plan.hpp"
-#include "impedance/identify_lines.hpp"
+#include "impedance/line_result.hpp"
 
 namespace jointid::impedance {
 

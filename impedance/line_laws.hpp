@@ -1,6 +1,6 @@
 #pragma once
 
-#include "impedance/identify_lines.hpp"
+#include "impedance/line_result.hpp"
 
 namespace jointid::impedance {
 

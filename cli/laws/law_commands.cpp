@@ -10,6 +10,7 @@
 #include "cli/text/tell_status.hpp"
 #include "ident/scene/scene_files.hpp"
 #include "impedance/identify_lines.hpp"
+#include "impedance/scene/read_line_scene.hpp"
 #include "laws/scene/read_law_scene.hpp"
 #include "laws/task/identify_laws.hpp"
 #include "laws/task/law_bound.hpp"

@@ -79,6 +79,7 @@ COUPLE = Kind("couple", "Scenes of `couple`", ["couple", "--out", "x.h5"], ["sce
 LINES = Kind("lines", "Scenes of `solve` with the joint at every line", ["solve"], ["joint-line-by-line", "scene", "gains"], [
     T("", {}),
     T("data", {"substructures": '["a", "b"]', "assembly": '["c"]'}, always=True),
+    T("data.gains", {"gain": "0.01"}, several=True),
     T("frequency"),
     T("joint", {"dofs": PAIR, "lines": '"massless"'}, always=True),
     T("joint.lines", {"matrix": '[["a", "-a"], ["-a", "a"]]'}),
@@ -88,6 +89,7 @@ LINES = Kind("lines", "Scenes of `solve` with the joint at every line", ["solve"
 DECOUPLE = Kind("decouple", "Scenes of `decouple`", ["decouple", "--out", "x.h5"], ["joint-line-by-line", "scene", "gains"], [
     T("", {}),
     T("data", {"substructures": '["a"]', "assembly": '["c"]'}, always=True),
+    T("data.gains", {"gain": "0.01"}, several=True),
     T("frequency"),
     T("decouple", {"interface": PAIR}, always=True),
     T("identify"),

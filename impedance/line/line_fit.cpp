@@ -11,7 +11,6 @@ namespace jointid::impedance {
 namespace {
 
 constexpr std::size_t most_steps = 100;
-constexpr double settled = 1e-8;       // of the last step, in standard deviations
 constexpr double longest = 10.0;       // of a step, in |z|
 constexpr double by_rounding = 1e-13;  // of χ²
 
@@ -62,7 +61,8 @@ class Descent {
     cost_ = cost_at(theta_, state_);
   }
 
-  LineFit run() {
+  LineFit run(double tolerance) {
+    tolerance_ = tolerance;
     LineFit out;
     double damping = 0.0;
     while (out.steps < most_steps && std::isfinite(cost_)) {
@@ -77,7 +77,7 @@ class Descent {
       const double before = cost_;
       if (take(step)) {
         damping = damping > 1e-6 ? 0.1 * damping : 0.0;
-        if (damping == 0.0 && (out.last_step < settled || before - cost_ <= by_rounding * std::max(1.0, cost_))) break;
+        if (damping == 0.0 && (out.last_step < tolerance || before - cost_ <= by_rounding * std::max(1.0, cost_))) break;
       } else {
         if (out.last_step < 1e-6) break;
         damping = std::max(10.0 * damping, 1e-3);
@@ -132,7 +132,7 @@ class Descent {
     out.value.covariance = minimise::covariance_of(has_information ? reduced_.information : none);
     out.value.chi_square = cost_;
     out.value.freedom = data_.redundancy(model_.layout()) - static_cast<double>(theta_.size());
-    out.converged = has_information && std::isfinite(cost_) && out.last_step < 1e-3;
+    out.converged = has_information && std::isfinite(cost_) && out.last_step < std::max(1e-3, tolerance_);
   }
 
   const ident::LineData& data_;
@@ -141,14 +141,14 @@ class Descent {
   std::vector<double> theta_;
   ident::LineState state_;
   ident::ReducedLine reduced_;
-  double cost_ = 0.0;
+  double cost_ = 0.0, tolerance_ = 0.0;
 };
 
 }  // namespace
 
 LineFit fit_line(const ident::LineData& data, const ident::JointImpedance& joint, const Eigen::VectorXcd& start,
-                 ident::LineModel& model) {
-  return Descent(data, joint, start, model).run();
+                 ident::LineModel& model, double tolerance) {
+  return Descent(data, joint, start, model).run(tolerance);
 }
 
 }  // namespace jointid::impedance

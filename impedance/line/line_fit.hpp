@@ -14,9 +14,9 @@ struct LineFit {
   double last_step = 0.0;  ///< in standard deviations
 };
 
-/// `joint` has the real, then the imaginary parts of z as its unknowns; `start` is z. Not for several threads at once, as
-/// `model`.
+/// `joint` has the real, then the imaginary parts of z as its unknowns; `start` is z. Ends with a step below `tolerance` standard
+/// deviations. Not for several threads at once, as `model`.
 LineFit fit_line(const ident::LineData& data, const ident::JointImpedance& joint, const Eigen::VectorXcd& start,
-                 ident::LineModel& model);
+                 ident::LineModel& model, double tolerance = 1e-7);
 
 }  // namespace jointid::impedance

@@ -24,6 +24,9 @@ enum class Structure {
 
 std::string name(Structure structure);
 
+/// Whether its DOFs face each other in pairs.
+bool has_halves(Structure structure);
+
 /// How Z_J is found at a line; (n) are the equations of docs/joint-line-by-line.md.
 enum class Way {
   likelihood,
@@ -60,8 +63,5 @@ struct LineScene {
 /// Makes one of a scene with data whose joint's DOFs are there: matrices of the structure, checks of `facing`. Throws InputError
 /// (usage).
 void set_structure(LineScene& scene);
-
-/// Throws InputError (usage) with file, place, value and remedy.
-LineScene parse_line_scene(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace jointid::impedance

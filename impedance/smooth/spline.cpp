@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <stdexcept>
 
 #include "dense/cholesky.hpp"
 
@@ -108,7 +108,7 @@ std::string name(Smoothing smoothing) {
 
 SplineFit fit_spline(const std::vector<double>& hz, const Eigen::VectorXcd& z, const Eigen::VectorXd& variance,
                      std::size_t splines, Smoothing smoothing, double lambda) {
-  if (splines < 4 || z.size() < 4) throw std::invalid_argument("a cubic spline needs four B-splines and four lines");
+  assert(splines >= 4 && z.size() >= 4);
   const Spline spline(hz, z, variance, splines);
   const auto criterion = [smoothing](const SplineFit& fit) {
     return smoothing == Smoothing::gcv ? fit.gcv : smoothing == Smoothing::cp ? fit.cp : fit.marginal;

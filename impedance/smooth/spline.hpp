@@ -30,8 +30,7 @@ struct SplineFit {
   Eigen::VectorXd variance_sampling;  ///< (21), without the bias of smoothing
 };
 
-/// Of values at ascending frequencies with E|e|² = `variance` > 0. Throws std::invalid_argument for less than four splines or
-/// lines.
+/// Of at least four values at ascending frequencies with E|e|² = `variance` > 0; at least four splines.
 SplineFit fit_spline(const std::vector<double>& frequency_hz, const Eigen::VectorXcd& z, const Eigen::VectorXd& variance,
                      std::size_t splines, Smoothing smoothing, double lambda = 0.0);
 

@@ -7,7 +7,7 @@
 
 #include "base/eigen.hpp"
 #include "base/temporary_file.hpp"
-#include "dense/lu.hpp"
+#include "coupling/joint_loop.hpp"
 #include "frf/noise/noise.hpp"
 #include "problems/case/set_format.hpp"
 #include "problems/structure/beam.hpp"
@@ -48,8 +48,7 @@ frf::FrfSet with_impedance(const Structure& both, const std::vector<frf::Dof>& d
     for (Eigen::Index k = 0; k < j; ++k)
       own.row(k) = columns.row(at(frf::find_coordinate(dofs, joint[static_cast<std::size_t>(k)])));
     const Eigen::MatrixXcd z = impedance(angular(hz[line]));
-    const Eigen::MatrixXcd inner = z * dense::inverse(Eigen::MatrixXcd::Identity(j, j) + own * z);
-    const Eigen::MatrixXcd changed = h - columns * inner * columns.transpose();
+    const Eigen::MatrixXcd changed = h - columns * z * coupling::motion_with_joint(own, z, columns.transpose());
     h = 0.5 * (changed + changed.transpose());
   }
   return set;

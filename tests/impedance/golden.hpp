@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "frf/set/frf_set.hpp"
 #include "impedance/identify_lines.hpp"
+#include "impedance/scene/read_line_scene.hpp"
 #include "tests/require.hpp"
 
 /// Cases of golden/impedance.json, written by an independent program.

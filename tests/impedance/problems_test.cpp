@@ -46,7 +46,8 @@ TEST(LineProblems, TheRubberMountsLawIsFound) {
 
 TEST(LineProblems, AnIsolatorOfSixCoordinates) {
   const problems::LineProblem problem = problems::polluted(problems::make_line_problem("isolator"), 1);
-  const LineScene scene = parse_line_scene(problem.scene + "\n[frequency]\nstep = 96.0\n", "isolator.toml");
+  const LineScene scene =
+      parse_line_scene(problem.scene + "\n[frequency]\nrange = [60.0, 1000.0]\nstep = 96.0\n", "isolator.toml");
   const IdentifiedLines found = identify_lines(scene, problem.substructures, problem.assembly);
   const Normalised errors = normalised(found.ways.front(), problem.truth, 4);
   EXPECT_NEAR(errors.rms, 1.0, 0.15);
