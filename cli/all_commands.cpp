@@ -6,6 +6,7 @@
 #include "cli/convert/convert_command.hpp"
 #include "cli/convert/info_command.hpp"
 #include "cli/couple/couple_command.hpp"
+#include "cli/decouple/decouple_command.hpp"
 #include "cli/equivalent/equivalent_command.hpp"
 #include "cli/frf/frf_command.hpp"
 #include "cli/laws/law_commands.hpp"
@@ -24,8 +25,8 @@ namespace {
 
 /// The one place that names them all, in the order of the help.
 constexpr std::array all_commands = {add_solve,  add_plan,       add_check,    add_study,    add_compare, add_loading_curve,
-                                     add_couple, add_equivalent, add_response, add_modalfit, add_pod,     add_oscillate,
-                                     add_series, add_stability,  add_frf,      add_info,     add_convert, add_problem};
+                                     add_couple, add_decouple,   add_equivalent, add_response, add_modalfit, add_pod,
+                                     add_oscillate, add_series, add_stability, add_frf, add_info, add_convert, add_problem};
 
 void add_commands(CLI::App& app, Chosen& chosen) {
   for (const auto& add : all_commands) add(app, chosen);

@@ -61,4 +61,12 @@ bool is_law_scene(const std::string& text, const std::filesystem::path& file) {
   return (joint != nullptr && member(*joint, "friction") != nullptr) || (data != nullptr && member(*data, "levels") != nullptr);
 }
 
+bool is_line_scene(const std::string& text, const std::filesystem::path& file) {
+  const Value document = parse_toml(text, file);
+  const Value *joint = member(document, "joint"), *joints = member(document, "joints");
+  if (joint != nullptr && member(*joint, "lines") != nullptr) return true;
+  const Array* const list = joints == nullptr ? nullptr : std::get_if<Array>(&joints->content);
+  return list != nullptr && std::ranges::any_of(*list, [](const Value& one) { return member(one, "lines") != nullptr; });
+}
+
 }  // namespace jointid::scene

@@ -13,4 +13,7 @@ bool is_law_scene(const std::string& text, const std::filesystem::path& file);
 /// for scenes that ask for the same. Throws InputError (usage) for what is no TOML.
 std::string contents_of(const std::string& text, const std::filesystem::path& file);
 
+/// Whether a scene asks for the joint at every line: its [joint], or one of its [[joints]], has `lines`. Throws as is_law_scene().
+bool is_line_scene(const std::string& text, const std::filesystem::path& file);
+
 }  // namespace jointid::scene

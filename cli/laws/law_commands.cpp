@@ -8,18 +8,42 @@
 #include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
 #include "cli/text/tell_status.hpp"
+#include "ident/scene/scene_files.hpp"
+#include "impedance/identify_lines.hpp"
+#include "impedance/scene/read_line_scene.hpp"
 #include "laws/scene/read_law_scene.hpp"
 #include "laws/task/identify_laws.hpp"
 #include "laws/task/law_bound.hpp"
+#include "report/impedance/line_report.hpp"
 #include "report/laws/law_bound_text.hpp"
 #include "report/laws/law_page.hpp"
 #include "report/laws/law_text.hpp"
+#include "scene/kind.hpp"
 
 namespace jointid::cli {
 namespace {
 
 /// There are no FRFs of an assembly to plot.
+ExitCode solve_lines(const SolveArguments& arguments, const std::string& text, std::ostream& out) {
+  if (arguments.plot) {
+    throw InputError({ErrorKind::usage, arguments.scene.string(), "--plot", "Z at every line synthesises no FRF of the assembly",
+                      "leave --plot out; --report shows Z"});
+  }
+  const impedance::LineScene scene = impedance::parse_line_scene(text, arguments.scene);
+  check_targets(ident::files_of(scene.scene), {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
+  Progress progress;
+  ident::Control control = progress.control();
+  control.threads = arguments.threads;
+  const impedance::IdentifiedLines found = impedance::identify_lines(scene, control);
+  if (arguments.json) write_target(*arguments.json, report::line_json(scene, found), out);
+  if (arguments.csv) write_target(*arguments.csv, report::line_csv(found), out);
+  if (arguments.report) write_target(*arguments.report, report::line_page(scene, found), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::line_text(scene, found);
+  return tell_status(scene.scene.file.string(), found.status, found.message);
+}
+
 ExitCode solve_laws(const SolveArguments& arguments, const std::string& text, std::ostream& out) {
+  if (scene::is_line_scene(text, arguments.scene)) return solve_lines(arguments, text, out);
   if (arguments.plot) {
     throw InputError({ErrorKind::usage, arguments.scene.string(), "--plot",
                       "the scene is one of friction laws: there is no FRF of an assembly", "leave --plot out"});

@@ -33,8 +33,8 @@ report::Display display_of(const std::string& units, const std::string& quantity
 
 void refuse_units(const std::string& units) {
   if (units == "SI") return;
-  throw InputError(
-      {ErrorKind::usage, "", "--units", "does not apply to friction laws", "leave it out: their results are in SI units"});
+  throw InputError({ErrorKind::usage, "", "--units", "does not apply to friction laws and joints at every line",
+                    "leave it out: their results are in SI units"});
 }
 
 }  // namespace jointid::cli

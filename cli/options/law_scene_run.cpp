@@ -7,12 +7,16 @@
 
 namespace jointid::cli {
 
+bool is_law_or_line_scene(const std::string& text, const std::filesystem::path& scene) {
+  return scene::is_law_scene(text, scene) || scene::is_line_scene(text, scene);
+}
+
 bool needs_laws(const std::filesystem::path& scene) {
   if (!complete_program()) return false;
   std::error_code unknown;
   if (std::filesystem::exists(scene, unknown) && !std::filesystem::is_regular_file(scene, unknown)) return true;
   try {
-    return scene::is_law_scene(scene::read_text(scene), scene);
+    return is_law_or_line_scene(scene::read_text(scene), scene);
   } catch (const InputError&) {
     return false;  // the command says it
   }
@@ -22,7 +26,7 @@ void refuse_law_scene(const std::filesystem::path& scene) {
   throw InputError({.kind = ErrorKind::usage,
                     .file = scene.string(),
                     .place = {},
-                    .problem = "it is a scene of friction laws, which this part of jointid does not solve",
+                    .problem = "it is a scene of friction laws or of a joint at every line, which this part of jointid does not solve",
                     .remedy = how_to_complete});
 }
 

@@ -8,14 +8,18 @@
 
 namespace jointid::cli {
 
-/// Runs a command on the text of a scene of friction laws; null in the program that leaves those to jointid-all.
+/// Runs a command on the text of a scene of friction laws, or of the joint at every line; null in the program that leaves those to
+/// jointid-all.
 template <class Arguments>
 using LawSceneRun = ExitCode (*)(const Arguments& arguments, const std::string& text, std::ostream& out);
 
-/// Whether jointid-all is there and the scene one of friction laws, or a pipe, which can be read once only.
+/// Whether a scene is one of those that jointid-all runs.
+bool is_law_or_line_scene(const std::string& text, const std::filesystem::path& scene);
+
+/// Whether jointid-all is there and the scene one of these, or a pipe, which can be read once only.
 bool needs_laws(const std::filesystem::path& scene);
 
-/// Throws InputError (usage): this program has no friction laws, and jointid-all is missing.
+/// Throws InputError (usage): this program runs no such scenes, and jointid-all is missing.
 [[noreturn]] void refuse_law_scene(const std::filesystem::path& scene);
 
 template <class Arguments>

@@ -20,7 +20,6 @@
 #include "report/solution_json.hpp"
 #include "report/text/display.hpp"
 #include "report/text/frf_plot.hpp"
-#include "scene/kind.hpp"
 #include "scene/text.hpp"
 
 namespace jointid::cli {
@@ -114,8 +113,8 @@ report::Display display_of(const SolveArguments& arguments, const ident::Plan& p
 void refuse_display(const SolveArguments& arguments) {
   refuse_units(arguments.units);
   if (arguments.quantity == SolveArguments().quantity) return;
-  throw InputError(
-      {ErrorKind::usage, "", "--quantity", "does not apply to friction laws", "leave it out: their results are in SI units"});
+  throw InputError({ErrorKind::usage, "", "--quantity", "does not apply to friction laws and joints at every line",
+                    "leave it out: their results are in SI units"});
 }
 
 }  // namespace
@@ -140,10 +139,10 @@ bool is_elsewhere(const SolveArguments& arguments) { return arguments.run_laws =
 ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
   const auto team = ident::join_team();
   std::string text;
-  std::optional<ident::Scene> read;  // none: a scene of friction laws
+  std::optional<ident::Scene> read;  // none: a scene of friction laws, or of the joint at every line
   ident::start_together(*team, [&] {
     text = scene::read_text(arguments.scene);
-    if (scene::is_law_scene(text, arguments.scene)) return;
+    if (is_law_or_line_scene(text, arguments.scene)) return;
     read = ident::parse_scene(text, arguments.scene);
     check_outputs(arguments, *read);
   });

@@ -76,6 +76,25 @@ COUPLE = Kind("couple", "Scenes of `couple`", ["couple", "--out", "x.h5"], ["sce
     T("couple.joint.stiffness", name="`stiffness` and other matrices of `[[couple.joint]]`"),
 ])
 
+LINES = Kind("lines", "Scenes of `solve` with the joint at every line", ["solve"], ["joint-line-by-line", "scene", "gains"], [
+    T("", {}),
+    T("data", {"substructures": '["a", "b"]', "assembly": '["c"]'}, always=True),
+    T("data.gains", {"gain": "0.01"}, several=True),
+    T("frequency"),
+    T("joint", {"dofs": PAIR, "lines": '"massless"'}, always=True),
+    T("joint.lines", {"matrix": '[["a", "-a"], ["-a", "a"]]'}),
+    T("identify"),
+])
+
+DECOUPLE = Kind("decouple", "Scenes of `decouple`", ["decouple", "--out", "x.h5"], ["joint-line-by-line", "scene", "gains"], [
+    T("", {}),
+    T("data", {"substructures": '["a"]', "assembly": '["c"]'}, always=True),
+    T("data.gains", {"gain": "0.01"}, several=True),
+    T("frequency"),
+    T("decouple", {"interface": PAIR}, always=True),
+    T("identify"),
+])
+
 EQUIVALENT = Kind("equivalent", "Scenes of `equivalent`", ["equivalent"], ["scene", "loading-curves"], [
     T("", {}),
     T("data", PARTS, always=True),
@@ -134,4 +153,4 @@ MODELS = Kind("model", "Descriptions of parts that are models", ["plan"], ["mode
                 "modes in arrays": {"shapes": '"x.mat:s"', "frequencies": '"x.mat:f"'}}),
 ])
 
-KINDS = [SOLVE, LAWS, COUPLE, EQUIVALENT, RESPONSE, OSCILLATE, MODELS]
+KINDS = [SOLVE, LINES, LAWS, COUPLE, DECOUPLE, EQUIVALENT, RESPONSE, OSCILLATE, MODELS]

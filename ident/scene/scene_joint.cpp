@@ -43,6 +43,9 @@ std::string read_name(const scene::Item& item) {
 
 JointSpec read_joint(const scene::Item& item, std::vector<std::string> keys, const Positions& positions) {
   for (const std::string& key : kind_keys()) keys.push_back(key);
+  if (const auto lines = item.open_table().find("lines")) {
+    lines->fail("Z at every line has no matrices, which this command needs", "use `jointid solve`, or give matrices in place of lines");
+  }
   const scene::Table table = item.table(keys);
   JointSpec joint;
   if (const auto name = table.find("name")) joint.name = read_name(*name);

@@ -4,6 +4,7 @@
 #include "problems/case/flange.hpp"
 #include "problems/case/modal_set.hpp"
 #include "problems/kinds/problem_kind.hpp"
+#include "problems/lines/line_problem.hpp"
 #include "problems/problem.hpp"
 #include "problems/thesis/loading_curves.hpp"
 #include "problems/thesis/oscillations.hpp"
@@ -62,11 +63,18 @@ WrittenProblem write_oscillation(const std::string& name, const Path& directory,
   return {scene, "oscillate " + scene.string() + " --report " + name + ".html"};
 }
 
+WrittenProblem write_line_problem(const std::string& name, const Path& directory, const WriteOptions& options) {
+  const LineProblem problem = make_line_problem(name);
+  const auto scene = write(problem, directory, options);
+  return {scene, (problem.decouples ? "decouple " : "solve ") + scene.string()};
+}
+
 constexpr std::array every_kind = {
     ProblemKind{problems::list, write_identification_problem},
     ProblemKind{[] { return infos_of(loading_curves()); }, write_loading_curve},
     ProblemKind{list_flanges, write_identification_problem},
     ProblemKind{list_coupling, write_coupling_problem},
+    ProblemKind{list_line_problems, write_line_problem},
     ProblemKind{list_rig_two, write_rig_two},
     ProblemKind{list_modal_sets, write_modal_set},
     ProblemKind{[] { return infos_of(list_two_beams()); }, write_two_beams},
