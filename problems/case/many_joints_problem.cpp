@@ -135,17 +135,18 @@ ManyJoints many_joints(const std::string& name) {
   return chain_of_beams({.joints = name == "chain-500" ? 500u : 50u});
 }
 
-Problem many_joints_problem(const ManyJoints& structure, const std::string& name, bool all_elements) {
+Problem many_joints_problem(const ManyJoints& structure, const ProblemInfo& info, bool all_elements) {
   Problem problem;
-  problem.name = name;
+  problem.name = info.name;
+  problem.description = info.description;
   problem.noise = frf::NoiseModel{.kind = frf::NoiseKind::circular, .level = many_joints_noise, .reciprocal = false};
   for (std::size_t s = 0; s < structure.parts.size(); ++s) {
     problem.substructures.push_back(part_receptances(structure, s));
-    problem.substructures.back().header.file = name + "_part_" + std::to_string(s + 1) + ".h5";
+    problem.substructures.back().header.file = info.name + "_part_" + std::to_string(s + 1) + ".h5";
     problem.substructure_modes.push_back(modes(structure.parts[s]));
   }
   problem.assembly = assembly_receptances(structure);
-  problem.assembly.header.file = name + "_assembly.h5";
+  problem.assembly.header.file = info.name + "_assembly.h5";
   if (problem.assembly.header.response.size() <= most_of_modes) problem.assembly_modes = assembly_modes(structure);
   for (const BeamJoint& joint : structure.joints)
     problem.joint_dofs.insert(problem.joint_dofs.end(), joint.dofs.begin(), joint.dofs.end());
@@ -154,22 +155,15 @@ Problem many_joints_problem(const ManyJoints& structure, const std::string& name
       for (ExactUnknown& unknown : matrix_of(kind, structure.joints[e], all_elements).unknowns)
         problem.unknowns.push_back({joint_name(e) + "." + unknown.name, unknown.value});
     }
+    if (problem.joint_dofs.size() <= most_of_truth) problem.truth[kind] = whole_matrix(structure, kind, problem.joint_dofs.size());
   }
+  problem.scene = scene_of_many(problem, structure, all_elements);
   return problem;
 }
 
 Problem make_many_joints(const std::string& name) {
-  const ManyJoints structure = many_joints(name);
-  const bool all_elements = name == "chain-500";
-  Problem problem = many_joints_problem(structure, name, all_elements);
   const std::vector<ProblemInfo> infos = list_many_joints();
-  problem.description = std::ranges::find(infos, name, &ProblemInfo::name)->description;
-  if (problem.joint_dofs.size() <= most_of_truth) {
-    for (const Kind kind : {Kind::stiffness, Kind::hysteretic_damping})
-      problem.truth[kind] = whole_matrix(structure, kind, problem.joint_dofs.size());
-  }
-  problem.scene = scene_of_many(problem, structure, all_elements);
-  return problem;
+  return many_joints_problem(many_joints(name), *std::ranges::find(infos, name, &ProblemInfo::name), name == "chain-500");
 }
 
 }  // namespace jointid::problems

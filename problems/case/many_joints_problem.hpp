@@ -19,6 +19,6 @@ ManyJoints many_joints(const std::string& name);
 Problem make_many_joints(const std::string& name);
 
 /// The problem of any such structure. `all_elements`: 4 × 4 symmetric matrices with 20 unknowns in a joint in place of the relative ones.
-Problem many_joints_problem(const ManyJoints& structure, const std::string& name, bool all_elements);
+Problem many_joints_problem(const ManyJoints& structure, const ProblemInfo& info, bool all_elements);
 
 }  // namespace jointid::problems
