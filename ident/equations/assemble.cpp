@@ -112,8 +112,20 @@ void put_together(const LineShares& shares, Assembled& system) {
 
 }  // namespace
 
+namespace {
+
+/// A plan that was moved has its restriction elsewhere.
+void point_to(const Plan& plan) {
+  LinearPlan& own = *linear_plan(plan);
+  own.spec.restriction = &plan.restriction;
+  for (AssemblySpec& spec : own.part_specs) spec.restriction = &plan.restriction;
+}
+
+}  // namespace
+
 Assembled assemble(const Plan& plan, const std::vector<Line>& of, RunTime& runtime, const Control& control) {
   const Clock::time_point start = Clock::now();
+  point_to(plan);
   Assembled out{minimise::Accumulator(plan.columns->size(), reduction_of(plan)), {}, 0, {}};
   const bool measures_rounding = control.detail == Detail::full;
   const std::size_t chunk = chunk_lines(linear_plan(plan)->builder->entries_per_line());

@@ -17,8 +17,9 @@ class PartReader {
     for (const std::size_t j : part.support.a_dofs) own_columns.push_back(at.joint[j]);
     for (std::size_t l = 0; l < columns.size(); ++l) {
       if (substructures.source_of(columns[l]) != part.source) continue;
-      own_.push_back(l);
-      own_columns.push_back(columns[l]);
+      const std::size_t place = frf::find_coordinate(own_columns, columns[l]);
+      own_.push_back({l, place == frf::npos ? own_columns.size() : place});
+      if (place == frf::npos) own_columns.push_back(columns[l]);
     }
     reader_ = std::make_unique<frf::BlockReader>(substructures, rows_, own_columns);
     for (const frf::Dof& dof : rows_) motion_rows_.push_back(frf::find_coordinate(assembly_rows, dof));
@@ -38,7 +39,7 @@ class PartReader {
 
   /// `motion`: the assembly's FRFs of the line.
   void form(std::size_t line, const minimise::View& motion, const bool (&wanted)[2][2], minimise::LineProduct& out) {
-    const std::size_t width = joint_ + own_.size(), m = rows_.size();
+    const std::size_t width = reader_->columns(), m = rows_.size();
     const Complex* own = values_.data() + line * entries();
     b_.resize(joint_rows_.size() * columns_);
     for (std::size_t j = 0; j < joint_rows_.size(); ++j) std::copy_n(&motion(joint_rows_[j], 0), columns_, b_.data() + j * columns_);
@@ -46,7 +47,7 @@ class PartReader {
     c2_.resize(m * columns_);
     for (std::size_t r = 0; r < m; ++r) {
       std::copy_n(&motion(motion_rows_[r], 0), columns_, c2_.data() + r * columns_);
-      for (std::size_t k = 0; k < own_.size(); ++k) c1_[r * columns_ + own_[k]] = own[r * width + joint_ + k];
+      for (const auto& [column, place] : own_) c1_[r * columns_ + column] = own[r * width + place];
     }
     product_.frequency_hz = out.frequency_hz;
     product_.wants_error_scale = out.wants_error_scale;
@@ -61,7 +62,7 @@ class PartReader {
  private:
   Dofs rows_;
   std::size_t columns_, joint_;
-  std::vector<std::size_t> own_;                       ///< columns on this part
+  std::vector<std::pair<std::size_t, std::size_t>> own_;  ///< columns on this part, and where they are among those read
   std::vector<std::size_t> motion_rows_, joint_rows_;  ///< of the assembly's rectangle
   std::unique_ptr<frf::BlockReader> reader_;
   std::vector<Complex> values_, b_, c1_, c2_;

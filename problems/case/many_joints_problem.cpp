@@ -31,21 +31,52 @@ JointMatrix relative(Kind kind, const BeamJoint& joint, const Matrix& x) {
   return expressed(kind, joint.over_dofs(x), std::move(entries), {{"a", x[0][0]}, {"b", x[0][1]}, {"c", x[1][1]}});
 }
 
-JointMatrix springs_of(Kind kind, const BeamJoint& joint, const Matrix& x) {
+/// A joint of the scene: one of the structure, or those that share coordinates.
+struct SceneJoint {
+  std::string name;
+  std::vector<frf::Dof> dofs;
+  std::vector<const BeamJoint*> members;
+};
+
+std::vector<SceneJoint> scene_joints(const ManyJoints& structure) {
+  std::vector<SceneJoint> out;
+  for (const BeamJoint& joint : structure.joints) {
+    const auto shared = [&](const SceneJoint& each) {
+      return std::ranges::any_of(joint.dofs, [&](const frf::Dof& dof) { return frf::has(each.dofs, dof); });
+    };
+    if (out.empty() || !shared(out.back())) out.push_back({"j" + std::to_string(out.size() + 1), {}, {}});
+    SceneJoint& to = out.back();
+    to.members.push_back(&joint);
+    for (const frf::Dof& dof : joint.dofs) {
+      if (!frf::has(to.dofs, dof)) to.dofs.push_back(dof);
+    }
+  }
+  return out;
+}
+
+const Matrix& relative_of(Kind kind, const BeamJoint& joint) {
+  return kind == Kind::stiffness ? joint.relative_stiffness : joint.relative_damping;
+}
+
+JointMatrix springs_of(Kind kind, const SceneJoint& joint) {
   std::vector<restrictions::Spring> ends;
   std::vector<double> values;
-  const bool ground = joint.dofs.size() == x.size();
-  for (std::size_t q = 0; q < x.size(); ++q) {
-    ends.push_back({joint.dofs[q], ground ? std::nullopt : std::optional(joint.dofs[q + x.size()])});
-    values.push_back(x[q][q]);
+  for (const BeamJoint* member : joint.members) {
+    const Matrix& x = relative_of(kind, *member);
+    const bool ground = member->dofs.size() == x.size();
+    for (std::size_t q = 0; q < x.size(); ++q) {
+      ends.push_back({member->dofs[q], ground ? std::nullopt : std::optional(member->dofs[q + x.size()])});
+      values.push_back(x[q][q]);
+    }
   }
   return springs(kind, joint.dofs, std::move(ends), values);
 }
 
-JointMatrix matrix_of(Kind kind, const BeamJoint& joint, bool all_elements) {
-  const Matrix& x = kind == Kind::stiffness ? joint.relative_stiffness : joint.relative_damping;
-  if (all_elements) return symmetric(kind, joint.over_dofs(x));
-  return is_diagonal(x) ? springs_of(kind, joint, x) : relative(kind, joint, x);
+JointMatrix matrix_of(Kind kind, const SceneJoint& joint, bool all_elements) {
+  const BeamJoint& first = *joint.members.front();
+  const Matrix& x = relative_of(kind, first);
+  if (is_diagonal(x)) return springs_of(kind, joint);
+  return all_elements ? symmetric(kind, first.over_dofs(x)) : relative(kind, first, x);
 }
 
 std::string in_quotes(const std::string& text) { return "\"" + text + "\""; }
@@ -75,17 +106,14 @@ std::string matrix_rows_text(const Matrix& matrix) {
   return "[" + comma_list(matrix, [](const std::vector<double>& row) { return "[" + comma_list(row, number) + "]"; }) + "]";
 }
 
-std::string joint_name(std::size_t joint) { return "j" + std::to_string(joint + 1); }
-
 std::string scene_of_many(const Problem& problem, const ManyJoints& structure, bool all_elements) {
   const auto file = [](const frf::FrfSet& set) { return in_quotes(set.header.file); };
   std::string text = "title = " + in_quotes(problem.name + ": " + problem.description) + "\n\n[data]\nsubstructures = [" +
                      comma_list(problem.substructures, file) + "]\nassembly = [" + file(problem.assembly) + "]\n\n[frequency]\nrange = [" +
                      number(structure.frequency_hz.front()) + ", " + number(structure.frequency_hz.back()) + "]  # Hz\n";
-  for (std::size_t e = 0; e < structure.joints.size(); ++e) {
-    const BeamJoint& joint = structure.joints[e];
-    text += "\n[[joint]]\nname = " + in_quotes(joint_name(e)) + "\ndofs = " + dof_list_text(joint.dofs) + "\n[joint.stiffness]\n" +
-            joint_declaration(matrix_of(Kind::stiffness, joint, all_elements).spec) + "[joint.hysteretic_damping]\n" +
+  for (const SceneJoint& joint : scene_joints(structure)) {
+    text += "\n[[joints]]\nname = " + in_quotes(joint.name) + "\ndofs = " + dof_list_text(joint.dofs) + "\n[joints.stiffness]\n" +
+            joint_declaration(matrix_of(Kind::stiffness, joint, all_elements).spec) + "[joints.hysteretic_damping]\n" +
             joint_declaration(matrix_of(Kind::hysteretic_damping, joint, all_elements).spec);
   }
   text += "\n[identify]\nmethod = \"one\"\nweighting = \"WB\"\n\n[noise]\nmodel = \"circular\"\nlevel = " + number(many_joints_noise) + "\n";
@@ -95,14 +123,13 @@ std::string scene_of_many(const Problem& problem, const ManyJoints& structure, b
 }
 
 /// The joint matrices over all joint coordinates.
-Matrix whole_matrix(const ManyJoints& structure, Kind kind, std::size_t coordinates) {
+Matrix whole_matrix(const std::vector<SceneJoint>& joints, Kind kind, bool all_elements, std::size_t coordinates) {
   Matrix out(coordinates, std::vector<double>(coordinates));
   std::size_t first = 0;
-  for (const BeamJoint& joint : structure.joints) {
-    const Matrix own = joint.over_dofs(kind == Kind::stiffness ? joint.relative_stiffness : joint.relative_damping);
-    for (std::size_t i = 0; i < own.size(); ++i) {
+  for (const SceneJoint& joint : joints) {
+    const Matrix own = matrix_of(kind, joint, all_elements).truth;
+    for (std::size_t i = 0; i < own.size(); ++i)
       std::copy(own[i].begin(), own[i].end(), out[first + i].begin() + static_cast<std::ptrdiff_t>(first));
-    }
     first += own.size();
   }
   return out;
@@ -148,14 +175,15 @@ Problem many_joints_problem(const ManyJoints& structure, const ProblemInfo& info
   problem.assembly = assembly_receptances(structure);
   problem.assembly.header.file = info.name + "_assembly.h5";
   if (problem.assembly.header.response.size() <= most_of_modes) problem.assembly_modes = assembly_modes(structure);
-  for (const BeamJoint& joint : structure.joints)
-    problem.joint_dofs.insert(problem.joint_dofs.end(), joint.dofs.begin(), joint.dofs.end());
+  const std::vector<SceneJoint> joints = scene_joints(structure);
+  for (const SceneJoint& joint : joints) problem.joint_dofs.insert(problem.joint_dofs.end(), joint.dofs.begin(), joint.dofs.end());
+  const std::size_t coordinates = problem.joint_dofs.size();
   for (const Kind kind : {Kind::stiffness, Kind::hysteretic_damping}) {
-    for (std::size_t e = 0; e < structure.joints.size(); ++e) {
-      for (ExactUnknown& unknown : matrix_of(kind, structure.joints[e], all_elements).unknowns)
-        problem.unknowns.push_back({joint_name(e) + "." + unknown.name, unknown.value});
+    for (const SceneJoint& joint : joints) {
+      for (const ExactUnknown& unknown : matrix_of(kind, joint, all_elements).unknowns)
+        problem.unknowns.push_back({joint.name + "." + unknown.name, unknown.value});
     }
-    if (problem.joint_dofs.size() <= most_of_truth) problem.truth[kind] = whole_matrix(structure, kind, problem.joint_dofs.size());
+    if (coordinates <= most_of_truth) problem.truth[kind] = whole_matrix(joints, kind, all_elements, coordinates);
   }
   problem.scene = scene_of_many(problem, structure, all_elements);
   return problem;
