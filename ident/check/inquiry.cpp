@@ -289,7 +289,7 @@ PartFiles part_files(const std::vector<CheckedFile>& files, const CheckedFile& p
   for (const CheckedFile& file : out.files) {
     out.level = std::max(out.level, reciprocity_test(file, false).level);
     CheckedFile copy = file;
-    out.stands_out = out.stands_out || !file.wild.empty() || activity(file, noise_that_halves) > 0.0 || !take_out_dead_and_copied(copy).empty();
+    out.stands_out = out.stands_out || activity(file, noise_that_halves) > 0.0 || !take_out_dead_and_copied(copy).empty();
   }
   return out;
 }
@@ -306,11 +306,13 @@ CheckResult inquire_by_parts(const std::vector<CheckedFile>& files, const Dofs& 
   for (const CheckedFile& file : files) {
     if (file.assembly) elsewhere.insert(elsewhere.end(), file.references.begin(), file.references.end());
   }
+  CheckResult result;
   std::vector<PartFiles> parts;
   std::vector<double> levels;
   for (const CheckedFile& file : files) {
     stop_if(control.interrupted);
     if (file.assembly) continue;
+    result.suspects.insert(result.suspects.end(), file.wild.begin(), file.wild.end());
     parts.push_back(part_files(files, file, joint, elsewhere));
     levels.push_back(parts.back().level);
   }
@@ -318,8 +320,8 @@ CheckResult inquire_by_parts(const std::vector<CheckedFile>& files, const Dofs& 
   std::erase_if(parts, [&](const PartFiles& part) { return !part.stands_out && part.level <= std::min(large, std::max(over_median * usual, 0.01)); });
   std::ranges::stable_sort(parts, std::ranges::greater{}, &PartFiles::level);
   parts.resize(std::min(parts.size(), most_inquired));
-  CheckResult result;
   for (PartFiles& part : parts) {
+    for (CheckedFile& file : part.files) file.wild.clear();
     CheckResult found = inquire(std::move(part.files), joint, elsewhere, control, with_axis);
     result.suspects.insert(result.suspects.end(), found.suspects.begin(), found.suspects.end());
     result.notes.insert(result.notes.end(), found.notes.begin(), found.notes.end());

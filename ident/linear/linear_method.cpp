@@ -38,6 +38,8 @@ void estimate(const Plan& plan, Assembled& system, const Control& control, Solut
   } else if (control.detail == Detail::full) {
     judge_rounding(plan, linear, system.rounding, out);
   }
+  system.rounding = {};  // of many joints these are large
+  system.accumulator.release();
   if (!settled) {
     out.status = Status::not_converged;
     out.message += "The constrained least-squares problem did not converge.";

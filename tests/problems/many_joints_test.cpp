@@ -29,6 +29,12 @@ json golden_case(const std::string& name) {
   return nullptr;
 }
 
+ident::Control only_estimates() {
+  ident::Control control;
+  control.detail = ident::Detail::estimates;
+  return control;
+}
+
 /// "chain-50" of golden "chain50".
 class Golden : public testing::TestWithParam<const char*> {
  protected:
@@ -96,7 +102,7 @@ TEST_P(Golden, NoiseFreeRowsOfThePartsGiveTheTruthBack) {
     ident::Scene scene = problems::scene(problem);
     scene.identify.solver = ident::parse_solver(solver);
     const auto plan = problems::plan(scene, {problem.substructures, problem.assembly});
-    const ident::Solution found = ident::solve(*plan, {.detail = ident::Detail::estimates});
+    const ident::Solution found = ident::solve(*plan, only_estimates());
     ASSERT_EQ(found.status, Status::ok) << found.message;
     EXPECT_EQ(found.fit.rank, problem.unknowns.size());
     double worst = 0.0;
@@ -137,7 +143,7 @@ TEST(ManyJointsTest, AStarIsDense) {
   ASSERT_TRUE(pattern);
   EXPECT_EQ(pattern->widest, pattern->unknowns);
   EXPECT_EQ(pattern->widest_file, "star-26_part_1.h5");
-  const ident::Solution found = ident::solve(*plan, {.detail = ident::Detail::estimates});
+  const ident::Solution found = ident::solve(*plan, only_estimates());
   for (std::size_t u = 0; u < problem.unknowns.size(); ++u)
     EXPECT_NEAR(found.unknowns[u].value / problem.unknowns[u].value, 1.0, 1e-6) << problem.unknowns[u].name;
 }

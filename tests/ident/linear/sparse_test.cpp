@@ -117,7 +117,9 @@ TEST(SparseCovarianceTest, IsTheDenseInverseWhereItIsWorkedOut) {
       EXPECT_NEAR(found(i, j), exact(at(i), at(j)), 1e-11 * exact.cwiseAbs().maxCoeff());
       ++neighbours;
     }
-    if (i + 1 < n && i % 3 != 2) EXPECT_FALSE(std::isnan(found(i, i + 1)));  // of one joint
+    if (i + 1 < n && i % 3 != 2) {
+      EXPECT_FALSE(std::isnan(found(i, i + 1)));  // of one joint
+    }
   }
   EXPECT_LT(neighbours, n * n / 2);
 }
