@@ -59,10 +59,14 @@ Choice wish(const Scene& scene, const frf::FrfSystem& substructures, const frf::
   return {Method::likelihood, "the variances of the FRFs are known", false};
 }
 
+/// Rows by parts bear noise badly: of few unknowns the iterative methods make more.
+bool is_small_by_parts(const Plan& plan) { return plan.why_by_parts && plan.columns->size() < least_unknowns_by_parts; }
+
 std::unique_ptr<Plan> planned(Scene scene, const Choice& choice, const Planner& planner) {
   scene.identify.method = choice.method;
   scene.identify.automatic = false;
   auto plan = planner(scene);
+  if (!choice.is_certain && is_small_by_parts(*plan)) throw InputError(*plan->why_by_parts);
   plan->chosen = "method " + name(choice.method) + ": " + choice.why;
   return plan;
 }

@@ -28,7 +28,8 @@ std::unique_ptr<Plan> plan_start(const Plan& plan, const StartChoices& choices) 
     scene.identify.method = method;
     scene.identify.equations = equations;
     try {
-      return make_plan(scene, plan.substructures, plan.assembly);
+      auto start = make_plan(scene, plan.substructures, plan.assembly);
+      if (!start->why_by_parts || start->columns->size() >= least_unknowns_by_parts) return start;
     } catch (const InputError&) {
       // The next one needs less.
     }

@@ -6,7 +6,7 @@
 namespace jointid::ident {
 namespace {
 
-const std::vector<Solver> linear_solvers = {Solver::qr, Solver::normal, Solver::spqr};
+const std::vector<Solver> linear_solvers = {Solver::qr, Solver::normal, Solver::spqr, Solver::cholmod, Solver::ldlt};
 
 /// What plans a linear method.
 template <PlannedMethod (*plan_linear)(const Plan&)>

@@ -46,6 +46,7 @@ void require_solver(const Scene& scene, const std::vector<Solver>& own) {
   require(minimise::has_nlopt, name(identify.solver).starts_with("nlopt"), "NLopt", "libnlopt-cxx-dev");
   require(minimise::has_ipopt, identify.solver == Solver::ipopt, "Ipopt", "coinor-libipopt-dev");
   require(minimise::has_spqr, identify.solver == Solver::spqr, "SPQR", "libsuitesparse-dev");
+  require(minimise::has_spqr, identify.solver == Solver::cholmod, "CHOLMOD", "libsuitesparse-dev");
 }
 
 void require_method(const Scene& scene) {
@@ -94,6 +95,17 @@ restrictions::Restriction build_restriction(const Scene& scene, const frf::FrfSy
   }
 }
 
+/// The equations, by parts where the assembly was not excited at its joints.
+void choose_rows(const Scene& scene, Plan& plan) {
+  try {
+    plan.equations = choose_equations(scene, plan.coordinates, *plan.substructures, *plan.assembly);
+  } catch (const InputError& lacking) {
+    plan.equations = equations_by_parts(scene, plan.coordinates, *plan.substructures, *plan.assembly);
+    if (plan.equations.empty()) throw;
+    plan.why_by_parts = lacking.parts();
+  }
+}
+
 }  // namespace
 
 std::unique_ptr<Plan> prepare_plan(const Scene& scene, std::shared_ptr<frf::FrfSystem> substructures,
@@ -112,7 +124,7 @@ std::unique_ptr<Plan> prepare_plan(const Scene& scene, std::shared_ptr<frf::FrfS
   plan->coordinates = find_coordinates(scene, plan->restriction, *plan->substructures, *plan->assembly);
   require_both_sides(*plan);
   if (!traits(scene.identify.method).uses_variances) {
-    plan->equations = choose_equations(scene, plan->coordinates, *plan->substructures, *plan->assembly);
+    choose_rows(scene, *plan);
   }
   plan->lines = choose_lines(scene, *plan->substructures, *plan->assembly, plan->notes);
   plan->columns = std::make_unique<UnknownColumns>(plan->restriction, scene.joints);

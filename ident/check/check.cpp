@@ -18,6 +18,8 @@ namespace {
 
 constexpr CheckExtent short_form = {.lines = 24, .values = 1'000'000}, long_form = {.lines = static_cast<std::size_t>(-1)};
 
+constexpr std::size_t most_parts_at_once = 16;
+
 /// Runs of the scene's files that are one; none where the files are not to be read.
 std::vector<Suspect> equal_runs(const Scene& scene) {
   try {
@@ -28,7 +30,11 @@ std::vector<Suspect> equal_runs(const Scene& scene) {
 }
 
 CheckResult check_lines(const CheckedSystems& systems, const Dofs& joint, const Control& control, const CheckExtent& most) {
-  CheckResult result = inquire(read_checked_files(systems, most, control.interrupted), joint, control, most.lines > short_form.lines);
+  std::vector<CheckedFile> files = read_checked_files(systems, most, control.interrupted);
+  const bool with_axis = most.lines > short_form.lines;
+  const auto parts = static_cast<std::size_t>(std::ranges::count(files, false, &CheckedFile::assembly));
+  CheckResult result =
+      parts > most_parts_at_once ? inquire_by_parts(files, joint, control, with_axis) : inquire(std::move(files), joint, control, with_axis);
   const std::vector<Suspect> same = equal_runs(systems.scene);
   result.suspects.insert(result.suspects.begin(), same.begin(), same.end());
   if (!same.empty()) result.verdict = Verdict::wrong;

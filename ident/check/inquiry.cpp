@@ -4,7 +4,9 @@
 #include <cmath>
 #include <string_view>
 
+#include "base/eigen.hpp"
 #include "base/parallel.hpp"
+#include "base/statistics.hpp"
 #include "base/text.hpp"
 #include "ident/check/axis_trials.hpp"
 #include "ident/check/agreement.hpp"
@@ -67,10 +69,10 @@ struct Scored {
 /// Checks one set of files: finds the mistake that explains most, undoes it, and looks for the next.
 class Inquiry {
  public:
-  Inquiry(Files files, const Dofs& joint, const Control& control, bool with_axis)
+  Inquiry(Files files, const Dofs& joint, const Dofs& elsewhere, const Control& control, bool with_axis)
       : all_(std::move(files)),
         joint_(joint),
-        setups_(span_setups(all_, joint)),
+        setups_(span_setups(all_, joint, elsewhere)),
         control_(control),
         with_axis_(with_axis),
         screening_(lines_for(setups_, screening_lines, screening_work)),
@@ -216,7 +218,9 @@ Verdict verdict_of(const std::vector<Suspect>& suspects) {
 
 }  // namespace
 
-CheckResult inquire(std::vector<CheckedFile> files, const Dofs& joint, const Control& control, bool with_axis) {
+namespace {
+
+CheckResult inquire(std::vector<CheckedFile> files, const Dofs& joint, const Dofs& elsewhere, const Control& control, bool with_axis) {
   CheckResult result;
   for (CheckedFile& file : files) {
     result.suspects.insert(result.suspects.end(), file.wild.begin(), file.wild.end());
@@ -228,9 +232,100 @@ CheckResult inquire(std::vector<CheckedFile> files, const Dofs& joint, const Con
   if (!files.empty()) {
     for (Suspect& label : find_labels(files, joint)) result.suspects.push_back(std::move(label));
     for (Suspect& mass : find_wrong_masses(files, joint)) result.suspects.push_back(std::move(mass));
-    Inquiry inquiry(std::move(files), joint, control, with_axis);
+    Inquiry inquiry(std::move(files), joint, elsewhere, control, with_axis);
     result.reciprocity = inquiry.reciprocity();
     for (Suspect& suspect : inquiry.suspects()) result.suspects.push_back(std::move(suspect));
+  }
+  std::ranges::stable_sort(result.suspects, std::ranges::greater{}, &Suspect::confidence);
+  leave_out_repeated(result.suspects);
+  result.verdict = verdict_of(result.suspects);
+  return result;
+}
+
+/// A part and what the assembly's files have of its coordinates.
+struct PartFiles {
+  Files files;
+  double level = 0.0;  ///< the largest of its span and reciprocity tests
+  bool stands_out = false;
+};
+
+constexpr std::size_t most_inquired = 16, most_references = 16;
+
+/// The references on a part, and the strongest of the others.
+Dofs references_of(const CheckedFile& assembly, const CheckedFile& part) {
+  Dofs own;
+  std::vector<std::pair<double, std::size_t>> others;
+  std::vector<Eigen::Index> rows;
+  for (const frf::Dof& dof : part.responses) {
+    if (const std::size_t r = place_of(assembly.responses, dof); r != frf::npos) rows.push_back(at(r));
+  }
+  for (std::size_t c = 0; c < assembly.references.size(); ++c) {
+    const frf::Dof& dof = assembly.references[c];
+    if (place_of(part.references, dof) != frf::npos) {
+      own.push_back(dof);
+      continue;
+    }
+    double size = 0.0;
+    for (const Eigen::MatrixXcd& line : assembly.frfs) {
+      for (const Eigen::Index r : rows) size += std::isfinite(std::norm(line(r, at(c)))) ? std::norm(line(r, at(c))) : 0.0;
+    }
+    others.emplace_back(size, c);
+  }
+  std::ranges::stable_sort(others, std::ranges::greater{}, &std::pair<double, std::size_t>::first);
+  for (std::size_t i = 0; i < std::min(most_references, others.size()); ++i) own.push_back(assembly.references[others[i].second]);
+  return own;
+}
+
+/// Rows of the part alone first: cutting columns out of all rows of the assembly would cost its size for every part.
+PartFiles part_files(const std::vector<CheckedFile>& files, const CheckedFile& part, const Dofs& joint, const Dofs& elsewhere) {
+  PartFiles out{.files = {part}};
+  for (const CheckedFile& assembly : files) {
+    if (!assembly.assembly) continue;
+    CheckedFile cut = part_of(assembly, part.responses, references_of(assembly, part));
+    if (!cut.responses.empty() && !cut.references.empty()) out.files.push_back(std::move(cut));
+  }
+  for (const SpanSetup& setup : span_setups(out.files, joint, elsewhere))
+    out.level = std::max(out.level, span_test(setup, out.files, SpanDetail::level).level);
+  for (const CheckedFile& file : out.files) {
+    out.level = std::max(out.level, reciprocity_test(file, false).level);
+    CheckedFile copy = file;
+    out.stands_out = out.stands_out || activity(file, noise_that_halves) > 0.0 || !take_out_dead_and_copied(copy).empty();
+  }
+  return out;
+}
+
+}  // namespace
+
+CheckResult inquire(std::vector<CheckedFile> files, const Dofs& joint, const Control& control, bool with_axis) {
+  return inquire(std::move(files), joint, {}, control, with_axis);
+}
+
+CheckResult inquire_by_parts(const std::vector<CheckedFile>& files, const Dofs& joint, const Control& control, bool with_axis) {
+  constexpr double large = 0.08, over_median = 2.5;
+  Dofs elsewhere;
+  for (const CheckedFile& file : files) {
+    if (file.assembly) elsewhere.insert(elsewhere.end(), file.references.begin(), file.references.end());
+  }
+  CheckResult result;
+  std::vector<PartFiles> parts;
+  std::vector<double> levels;
+  for (const CheckedFile& file : files) {
+    stop_if(control.interrupted);
+    if (file.assembly) continue;
+    result.suspects.insert(result.suspects.end(), file.wild.begin(), file.wild.end());
+    parts.push_back(part_files(files, file, joint, elsewhere));
+    levels.push_back(parts.back().level);
+  }
+  const double usual = median(levels);
+  std::erase_if(parts, [&](const PartFiles& part) { return !part.stands_out && part.level <= std::min(large, std::max(over_median * usual, 0.01)); });
+  std::ranges::stable_sort(parts, std::ranges::greater{}, &PartFiles::level);
+  parts.resize(std::min(parts.size(), most_inquired));
+  for (PartFiles& part : parts) {
+    for (CheckedFile& file : part.files) file.wild.clear();
+    CheckResult found = inquire(std::move(part.files), joint, elsewhere, control, with_axis);
+    result.suspects.insert(result.suspects.end(), found.suspects.begin(), found.suspects.end());
+    result.notes.insert(result.notes.end(), found.notes.begin(), found.notes.end());
+    result.reciprocity.insert(result.reciprocity.end(), found.reciprocity.begin(), found.reciprocity.end());
   }
   std::ranges::stable_sort(result.suspects, std::ranges::greater{}, &Suspect::confidence);
   leave_out_repeated(result.suspects);

@@ -10,4 +10,9 @@ namespace jointid::ident {
 /// lines.
 CheckResult inquire(std::vector<CheckedFile> files, const Dofs& joint, const Control& control, bool with_axis);
 
+/// The same of many parts, one after the other, so that work grows with the number of files and coordinates: every part is held against
+/// what the assembly's files say of its own coordinates, and those that stand out most, 16 at most, are inquired. What takes two parts is
+/// not looked for: exchanged files, labels of other parts.
+CheckResult inquire_by_parts(const std::vector<CheckedFile>& files, const Dofs& joint, const Control& control, bool with_axis);
+
 }  // namespace jointid::ident

@@ -243,7 +243,7 @@ bool other_part_has(const std::vector<CheckedFile>& files, const frf::Dof& dof, 
 }
 
 std::optional<SpanSetup> span_setup(const std::vector<CheckedFile>& files, std::size_t part, std::size_t assembly,
-                                    bool transposed, const Dofs& joint) {
+                                    bool transposed, const Dofs& joint, const Dofs& elsewhere) {
   SpanSetup setup{.part = part,
                   .assembly = assembly,
                   .transposed = transposed,
@@ -276,7 +276,8 @@ std::optional<SpanSetup> span_setup(const std::vector<CheckedFile>& files, std::
     if (at != frf::npos) {
       setup.part_columns.push_back(jointid::at(at));
       setup.assembly_columns.push_back(jointid::at(i));
-    } else if (place_of(p.rows, a.columns[i]) == frf::npos && other_part_has(files, a.columns[i], transposed)) {
+    } else if (place_of(p.rows, a.columns[i]) == frf::npos &&
+               (place_of(elsewhere, a.columns[i]) != frf::npos || other_part_has(files, a.columns[i], transposed))) {
       setup.outer_columns.push_back(jointid::at(i));
     }
   }
@@ -287,13 +288,13 @@ std::optional<SpanSetup> span_setup(const std::vector<CheckedFile>& files, std::
 
 }  // namespace
 
-std::vector<SpanSetup> span_setups(const std::vector<CheckedFile>& files, const Dofs& joint) {
+std::vector<SpanSetup> span_setups(const std::vector<CheckedFile>& files, const Dofs& joint, const Dofs& elsewhere) {
   std::vector<SpanSetup> setups;
   for (std::size_t p = 0; p < files.size(); ++p) {
     for (std::size_t a = 0; a < files.size(); ++a) {
       if (files[p].assembly || !files[a].assembly) continue;
       for (const bool transposed : {false, true}) {
-        if (auto setup = span_setup(files, p, a, transposed, joint)) setups.push_back(std::move(*setup));
+        if (auto setup = span_setup(files, p, a, transposed, joint, elsewhere)) setups.push_back(std::move(*setup));
       }
     }
   }

@@ -1,5 +1,6 @@
 #include "ident/equations/assemble.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 #include "base/stopwatch.hpp"
@@ -19,11 +20,11 @@ class Assembler final : public ChunkWorker {
         lines_(lines),
         own_builder_(alone ? nullptr : linear_plan(plan)->make_builder(plan)),
         builder_(alone ? *linear_plan(plan)->builder : *own_builder_),
-        assembler_(linear_plan(plan)->spec, measures_rounding),
         chunk_(plan.columns->size(), total.accumulator.reduction()),
         total_(total),
         read_time_(read_time) {
     product_.wants_error_scale = measures_rounding;
+    for (const AssemblySpec& spec : linear_plan(plan)->specs()) assemblers_.emplace_back(spec, measures_rounding, &rounding_);
   }
 
   void read(std::size_t first, std::size_t last) override {
@@ -39,16 +40,19 @@ class Assembler final : public ChunkWorker {
   }
 
   void work(std::size_t first, std::size_t last) override {
-    assembler_.reset_counts();
+    for (LineAssembler& each : assemblers_) each.reset_counts();
+    rounding_ = {};
     unusable_ = 0;
     const bool only_chunk = first == 0 && last == lines_.size();
     minimise::Accumulator& to = only_chunk ? total_.accumulator : chunk_;
     for (std::size_t i = first; i < last; ++i) {
       product_.frequency_hz = lines_[i].frequency_hz;
-      if (builder_.line(i - first, product_)) {
-        assembler_.add(product_, to);
-      } else {
-        ++unusable_;
+      for (std::size_t k = 0; k < assemblers_.size(); ++k) {
+        if (builder_.product(i - first, k, product_)) {
+          assemblers_[k].add(product_, to);
+        } else {
+          ++unusable_;
+        }
       }
     }
     to.flush();
@@ -57,11 +61,16 @@ class Assembler final : public ChunkWorker {
   void merge() override {
     total_.accumulator.merge(chunk_);
     chunk_.clear();
-    total_.equations.used += assembler_.count().used;
-    total_.equations.dropped += assembler_.count().dropped + unusable_ * plan_.cost.equations_per_line;
-    total_.equations.rows += assembler_.count().rows;
-    total_.lines += assembler_.lines_used();
-    total_.rounding.merge(assembler_.rounding());
+    std::size_t lines = 0;
+    for (const LineAssembler& each : assemblers_) {
+      total_.equations.used += each.count().used;
+      total_.equations.dropped += each.count().dropped;
+      total_.equations.rows += each.count().rows;
+      lines = std::max(lines, each.lines_used());
+    }
+    total_.equations.dropped += unusable_ * plan_.cost.equations_per_line / assemblers_.size();
+    total_.lines += lines;
+    total_.rounding.merge(rounding_);
   }
 
  private:
@@ -69,7 +78,8 @@ class Assembler final : public ChunkWorker {
   const std::vector<Line>& lines_;
   std::unique_ptr<EquationBuilder> own_builder_;
   EquationBuilder& builder_;
-  LineAssembler assembler_;
+  std::vector<LineAssembler> assemblers_;  ///< one for each product of a line
+  RoundingScale rounding_;
   minimise::LineProduct product_;
   minimise::Accumulator chunk_;
   std::size_t unusable_ = 0;
@@ -102,8 +112,20 @@ void put_together(const LineShares& shares, Assembled& system) {
 
 }  // namespace
 
+namespace {
+
+/// A plan that was moved has its restriction elsewhere.
+void point_to(const Plan& plan) {
+  LinearPlan& own = *linear_plan(plan);
+  own.spec.restriction = &plan.restriction;
+  for (AssemblySpec& spec : own.part_specs) spec.restriction = &plan.restriction;
+}
+
+}  // namespace
+
 Assembled assemble(const Plan& plan, const std::vector<Line>& of, RunTime& runtime, const Control& control) {
   const Clock::time_point start = Clock::now();
+  point_to(plan);
   Assembled out{minimise::Accumulator(plan.columns->size(), reduction_of(plan)), {}, 0, {}};
   const bool measures_rounding = control.detail == Detail::full;
   const std::size_t chunk = chunk_lines(linear_plan(plan)->builder->entries_per_line());
@@ -131,7 +153,11 @@ minimise::Reduction reduction_of(const Plan& plan) {
 
 minimise::LinearSolution solve(const Plan& plan, minimise::Accumulator& accumulator, minimise::Condition condition) {
   if (plan.solver == Solver::normal) return minimise::solve_normal(accumulator, condition);
-  return plan.solver == Solver::spqr ? minimise::solve_sparse(accumulator, condition) : minimise::solve_dense(accumulator, condition);
+  if (plan.solver == Solver::qr) return minimise::solve_dense(accumulator, condition);
+  const auto way = plan.solver == Solver::spqr      ? minimise::SparseWay::qr
+                   : plan.solver == Solver::cholmod ? minimise::SparseWay::cholmod
+                                                    : minimise::SparseWay::ldlt;
+  return minimise::solve_sparse(accumulator, condition, way);
 }
 
 }  // namespace jointid::ident

@@ -18,17 +18,23 @@ class EquationBuilder {
   virtual ~EquationBuilder() = default;
 
   /// Reads lines by their indices in the two systems.
-  void read(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines);
+  virtual void read(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines);
 
   /// The equations of the i-th line read; the views stay valid until the next call of line() or read(). False when the line
   /// cannot be used (a matrix to invert is singular or not fully measured).
   virtual bool line(std::size_t i, minimise::LineProduct& out) = 0;
 
+  /// Products that make up a line: one, or one for each substructure.
+  virtual std::size_t products() const { return 1; }
+
+  /// The k-th product of the i-th line, as line().
+  virtual bool product(std::size_t i, std::size_t, minimise::LineProduct& out) { return line(i, out); }
+
   /// The coordinate behind each column of B.
   virtual Dofs columns() const = 0;
 
   /// FRFs read per line.
-  std::size_t entries_per_line() const;
+  virtual std::size_t entries_per_line() const;
 
  protected:
   /// Made by the method: what it reads of each system.

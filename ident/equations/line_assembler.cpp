@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <unordered_map>
 
@@ -43,8 +44,24 @@ void make_expanders(AssemblySpec& spec) {
   }
 }
 
-LineAssembler::LineAssembler(const AssemblySpec& spec, bool measures_rounding)
-    : spec_(spec), measures_rounding_(measures_rounding), expanders_(spec.expanders) {}
+LineAssembler::LineAssembler(const AssemblySpec& spec, bool measures_rounding, RoundingScale* shared)
+    : spec_(spec), measures_rounding_(measures_rounding), shared_rounding_(shared), expanders_(spec.expanders) {
+  if (!spec.is_of_part) return;
+  a_places_.resize(spec.supports.front().a_dofs.size());
+  b_places_.resize(spec.supports.front().b_dofs.size());
+  std::iota(a_places_.begin(), a_places_.end(), std::size_t{0});
+  std::iota(b_places_.begin(), b_places_.end(), std::size_t{0});
+}
+
+SubProduct LineAssembler::sub_product(const Group& group) const {
+  const Support& support = spec_.supports[group.support];
+  return {.a_dofs = spec_.is_of_part ? a_places_ : support.a_dofs,
+          .b_dofs = spec_.is_of_part ? b_places_ : support.b_dofs,
+          .rows = group.rows,
+          .columns = group.columns,
+          .row_weight = group.row_weight,
+          .column_weight = group.column_weight};
+}
 
 void LineAssembler::add(const minimise::LineProduct& line, minimise::Accumulator& accumulator) {
   line_columns_ = spec_.columns->at(line.frequency_hz);
@@ -70,14 +87,9 @@ void LineAssembler::measure_rounding(const minimise::LineProduct& line, double f
   for (std::size_t g = 0; g < group_count_; ++g) {
     const Group& group = groups_[g];
     const Support& support = spec_.supports[group.support];
-    rounding_.add(line,
-                  {.a_dofs = support.a_dofs,
-                   .b_dofs = support.b_dofs,
-                   .rows = group.rows,
-                   .columns = group.columns,
-                   .row_weight = group.row_weight,
-                   .column_weight = group.column_weight},
-                  factor);
+    RoundingScale& to = shared_rounding_ != nullptr ? *shared_rounding_ : rounding_;
+    const std::size_t joint = spec_.is_of_part ? spec_.restriction->dofs.size() : line.b.rows;
+    to.add(line, sub_product(group), factor, support.a_dofs, support.b_dofs, joint);
   }
 }
 
@@ -177,12 +189,7 @@ void LineAssembler::group(const minimise::LineProduct& line, bool regular) {
 
 void LineAssembler::compress(const minimise::LineProduct& line, const Group& group) {
   const Support& support = spec_.supports[group.support];
-  const SubProduct part{.a_dofs = support.a_dofs,
-                        .b_dofs = support.b_dofs,
-                        .rows = group.rows,
-                        .columns = group.columns,
-                        .row_weight = group.row_weight,
-                        .column_weight = group.column_weight};
+  const SubProduct part = sub_product(group);
   if (worth_compressing(group.rows.size(), group.columns.size(), support.a_dofs.size(), support.b_dofs.size(),
                         support.unknowns.size())) {
     const bool same_a = factored_ != nullptr && factored_->rows == group.rows && factored_->row_weight == group.row_weight &&

@@ -28,6 +28,7 @@ struct AssemblySpec {
   std::vector<Support> supports;           ///< at least one
   std::vector<std::size_t> column_support; ///< [L] which support a column of B belongs to
   std::vector<RowExpander> expanders;      ///< one per support, made by make_expanders()
+  bool is_of_part = false;  ///< A has the columns and B the rows of the only support alone
 };
 
 /// Expanders of all supports; the plan makes them once, each assembler works on copies.
@@ -45,7 +46,8 @@ struct EquationCount {
 class LineAssembler {
  public:
   /// With `measures_rounding`, rounding() is kept up; it takes about as long as reading C once.
-  explicit LineAssembler(const AssemblySpec& spec, bool measures_rounding = false);
+  /// `shared`: where rounding is added up instead.
+  explicit LineAssembler(const AssemblySpec& spec, bool measures_rounding = false, RoundingScale* shared = nullptr);
 
   void add(const minimise::LineProduct& line, minimise::Accumulator& accumulator);
 
@@ -78,6 +80,7 @@ class LineAssembler {
   void weigh(const minimise::LineProduct& line, bool regular);
   void group(const minimise::LineProduct& line, bool regular);
   void compress(const minimise::LineProduct& line, const Group& group);
+  SubProduct sub_product(const Group& group) const;
   void push(const minimise::LineProduct& line, const Group& group, minimise::Accumulator& accumulator);
   void push_weighted_after(const minimise::LineProduct& line, minimise::Accumulator& accumulator);
   Rows append(const Group& group, std::size_t equations, minimise::Accumulator& accumulator);
@@ -89,6 +92,8 @@ class LineAssembler {
   const AssemblySpec& spec_;
   bool measures_rounding_;
   RoundingScale rounding_;
+  RoundingScale* shared_rounding_;
+  std::vector<std::size_t> a_places_, b_places_;  ///< of the only support of a part
   std::vector<RowExpander> expanders_;  ///< one per support
   KroneckerCompressor compressor_;
   Compressed compressed_;

@@ -18,6 +18,12 @@ void plan_assembly(const Plan& plan, LinearPlan& own) {
   spec.weighting = plan.scene.identify.weighting;
   spec.delta = plan.scene.identify.delta;
   const Dofs columns = own.builder->columns();
+  if (!own.parts.empty()) {
+    own.part_specs = part_specs(own.parts, spec, columns.size());
+    spec.column_support.assign(columns.size(), 0);
+    for (const PartOfRows& part : own.parts) spec.supports.push_back(part.support);
+    return;
+  }
   std::vector<std::size_t> joint_source, column_source;
   if (plan.substructures->source_count() > 1 && own.keeps_parts_apart()) {
     for (const frf::Dof& dof : plan.coordinates.joint) joint_source.push_back(plan.substructures->source_of(dof));
@@ -27,7 +33,12 @@ void plan_assembly(const Plan& plan, LinearPlan& own) {
   make_expanders(spec);
 }
 
-std::size_t count_equations(const Plan& plan) {
+std::size_t count_equations(const Plan& plan, const LinearPlan& own) {
+  if (!own.parts.empty()) {
+    std::size_t rows = 0;
+    for (const PartOfRows& part : own.parts) rows += part.n_rows.size() + part.j_rows.size();
+    return rows * own.builder->columns().size();
+  }
   const EquationSet use(plan.equations);
   const std::size_t joint = plan.coordinates.joint.size();
   const std::size_t n_rows = plan.coordinates.responses.size(), n_columns = plan.coordinates.references.size();
@@ -35,29 +46,49 @@ std::size_t count_equations(const Plan& plan) {
          (use.jn ? joint * n_columns : 0);
 }
 
+/// Rows by parts: each of a few coordinates.
+void add_parts(const LinearPlan& own, double lines, double columns, Cost& cost) {
+  for (const PartOfRows& part : own.parts) {
+    const std::size_t m = part.n_rows.size() + part.j_rows.size(), na = part.support.a_dofs.size(), nb = part.support.b_dofs.size();
+    const std::size_t l = static_cast<std::size_t>(columns), rows = 2 * std::min(m, na) * std::min(l, nb);
+    const auto unknowns = static_cast<double>(part.support.unknowns.size() + 1), equations = static_cast<double>(m) * columns;
+    cost.compressed_rows_per_line += rows;
+    cost.assemble_flops += lines * (16.0 * (static_cast<double>(m * na * na) + columns * static_cast<double>(nb * nb)) +
+                                    8.0 * equations * static_cast<double>(na) + 2.0 * static_cast<double>(rows) * unknowns * unknowns);
+    cost.stacked_flops += lines * equations * (8.0 * static_cast<double>(na * nb) + 4.0 * unknowns * unknowns);
+  }
+}
+
 Cost cost_of(const Plan& plan, const LinearPlan& own) {
   const AssemblySpec& spec = own.spec;
   Cost cost;
   cost.lines = plan.lines.size();
   cost.columns = plan.columns->size();
-  cost.equations_per_line = count_equations(plan);
-  cost.compressed_rows_per_line = compressed_rows(spec, own.rows_of_a(plan));
+  cost.equations_per_line = count_equations(plan, own);
+  cost.compressed_rows_per_line = own.parts.empty() ? compressed_rows(spec, own.rows_of_a(plan)) : 0;
   cost.bytes_read = own.builder->entries_per_line() * sizeof(Complex) * cost.lines;
   const auto lines = static_cast<double>(cost.lines), unknowns = static_cast<double>(plan.restriction.unknowns.size());
   const auto n = static_cast<double>(plan.coordinates.joint.size());
   const auto m = static_cast<double>(own.rows_of_a(plan)), l = static_cast<double>(own.builder->columns().size());
+  if (!own.parts.empty()) {
+    add_parts(own, lines, l, cost);
+    return cost;
+  }
   cost.assemble_flops = lines * (16.0 * n * n * (m + l) + 8.0 * m * l * n + reduction_flops(spec, own.rows_of_a(plan)));
   cost.stacked_flops = lines * static_cast<double>(cost.equations_per_line) * (8.0 * n * n + 4.0 * unknowns * unknowns);
   return cost;
 }
 
-/// SPQR pays when the stacked triangles are mostly empty and large.
+/// Sparse solvers pay where there are many unknowns and no part carries more than half of them (docs/many-joints.md). Ties and bounds
+/// are dense.
 Solver choose_solver(const Plan& plan, const LinearPlan& own) {
+  constexpr std::size_t least = 150;
   if (plan.scene.identify.solver != Solver::automatic) return plan.scene.identify.solver;
   std::size_t touched = 0;
   for (const Support& support : own.spec.supports) touched = std::max(touched, support.unknowns.size());
   const std::size_t columns = plan.columns->size();
-  return columns >= 200 && 4 * touched <= columns && minimise::has_spqr() ? Solver::spqr : Solver::qr;
+  if (columns < least || 2 * touched > columns) return Solver::qr;
+  return minimise::has_spqr() ? Solver::spqr : Solver::ldlt;
 }
 
 }  // namespace

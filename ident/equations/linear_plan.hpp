@@ -2,6 +2,7 @@
 
 #include "ident/equations/equation_builder.hpp"
 #include "ident/equations/line_assembler.hpp"
+#include "ident/equations/part_rows.hpp"
 #include "ident/plan/plan.hpp"
 
 namespace jointid::ident {
@@ -11,6 +12,10 @@ class LinearPlan : public MethodPlan {
  public:
   std::unique_ptr<EquationBuilder> builder;
   AssemblySpec spec;
+  std::vector<PartOfRows> parts;         ///< of rows by parts (Plan::why_by_parts); else empty
+  std::vector<AssemblySpec> part_specs;  ///< one for each of them
+
+  std::span<const AssemblySpec> specs() const { return part_specs.empty() ? std::span(&spec, 1) : std::span(part_specs); }
 
   /// A further builder for the plan's equations, for a thread of its own. Reading stays one at a time: the systems are shared.
   virtual std::unique_ptr<EquationBuilder> make_builder(const Plan& plan) const = 0;

@@ -79,7 +79,12 @@ double right_norm2(const minimise::LineProduct& line, const SubProduct& part) {
 }  // namespace
 
 void RoundingScale::add(const minimise::LineProduct& line, const SubProduct& part, double factor) {
-  joint_ = line.b.rows;
+  add(line, part, factor, part.a_dofs, part.b_dofs, line.b.rows);
+}
+
+void RoundingScale::add(const minimise::LineProduct& line, const SubProduct& part, double factor, std::span<const std::size_t> a_dofs,
+                        std::span<const std::size_t> b_dofs, std::size_t joint) {
+  joint_ = joint;
   coefficient2_.resize(joint_ * joint_, 0.0);
   a2_.clear();
   b2_.clear();
@@ -87,7 +92,7 @@ void RoundingScale::add(const minimise::LineProduct& line, const SubProduct& par
   for (const std::size_t q : part.b_dofs) b2_.push_back(row_norm2(line, part, q));
   for (std::size_t i = 0; i < a2_.size(); ++i) {
     for (std::size_t k = 0; k < b2_.size(); ++k) {
-      coefficient2_[part.a_dofs[i] * joint_ + part.b_dofs[k]] += squared(factor) * a2_[i] * b2_[k];
+      coefficient2_[a_dofs[i] * joint_ + b_dofs[k]] += squared(factor) * a2_[i] * b2_[k];
     }
   }
   right2_ += squared(factor) * right_norm2(line, part);

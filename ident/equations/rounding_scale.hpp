@@ -16,6 +16,11 @@ class RoundingScale {
  public:
   /// Adds the equations of one product, all weights times `factor`.
   void add(const minimise::LineProduct& line, const SubProduct& part, double factor);
+
+  /// The same where A has the columns and B the rows of some joint coordinates alone, of `joint` in all: those of `part` are places
+  /// among them, `a_dofs` and `b_dofs` what they stand for.
+  void add(const minimise::LineProduct& line, const SubProduct& part, double factor, std::span<const std::size_t> a_dofs,
+           std::span<const std::size_t> b_dofs, std::size_t joint);
   void merge(const RoundingScale& other);
 
   /// As numbers, for another process.

@@ -85,14 +85,14 @@ struct Unbiased {
 
 /// Error estimates from the scatter and, where a fit without bias is there, the difference to that; and from what the coherences
 /// leave open of H1, which moves all unknowns in proportion.
-void fill_errors(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& scatter,
+void fill_errors(const Plan& plan, const std::vector<double>& theta, const Eigen::VectorXd& scatter,
                  const std::optional<Unbiased>& fit, Solution& out) {
   const double too_low = h1_bias(plan);
   for (std::size_t column = 0; column < out.unknowns.size(); ++column) {
     const auto c = at(column);
     Estimate& estimate = out.unknowns[column];
     const double unit = std::abs(plan.unscale(column));
-    double square = scatter(c, c) + std::pow(too_low * theta[column], 2);
+    double square = scatter[c] + std::pow(too_low * theta[column], 2);
     if (fit) {
       const double bias = theta[column] - fit->theta[column];
       square += std::max(0.0, bias * bias - fit->covariance(c, c));
@@ -121,7 +121,7 @@ void fill_matrix_errors(const Plan& plan, Solution& out) {
 /// Motions that give energy away by the estimate without bias, and by the estimate itself with its bias as a part of its error.
 void judge_errors(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& scatter,
                   const std::optional<Unbiased>& fit, Solution& out) {
-  fill_errors(plan, theta, scatter, fit, out);
+  fill_errors(plan, theta, scatter.diagonal(), fit, out);
   fill_matrix_errors(plan, out);
   Eigen::MatrixXd covariance = scatter;
   if (fit) {
@@ -131,6 +131,16 @@ void judge_errors(const Plan& plan, const std::vector<double>& theta, const Eige
       tell_active(active_motions(plan, fit->theta, fit->covariance, 6.0), out);
   }
   tell_errors(plan, theta, covariance, out);
+}
+
+/// Rows by parts: the scatter of groups of lines, whose covariance of all pairs of unknowns is not formed.
+void judge_parts(const Plan& plan, const std::vector<double>& theta, const Control& control, Solution& out) {
+  if (plan.admissible) return;
+  const std::optional<Eigen::VectorXd> scatter = line_scatter(plan, jackknife_lines, control);
+  if (!scatter) return;
+  fill_errors(plan, theta, *scatter, std::nullopt, out);
+  fill_matrix_errors(plan, out);
+  tell_useless_errors(plan, out);
 }
 
 /// By the equations of Method One.
@@ -201,6 +211,7 @@ void tell_check(const CheckResult& found, Solution& out) {
 
 void judge_linear(const Plan& plan, const minimise::LinearSolution& linear, const Control& control, Solution& out) {
   if (linear.rank != plan.columns->size()) return;
+  if (plan.why_by_parts) return judge_parts(plan, linear.y, control, out);
   const bool from_prediction = !traits(plan.scene.identify.method).joint_on_assembly;
   const auto fit = from_prediction ? judge_prediction(plan, linear.y, out) : judge_equations(plan, linear.y, out);
   if (plan.admissible) return;

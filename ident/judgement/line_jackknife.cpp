@@ -33,6 +33,7 @@ std::vector<minimise::Accumulator> systems_of(const Plan& plan, const std::vecto
   for (const std::vector<Line>& group : groups) {
     out.push_back(assemble(plan, group, time, quick).accumulator);
     out.back().flush();
+    out.back().release();
   }
   return out;
 }
@@ -56,6 +57,31 @@ Eigen::MatrixXd jackknife_scatter(const Eigen::MatrixXd& estimates) {
   return (g - 1.0) / g * apart * apart.transpose();
 }
 
+namespace {
+
+double share_of_all(const Plan& plan, const std::vector<std::vector<Line>>& groups) {
+  std::size_t used = 0;
+  for (const auto& group : groups) used += group.size();
+  return static_cast<double>(used) / static_cast<double>(plan.lines.size());
+}
+
+}  // namespace
+
+std::optional<Eigen::VectorXd> line_scatter(const Plan& plan, std::size_t most_lines, const Control& control) {
+  if (plan.lines.size() < least_lines || linear_plan(plan) == nullptr) return std::nullopt;
+  const auto groups = groups_of(plan.lines, most_lines, !plan.columns->limits_hz().empty());
+  std::vector<minimise::Accumulator> systems = systems_of(plan, groups, control);
+  Eigen::MatrixXd without(at(plan.columns->size()), at(groups.size()));
+  for (std::size_t group = 0; group < groups.size(); ++group) {
+    const auto found = estimate_without(plan, systems, {group});
+    if (!found) return std::nullopt;
+    without.col(at(group)) = found->theta;
+  }
+  const auto g = static_cast<double>(groups.size());
+  const Eigen::MatrixXd apart = without.colwise() - without.rowwise().mean();
+  return share_of_all(plan, groups) * (g - 1.0) / g * apart.rowwise().squaredNorm();
+}
+
 std::optional<LineJackknife> line_jackknife(const Plan& plan, std::size_t most_lines, const Control& control) {
   if (plan.lines.size() < least_lines || linear_plan(plan) == nullptr) return std::nullopt;
   LineJackknife out{.groups = groups_of(plan.lines, most_lines, !plan.columns->limits_hz().empty()),
@@ -76,10 +102,7 @@ std::optional<LineJackknife> line_jackknife(const Plan& plan, std::size_t most_l
   if (!all) return std::nullopt;
   out.all = all->theta;
   out.residual = all->residual;
-  std::size_t used = 0;
-  for (const auto& group : out.groups) used += group.size();
-  const double to_all = static_cast<double>(used) / static_cast<double>(plan.lines.size());
-  out.covariance = to_all * jackknife_scatter(out.without);
+  out.covariance = share_of_all(plan, out.groups) * jackknife_scatter(out.without);
   return out;
 }
 

@@ -28,6 +28,9 @@ struct LineJackknife {
 /// without the rank becoming less.
 std::optional<LineJackknife> line_jackknife(const Plan& plan, std::size_t most_lines, const Control& control);
 
+/// The variances alone, of the scaled unknowns: for many of them, whose covariances would fill the memory.
+std::optional<Eigen::VectorXd> line_scatter(const Plan& plan, std::size_t most_lines, const Control& control);
+
 /// The systems of groups of lines, each alone.
 std::vector<minimise::Accumulator> systems_of(const Plan& plan, const std::vector<std::vector<Line>>& groups, const Control& control);
 

@@ -148,6 +148,8 @@ void tell(Solution& out, Status status, const std::string& sentence) {
   out.message += sentence;
 }
 
+void tell_useless_errors(const Plan& plan, Solution& out) { tell_useless(plan, out); }
+
 void tell_errors(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& covariance, Solution& out) {
   tell_negative(plan, theta, covariance, out);
   tell_useless(plan, out);

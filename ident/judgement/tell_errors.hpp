@@ -23,4 +23,7 @@ void tell(Solution& out, Status status, const std::string& sentence);
 /// A warning names other matrices without a valid digit.
 void tell_errors(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& covariance, Solution& out);
 
+/// What tell_errors() says of errors that are as large as values.
+void tell_useless_errors(const Plan& plan, Solution& out);
+
 }  // namespace jointid::ident

@@ -38,6 +38,8 @@ void estimate(const Plan& plan, Assembled& system, const Control& control, Solut
   } else if (control.detail == Detail::full) {
     judge_rounding(plan, linear, system.rounding, out);
   }
+  system.rounding = {};  // of many joints these are large
+  system.accumulator.release();
   if (!settled) {
     out.status = Status::not_converged;
     out.message += "The constrained least-squares problem did not converge.";
@@ -66,9 +68,20 @@ class LinearMethod : public LinearPlan {
   }
 };
 
+constexpr const char* rows_by_parts_note =
+    "The assembly was not excited at its joints: Method One balances each substructure alone, with motion at all its joint coordinates. "
+    "Noise of the FRFs counts 20 to 30 times more there than the data allow (docs/many-joints.md).";
+
 class MethodOnePlan final : public LinearMethod {
  public:
+  explicit MethodOnePlan(const Plan& plan) {
+    if (plan.why_by_parts)
+      parts = parts_of_rows(plan.coordinates, EquationSet(plan.equations), plan.restriction, *plan.substructures);
+  }
+
   std::unique_ptr<EquationBuilder> make_builder(const Plan& plan) const override {
+    if (!parts.empty())
+      return make_part_rows(parts, plan.coordinates, EquationSet(plan.equations), *plan.substructures, *plan.assembly);
     return make_method_one(plan.coordinates, EquationSet(plan.equations), *plan.substructures, *plan.assembly);
   }
 
@@ -76,6 +89,12 @@ class MethodOnePlan final : public LinearMethod {
   void plan_prediction(const Plan& plan, PlannedMethod& out) const {
     const EquationSet use(plan.equations);
     const Coordinates& at = plan.coordinates;
+    if (!parts.empty()) {
+      out.left_out.emplace_back("forces at the joints of the assembly: the rows are those of each substructure alone");
+      out.left_out.emplace_back("the assembly FRF error: it takes all joints at once");
+      out.notes.emplace_back(rows_by_parts_note);
+      return;
+    }
     if (!use.nj && !use.jj) {
       out.left_out.push_back("the assembly FRF error: it needs H_bb, which the equations do not read");
       return;
@@ -85,6 +104,7 @@ class MethodOnePlan final : public LinearMethod {
   }
 
   std::vector<std::string> left_out(const Plan& plan) const override {
+    if (!parts.empty()) return {};
     const EquationSet use(plan.equations);
     const std::pair<bool, const char*> blocks[] = {
         {use.nn, "H_aa and H_nn"}, {use.nn || use.nj, "H_nj"}, {use.nn || use.jn, "H_ba"},
@@ -100,6 +120,8 @@ class MethodOnePlan final : public LinearMethod {
 
 class MethodTwoPlan final : public LinearMethod {
  public:
+  explicit MethodTwoPlan(const Plan&) {}
+
   std::unique_ptr<EquationBuilder> make_builder(const Plan& plan) const override {
     return make_method_two(plan.coordinates, EquationSet(plan.equations), *plan.substructures, *plan.assembly);
   }
@@ -118,6 +140,8 @@ class MethodTwoPlan final : public LinearMethod {
 
 class DirectPlan final : public LinearMethod {
  public:
+  explicit DirectPlan(const Plan&) {}
+
   std::unique_ptr<EquationBuilder> make_builder(const Plan& plan) const override {
     return make_direct(plan.coordinates, *plan.substructures, *plan.assembly);
   }
@@ -130,7 +154,7 @@ class DirectPlan final : public LinearMethod {
 
 template <class Method>
 PlannedMethod planned(const Plan& plan) {
-  auto own = std::make_unique<Method>();
+  auto own = std::make_unique<Method>(plan);
   PlannedMethod out = plan_linear(plan, *own);
   own->plan_prediction(plan, out);
   out.method = std::move(own);

@@ -156,4 +156,26 @@ std::vector<Equation> choose_equations(const Scene& scene, const Coordinates& co
   return chosen;
 }
 
+std::vector<Equation> equations_by_parts(const Scene& scene, const Coordinates& coordinates, const frf::FrfSystem& substructures,
+                                         const frf::FrfSystem& assembly) {
+  const Dofs& joint = coordinates.joint;
+  if (scene.identify.method != Method::one || substructures.source_count() < 2) return {};
+  if (!first_missing(joint, assembly.responses()).empty() || !first_missing(joint, substructures.references()).empty()) return {};
+  const bool forces = std::ranges::any_of(joint, [&](const frf::Dof& dof) { return frf::has(assembly.references(), dof); });
+  const bool motion = first_missing(joint, substructures.responses()).empty();
+  const bool n_rows = !coordinates.responses.empty(), n_columns = !coordinates.references.empty();
+  const std::pair<Equation, bool> all[] = {{Equation::nn, n_rows && n_columns},
+                                           {Equation::nj, n_rows && forces},
+                                           {Equation::jj, motion && forces},
+                                           {Equation::jn, motion && n_columns}};
+  const std::vector<Equation>& named = scene.identify.equations;
+  std::vector<Equation> chosen;
+  for (const auto& [equation, is_there] : all) {
+    const bool wanted = named.empty() || std::ranges::find(named, equation) != named.end();
+    if (wanted && is_there) chosen.push_back(equation);
+    if (wanted && !is_there && !named.empty()) return {};
+  }
+  return chosen;
+}
+
 }  // namespace jointid::ident

@@ -1,5 +1,7 @@
 #include "ident/plan/interpret.hpp"
 
+#include <span>
+
 #include "ident/result/quality.hpp"
 #include "restrictions/impedance_factor.hpp"
 
@@ -25,10 +27,13 @@ void judge_status(const Plan& plan, const minimise::LinearSolution& linear, Solu
   }
   out.message = "The data do not fix " + std::to_string(linear.free_directions.size()) + " of " +
                 std::to_string(plan.columns->size()) + " combinations of unknowns:";
-  for (const minimise::FreeDirection& direction : linear.free_directions) {
+  constexpr std::size_t most = 12, named = 6;
+  const std::size_t count = linear.free_directions.size(), shown = count > most ? named : count;
+  for (const minimise::FreeDirection& direction : std::span(linear.free_directions).first(shown)) {
     const bool alone = direction.columns.size() == 1;
     out.message += " " + joined_names(plan, direction.columns) + (alone ? " is free;" : " move together;");
   }
+  if (shown < count) out.message += " and " + std::to_string(count - shown) + " more;";
   for (const std::size_t column : linear.undetermined) out.unknowns[column].determined = false;
   out.message.back() = '.';
   out.message += " Measure more coordinates or lines, or tie unknowns in the joint's matrices.";

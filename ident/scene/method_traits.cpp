@@ -9,7 +9,7 @@ namespace jointid::ident {
 namespace {
 
 /// In the order of Solver.
-constexpr std::array solver_words = {"auto",  "qr",         "normal",      "spqr",    "levenberg-marquardt", "newton", "ceres", "ipopt",
+constexpr std::array solver_words = {"auto",  "qr",         "normal",      "spqr",    "cholmod", "ldlt",    "levenberg-marquardt", "newton", "ceres", "ipopt",
                                      "nlopt", "nlopt-crs2", "nlopt-sbplx", "pattern", "gauss-helmert",       "iqml"};
 
 }  // namespace

@@ -21,6 +21,8 @@ enum class Solver {
   qr,
   normal,
   spqr,
+  cholmod,
+  ldlt,
   levenberg_marquardt,
   newton,
   ceres,

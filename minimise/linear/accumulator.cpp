@@ -32,6 +32,11 @@ void Accumulator::flush() {
   for (auto& [columns, triangle] : triangles_) triangle.flush();
 }
 
+void Accumulator::release() {
+  complex_.clear();
+  for (auto& [columns, triangle] : triangles_) triangle.release();
+}
+
 void Accumulator::merge(Accumulator& other) {
   other.flush();
   for (auto& [columns, other_triangle] : other.triangles_) triangle(columns).merge(other_triangle);

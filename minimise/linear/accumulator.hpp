@@ -34,6 +34,9 @@ class Accumulator {
 
   /// Reduces all buffers and moves complex rows into the real triangles; needed before the triangles are read.
   void flush();
+
+  /// Frees the buffers after flush(), where the system is kept and no rows follow soon.
+  void release();
   void merge(Accumulator& other);
 
   /// All triangles as numbers, for another process; flushes before.

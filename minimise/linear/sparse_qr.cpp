@@ -13,6 +13,8 @@ SparseQr sparse_qr(const SparseEntries& a, const std::vector<double>& b, double 
   return interface_of<SpqrModule>(spqr).factor(a, b, tolerance);
 }
 
+std::unique_ptr<SparseFactor> cholmod_cholesky() { return interface_of<SpqrModule>(spqr).cholesky(); }
+
 bool has_spqr() { return is_there(spqr); }
 
 }  // namespace jointid::minimise

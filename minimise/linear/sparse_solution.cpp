@@ -4,66 +4,21 @@
 #include <random>
 
 #include "base/eigen.hpp"
-#include "minimise/linear/column_scaling.hpp"
+#include "dense/qr.hpp"
+#include "dense/svd.hpp"
 #include "minimise/linear/linear_solution.hpp"
 #include "minimise/linear/null_space.hpp"
 #include "minimise/linear/rounding.hpp"
 #include "minimise/linear/solve_linear.hpp"
+#include "minimise/linear/sparse_covariance.hpp"
+#include "minimise/linear/sparse_normal.hpp"
 #include "minimise/linear/sparse_qr.hpp"
+#include "minimise/linear/stacked_triangles.hpp"
 
 namespace jointid::minimise {
 namespace {
 
-/// The stacked triangles with scaled columns, their right-hand side b, and what their columns were scaled by.
-struct StackedTriangles {
-  SparseEntries matrix;
-  std::vector<double> right, scale, column_norm;
-
-  explicit StackedTriangles(const Accumulator& accumulator) {
-    matrix.columns = accumulator.columns();
-    std::vector<double> norm2(matrix.columns, 0.0);
-    std::size_t entries = 0;
-    for (const auto& [columns, triangle] : accumulator.triangles()) {
-      entries += columns.size() * (columns.size() + 1) / 2;
-      for (std::size_t j = 0; j < columns.size(); ++j) {
-        for (std::size_t i = 0; i <= j; ++i) norm2[columns[j]] += triangle(i, j) * triangle(i, j);
-      }
-    }
-    for (const double square : norm2) {
-      scale.push_back(power_of_two_scale(std::sqrt(square)));
-      column_norm.push_back(std::sqrt(square));
-    }
-    matrix.row.reserve(entries);
-    matrix.column.reserve(entries);
-    matrix.value.reserve(entries);
-    for (const auto& [columns, triangle] : accumulator.triangles()) append(columns, triangle);
-  }
-
- private:
-  void append(const std::vector<std::size_t>& columns, const Triangle& triangle) {
-    const std::size_t n = columns.size();
-    for (std::size_t i = 0; i <= n; ++i, ++matrix.rows) {
-      for (std::size_t j = i; j < n; ++j) {
-        matrix.row.push_back(static_cast<std::int64_t>(matrix.rows));
-        matrix.column.push_back(static_cast<std::int64_t>(columns[j]));
-        matrix.value.push_back(triangle(i, j) * scale[columns[j]]);
-      }
-      right.push_back(triangle(i, n));
-    }
-  }
-};
-
 double norm(const std::vector<double>& v) { return Eigen::Map<const Eigen::VectorXd>(v.data(), at(v.size())).norm(); }
-
-/// b − A y.
-std::vector<double> residual(const StackedTriangles& stacked, const std::vector<double>& y) {
-  std::vector<double> out = stacked.right;
-  const SparseEntries& a = stacked.matrix;
-  for (std::size_t e = 0; e < a.value.size(); ++e) {
-    out[static_cast<std::size_t>(a.row[e])] -= a.value[e] * y[static_cast<std::size_t>(a.column[e])];
-  }
-  return out;
-}
 
 /// The factor R of A(:,permutation) = QR as SPQR leaves it: upper trapezoidal, where a column that depends on those before
 /// it has no pivot of its own.
@@ -94,6 +49,19 @@ class Staircase {
       for_each(owner_[row], [&](std::size_t above, double value) { c[above] -= value * unknown; });
     }
     return x;
+  }
+
+  /// x of RᵀR x = c where no column depends on others.
+  std::vector<double> solve_normal(const std::vector<double>& c) const {
+    std::vector<double> z(owner_.size());
+    for (std::size_t row = 0; row < owner_.size(); ++row) {
+      double sum = c[column_[owner_[row]]];
+      for_each(owner_[row], [&](std::size_t above, double value) {
+        if (above < row) sum -= value * z[above];
+      });
+      z[row] = sum / pivot_[row];
+    }
+    return solve(std::move(z));
   }
 
   /// Basis of the null space: a column without a pivot, and what undoes it, at a time.
@@ -142,10 +110,59 @@ Eigen::VectorXd inverse_rows(const Staircase& staircase, std::size_t n) {
   return (squares / samples).cwiseSqrt();
 }
 
-}  // namespace
+/// Smallest singular values of A with their directions, by inverse iteration with R: SPQR's own rank says full of matrices whose smallest
+/// singular value is 1e-15 (Kahan). Directions below `least` are a basis of the null space.
+struct SmallestValues {
+  double smallest = 0.0;
+  Eigen::MatrixXd null_space;
+};
 
-LinearSolution solve_sparse(Accumulator& accumulator, Condition asked) {
-  accumulator.flush();
+Eigen::MatrixXd times(const StackedTriangles& stacked, const Eigen::MatrixXd& v) {
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(at(stacked.matrix.rows), v.cols());
+  const SparseEntries& a = stacked.matrix;
+  for (std::size_t e = 0; e < a.value.size(); ++e) out.row(a.row[e]) += a.value[e] * v.row(a.column[e]);
+  return out;
+}
+
+Eigen::MatrixXd random_block(Eigen::Index rows, Eigen::Index columns) {
+  std::mt19937_64 random(2);
+  std::normal_distribution<double> normal;
+  return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return normal(random); });
+}
+
+SmallestValues smallest_values(const StackedTriangles& stacked, const Staircase& staircase, double least) {
+  const Eigen::Index n = at(stacked.matrix.columns);
+  for (Eigen::Index width = std::min<Eigen::Index>(4, n);; width = std::min(2 * width, n)) {
+    Eigen::MatrixXd v = dense::orthonormal_columns(random_block(n, width));
+    for (int step = 0; step < 4; ++step) {
+      for (Eigen::Index c = 0; c < width; ++c) {
+        const std::vector<double> x = staircase.solve_normal({v.col(c).begin(), v.col(c).end()});
+        v.col(c) = Eigen::Map<const Eigen::VectorXd>(x.data(), n).stableNormalized();
+      }
+      if (!v.allFinite()) return {};
+      v = dense::orthonormal_columns(v);
+    }
+    const Eigen::MatrixXd image = times(stacked, v);
+    const dense::RealSvd svd = dense::svd(image, dense::Vectors::none, dense::Vectors::full);
+    const Eigen::Index count = v.cols(), below = (svd.sigma.array() <= least).count();
+    if (below < count || width == n || width >= 64) return {svd.sigma[count - 1], v * svd.v.rightCols(below)};
+  }
+}
+
+/// Largest singular value, from below.
+double largest_value(const StackedTriangles& stacked) {
+  Eigen::VectorXd x = random_block(at(stacked.matrix.columns), 1).normalized();
+  double norm = 0.0;
+  for (int step = 0; step < 10 && x.size() > 0; ++step) {
+    const Eigen::VectorXd image = times(stacked, x);
+    norm = image.norm();
+    const std::vector<double> back = stacked.transposed({image.begin(), image.end()});
+    x = Eigen::Map<const Eigen::VectorXd>(back.data(), x.size()).stableNormalized();
+  }
+  return norm;
+}
+
+LinearSolution solve_by_qr(Accumulator& accumulator, Condition asked) {
   const std::size_t n = accumulator.columns();
   const StackedTriangles stacked(accumulator);
   // Columns have about unit length after scaling, so an absolute pivot threshold is a relative one.
@@ -155,25 +172,43 @@ LinearSolution solve_sparse(Accumulator& accumulator, Condition asked) {
   const Staircase staircase(factors);
   out.rank = staircase.pivots().size();
   out.y = staircase.solve(factors.rotated);
+  Eigen::MatrixXd basis;
+  double smallest = 0.0;
+  const double largest = largest_value(stacked);
   if (out.rank < n) {
-    const Eigen::MatrixXd basis = staircase.null_space();
+    basis = staircase.null_space();
+  } else {
+    SmallestValues found = smallest_values(stacked, staircase, static_cast<double>(n) * std::numeric_limits<double>::epsilon() * largest);
+    basis = std::move(found.null_space);
+    smallest = found.smallest;
+    out.rank -= static_cast<std::size_t>(basis.cols());
+  }
+  if (out.rank < n) {
     tell_null_space(basis, out);
     Eigen::Map<Eigen::VectorXd> y(out.y.data(), at(n));
     y = minimum_norm(basis, y);
   }
-
-  // Pivots bound the condition number from below; an SVD of a large sparse matrix costs more than the solution.
-  const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
-  const auto [least, most] = std::minmax_element(staircase.pivots().begin(), staircase.pivots().end(), smaller);
-  out.condition = out.rank < n ? std::numeric_limits<double>::infinity() : std::abs(*most / *least);
-  out.residual_norm = norm(residual(stacked, out.y));
+  out.condition = out.rank < n ? std::numeric_limits<double>::infinity() : largest / smallest;
+  out.residual_norm = norm(stacked.residual(out.y));
   for (std::size_t j = 0; j < n; ++j) out.y[j] *= stacked.scale[j];
   if (asked == Condition::compute && out.rank == n) {
     const auto map = [n](const std::vector<double>& v) { return Eigen::Map<const Eigen::VectorXd>(v.data(), at(n)); };
-    bound_rounding({inverse_rows(staircase, n).cwiseProduct(map(stacked.scale)), map(stacked.column_norm), norm(stacked.right)},
-                   Reduction::orthogonal, accumulator.rows_pushed(), out);
+    constexpr double exact = 1e6;  // up to this condition number the normal matrix tells the norms
+    const std::vector<double> variances = out.condition < exact ? SparseCovariance(stacked).variances() : std::vector<double>();
+    const Eigen::VectorXd rows = variances.empty() ? inverse_rows(staircase, n) : Eigen::VectorXd(map(variances).cwiseSqrt());
+    bound_rounding({rows.cwiseProduct(map(stacked.scale)), map(stacked.column_norm), norm(stacked.right)}, Reduction::orthogonal,
+                   accumulator.rows_pushed(), out);
   }
   return out;
+}
+
+}  // namespace
+
+LinearSolution solve_sparse(Accumulator& accumulator, Condition asked, SparseWay way) {
+  accumulator.flush();
+  if (way == SparseWay::qr) return solve_by_qr(accumulator, asked);
+  if (std::optional<LinearSolution> out = solve_sparse_normal(accumulator, asked, way)) return *out;
+  return has_spqr() ? solve_by_qr(accumulator, asked) : solve_dense(accumulator, asked);
 }
 
 }  // namespace jointid::minimise

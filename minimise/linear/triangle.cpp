@@ -117,6 +117,12 @@ void Triangle::flush() {
   buffered_ = 0;
 }
 
+void Triangle::release() {
+  buffer_ = {};
+  scratch_ = {};
+  capacity_ = 0;
+}
+
 void Triangle::merge(Triangle& other) {
   other.flush();
   const std::size_t pushed = rows_pushed_ + other.rows_pushed_;

@@ -34,6 +34,9 @@ class Triangle {
   /// Element (i,j), i ≤ j ≤ n, of the triangle after flush().
   double operator()(std::size_t i, std::size_t j) const { return triangle_[i * stride_ + j]; }
 
+  /// Frees the buffer after flush(); further rows make a new one.
+  void release();
+
   /// Adds the rows of another triangle over the same unknowns.
   void merge(Triangle& other);
 

@@ -2,6 +2,7 @@
 
 #include "problems/case/coupling_problem.hpp"
 #include "problems/case/flange.hpp"
+#include "problems/case/many_joints_problem.hpp"
 #include "problems/case/modal_set.hpp"
 #include "problems/kinds/problem_kind.hpp"
 #include "problems/lines/line_problem.hpp"
@@ -73,6 +74,7 @@ constexpr std::array every_kind = {
     ProblemKind{problems::list, write_identification_problem},
     ProblemKind{[] { return infos_of(loading_curves()); }, write_loading_curve},
     ProblemKind{list_flanges, write_identification_problem},
+    ProblemKind{list_many_joints, write_identification_problem},
     ProblemKind{list_coupling, write_coupling_problem},
     ProblemKind{list_line_problems, write_line_problem},
     ProblemKind{list_rig_two, write_rig_two},

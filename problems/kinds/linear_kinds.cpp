@@ -3,6 +3,7 @@
 
 #include "problems/case/coupling_problem.hpp"
 #include "problems/case/flange.hpp"
+#include "problems/case/many_joints_problem.hpp"
 #include "problems/case/modal_set.hpp"
 #include "problems/kinds/problem_kind.hpp"
 #include "problems/problem.hpp"
@@ -13,6 +14,7 @@ namespace {
 constexpr std::array first_kinds = {
     ProblemKind{problems::list, write_identification_problem},
     ProblemKind{list_flanges, write_identification_problem},
+    ProblemKind{list_many_joints, write_identification_problem},
     ProblemKind{list_coupling, write_coupling_problem},
     ProblemKind{list_modal_sets, write_modal_set},
 };

@@ -5,7 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/text.hpp"
 #include "ident/admissible/constraint_phrases.hpp"
+#include "ident/equations/system_pattern.hpp"
 #include "ident/likelihood/findings/variance_sources.hpp"
 #include "ident/plan/expected_time.hpp"
 #include "report/json_value.hpp"
@@ -32,7 +34,11 @@ std::string unknowns_text(const ident::Plan& plan) {
   for (const auto& unknown : plan.restriction.unknowns) names.push_back(unknown.name);
   const std::string columns =
       plan.cost.columns == names.size() ? "" : fmt::format(" in {} columns, one per band", plan.cost.columns);
-  return fmt::format("{}{}: {}", names.size(), columns, fmt::join(names, " "));
+  constexpr std::size_t most = 200, shown = 12;
+  const std::string more = names.size() > most ? fmt::format(" … and {} more", names.size() - shown) : "";
+  const std::size_t count = names.size();
+  if (count > most) names.resize(shown);
+  return fmt::format("{}{}: {}{}", count, columns, fmt::join(names, " "), more);
 }
 
 double megabytes(std::size_t bytes) { return static_cast<double>(bytes) / 1e6; }
@@ -53,6 +59,37 @@ std::string cost_text(const ident::Cost& cost) {
     table.add({"one dense QR of all equations, Mflop", number(cost.stacked_flops / 1e6)});
   }
   return "\ncost\n" + table.text();
+}
+
+/// From so many unknowns on it matters which of them meet.
+constexpr std::size_t least_of_pattern = 150;
+
+std::string pattern_text(const ident::Plan& plan) {
+  const std::optional<ident::SystemPattern> found = ident::system_pattern(plan, least_of_pattern);
+  if (!found) return "";
+  Table table({{"", Align::left}, {""}});
+  table.add({"joints", fmt::format("{}", found->joints)});
+  table.add({"groups of rows, one a substructure where they are kept apart", fmt::format("{}", found->supports)});
+  table.add({"unknowns of the widest" + (found->widest_file.empty() ? "" : ", " + found->widest_file), fmt::format("{}", found->widest)});
+  table.add({"pairs of joints that share rows", fmt::format("{} of {}", found->joint_pairs, found->joints * found->joints)});
+  table.add({"numbers in the factor", fmt::format("{}", found->factor_entries)});
+  table.add({"of a dense one", percent(found->share_of_dense())});
+  table.add({"memory of the factor, MB", number(megabytes(16 * found->factor_entries))});
+  std::string text = "\nstructure\n" + table.text();
+  constexpr std::size_t most = 40;
+  for (const std::string& line : found->picture(most)) text += "  " + line + "\n";
+  return text;
+}
+
+Json pattern_json(const ident::SystemPattern& found) {
+  return {{"joints", found.joints},
+          {"row_groups", found.supports},
+          {"widest_unknowns", found.widest},
+          {"widest_file", found.widest_file.empty() ? Json(nullptr) : Json(found.widest_file)},
+          {"joint_pairs_coupled", found.joint_pairs},
+          {"factor_entries", found.factor_entries},
+          {"factor_share_of_dense", found.share_of_dense()},
+          {"factor_bytes", 16 * found.factor_entries}};
 }
 
 std::string known_noise_text(const std::vector<ident::VarianceSource>& files) {
@@ -102,7 +139,7 @@ std::string plan_text(const ident::Plan& plan) {
   table.add({"unknowns", unknowns_text(plan)});
   table.add({"assembly FRFs", !plan.predicted_responses.empty() ? "synthesised and compared" : "not synthesised"});
   return (plan.scene.title.empty() ? "" : plan.scene.title + "\n") + table.text() +
-         phrases("constraints", ident::constraint_phrases(plan)) + cost_text(plan.cost) +
+         phrases("constraints", ident::constraint_phrases(plan)) + cost_text(plan.cost) + pattern_text(plan) +
          known_noise_text(ident::variance_sources(plan)) + phrases("left out", plan.left_out) +
          phrases("warnings", plan.warnings) + phrases("notes", plan.notes);
 }
@@ -129,6 +166,7 @@ std::string plan_json(const ident::Plan& plan, const std::optional<tasks::BoundR
   json["constraints"] = ident::constraint_phrases(plan);
   json["predicts_assembly"] = !plan.predicted_responses.empty();
   json["cost"] = cost_json(plan.cost);
+  if (const auto pattern = ident::system_pattern(plan, least_of_pattern)) json["structure"] = pattern_json(*pattern);
   json["variances"] = variances_json(ident::variance_sources(plan));
   json["left_out"] = plan.left_out;
   json["warnings"] = plan.warnings;

@@ -8,6 +8,7 @@
 
 #include "report/text/admissibility_text.hpp"
 #include "report/text/identifiability_text.hpp"
+#include "report/text/joints_text.hpp"
 #include "report/text/systematic_text.hpp"
 #include "report/text/table.hpp"
 #include "report/text/words.hpp"
@@ -188,7 +189,9 @@ std::string time_text(const ident::RunTime& time) {
 }  // namespace
 
 std::string solution_text(const ident::Solution& solution, const std::string& title, const std::string& units) {
-  return head(solution, title) + matrices_text(solution, units) + unknowns_text(solution) + constraints_text(solution) +
+  const std::string values =
+      is_shown_by_joint(solution) ? joints_text(solution) : matrices_text(solution, units) + unknowns_text(solution);
+  return head(solution, title) + values + constraints_text(solution) +
          systematic_text(solution) + identifiability_text(solution) + fit_text(solution) + search_text(solution) +
          variances_text(solution.variances) + quality_text(solution.quality) + time_text(solution.runtime_s);
 }

@@ -204,7 +204,7 @@ TEST(PlanError, MethodsSolversAndKeysThatThisBuildLacks) {
   expect_usage(wrong, {"[identify] solver", "method \"newton\" has no solver \"spqr\"", "use auto, levenberg-marquardt"});
   MemoryScene solver = input();
   solver.scene.identify.solver = Solver::ceres;
-  expect_usage(solver, {"has no solver \"ceres\"", "use auto, qr, normal or spqr"});
+  expect_usage(solver, {"has no solver \"ceres\"", "use auto, qr, normal, spqr, cholmod or ldlt"});
   MemoryScene start = input();
   start.scene.identify.start[Kind::stiffness] = {{1.0, 0.0}, {0.0, 1.0}};
   expect_usage(start, {"[identify] start", "needs no start"});

@@ -79,7 +79,7 @@ const Wrong plans[] = {
     {"FileWithoutVariances", likelihood_by_file(), solve(), 3,
      {"A1_substructure_1.h5: ", "neither variances nor coherences", "take more averages", "[noise]"}},
     {"SolverOfAnotherMethod", scene("method = \"one\"", "solver = \"ceres\""), solve(), 2,
-     {"A1.toml: ", "[identify] solver: ", "no solver \"ceres\"", "use auto, qr, normal or spqr"}},
+     {"A1.toml: ", "[identify] solver: ", "no solver \"ceres\"", "use auto, qr, normal, spqr, cholmod or ldlt"}},
     {"PriorsOfALinearMethod", scene("method = \"one\"", "priors = { \"K(1,1)\" = [6.6e5, 1e4] }"), solve(), 2,
      {"A1.toml: ", "[identify] priors: ", "method \"one\" has no use for priors", "use method \"likelihood\""}},
     {"PriorOfNoUnknown", scene("method = \"one\"", "method = \"likelihood\"\npriors = { \"K(1,9)\" = [6.6e5, 1e4] }"), solve(), 2,

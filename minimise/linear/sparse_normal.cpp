@@ -1,0 +1,92 @@
+#include "minimise/linear/sparse_normal.hpp"
+
+#include <Eigen/SparseCore>
+#include <cmath>
+#include <random>
+
+#include "base/eigen.hpp"
+#include "minimise/linear/rounding.hpp"
+#include "minimise/linear/sparse_covariance.hpp"
+
+namespace jointid::minimise {
+namespace {
+
+constexpr double largest_condition = 1e6;
+constexpr int corrections = 3;
+
+double length(const std::vector<double>& v) { return Eigen::Map<const Eigen::VectorXd>(v.data(), at(v.size())).stableNorm(); }
+
+/// Largest value of ‖f(x)‖ over ‖x‖, from below, of a symmetric f.
+template <class Function>
+double power_method(std::size_t n, const Function& f) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  std::vector<double> x(n);
+  for (double& each : x) each = normal(random);
+  double norm = length(x);
+  for (int step = 0; step < 8; ++step) {
+    for (double& each : x) each /= norm;
+    x = f(x);
+    norm = length(x);
+    if (!(norm > 0.0) || !std::isfinite(norm)) break;
+  }
+  return norm;
+}
+
+std::vector<double> product(const StackedTriangles& stacked, const std::vector<double>& x) {
+  std::vector<double> image(stacked.matrix.rows, 0.0);
+  const SparseEntries& a = stacked.matrix;
+  for (std::size_t e = 0; e < a.value.size(); ++e)
+    image[static_cast<std::size_t>(a.row[e])] += a.value[e] * x[static_cast<std::size_t>(a.column[e])];
+  return stacked.transposed(image);
+}
+
+}  // namespace
+
+SparseSymmetric normal_matrix(const StackedTriangles& stacked) {
+  using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>;
+  const SparseEntries& entries = stacked.matrix;
+  std::vector<Eigen::Triplet<double, std::int64_t>> triplets;
+  triplets.reserve(entries.value.size());
+  for (std::size_t e = 0; e < entries.value.size(); ++e) triplets.emplace_back(entries.row[e], entries.column[e], entries.value[e]);
+  Matrix a(at(entries.rows), at(entries.columns));
+  a.setFromTriplets(triplets.begin(), triplets.end());
+  const Matrix whole = Matrix(a.transpose()) * a;
+  const Matrix product = whole.triangularView<Eigen::Lower>();
+  const std::int64_t* start = product.outerIndexPtr();
+  const auto count = static_cast<std::size_t>(product.nonZeros());
+  return {{start, start + product.cols() + 1},
+          {product.innerIndexPtr(), product.innerIndexPtr() + count},
+          {product.valuePtr(), product.valuePtr() + count}};
+}
+
+std::optional<LinearSolution> solve_sparse_normal(Accumulator& accumulator, Condition condition, SparseWay way) {
+  accumulator.flush();
+  const std::size_t n = accumulator.columns();
+  const StackedTriangles stacked(accumulator);
+  const auto factor = way == SparseWay::cholmod ? cholmod_cholesky() : ldlt_cholesky();
+  if (!factor->factorize(normal_matrix(stacked))) return std::nullopt;
+  LinearSolution out;
+  const double inverse = power_method(n, [&](const std::vector<double>& x) { return factor->solve(x); });
+  const double largest = power_method(n, [&](const std::vector<double>& x) { return product(stacked, x); });
+  out.condition = std::sqrt(inverse * largest);
+  if (!(out.condition < largest_condition)) return std::nullopt;
+  out.rank = n;
+  out.y = factor->solve(stacked.transposed(stacked.right));
+  for (int step = 0; step < corrections; ++step) {
+    const std::vector<double> change = factor->solve(stacked.transposed(stacked.residual(out.y)));
+    for (std::size_t j = 0; j < n; ++j) out.y[j] += change[j];
+    if (length(change) <= 1e-16 * length(out.y)) break;
+  }
+  out.residual_norm = length(stacked.residual(out.y));
+  for (std::size_t j = 0; j < n; ++j) out.y[j] *= stacked.scale[j];
+  if (condition == Condition::compute) {
+    const auto map = [n](const std::vector<double>& v) { return Eigen::Map<const Eigen::VectorXd>(v.data(), at(n)); };
+    const std::vector<double> variances = SparseCovariance(stacked).variances();
+    bound_rounding({map(variances).cwiseSqrt().cwiseProduct(map(stacked.scale)), map(stacked.column_norm), length(stacked.right)},
+                   Reduction::orthogonal, accumulator.rows_pushed(), out);
+  }
+  return out;
+}
+
+}  // namespace jointid::minimise
