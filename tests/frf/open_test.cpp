@@ -28,6 +28,23 @@ TEST_F(Open, KnowsEveryFormatByItsContent) {
   }
 }
 
+TEST_F(Open, AUnitIsTakenWhereTheFormatHasNoOther) {
+  std::mt19937 random(35);
+  FrfSet set = random_set(random, Quantity::accelerance, NoiseRecord::none);
+  OpenOptions unit, axis;
+  unit.unit = "g/N";
+  axis.frequency_unit = "kHz";
+  write(set, path("a.h5"));
+  write(set, path("a.csv"));
+  write(set, path("a.uff"));
+  EXPECT_THAT(message_of([&] { open(path("a.h5"), unit); }, ErrorKind::usage),
+              HasSubstr("the unit 'g/N' is given, and a file of format HDF5 jointid-frf has a place of its own for it"));
+  EXPECT_THAT(message_of([&] { open(path("a.h5"), axis); }, ErrorKind::usage), HasSubstr("and a file of format HDF5 jointid-frf has Hz"));
+  EXPECT_NO_THROW(open(path("a.uff"), unit));
+  for (Complex& value : set.values) value *= 9.80665;
+  expect_same(load(*open(path("a.csv"), unit)), set, 1e-14);
+}
+
 TEST_F(Open, ACoherenceOfUnknownAveragesIsKept) {
   std::mt19937 random(34);
   FrfSet set = random_set(random, Quantity::receptance, NoiseRecord::coherence);
