@@ -10,8 +10,9 @@ namespace {
 
 /// Files of studies hold the numbers, JSON has the words: neither may change.
 TEST(Status, WordsAndNumbersAreThoseOfFiles) {
-  const std::vector<std::string> words = {"ok",       "rank_deficient", "no_equations", "not_converged", "imprecise",     "doubtful",
-                                          "poor_fit", "no_modes",       "no_response",  "too_few_data",  "too_few_points"};
+  const std::vector<std::string> words = {"ok",          "rank_deficient", "no_equations",  "not_converged",
+                                          "imprecise",   "doubtful",       "poor_fit",      "no_modes",
+                                          "no_response", "too_few_data",   "too_few_points"};
   for (std::size_t i = 0; i < words.size(); ++i) EXPECT_EQ(name(static_cast<Status>(i)), words[i]);
   EXPECT_EQ(name(static_cast<Status>(words.size())), "unknown") << "a status without its word here";
   EXPECT_EQ(name(Status::doubtful), "doubtful");
