@@ -1,6 +1,7 @@
 #include "ident/likelihood/likelihood.hpp"
 #include "ident/linear/linear_method.hpp"
 #include "ident/newton/newton.hpp"
+#include "ident/plan/planned_method.hpp"
 #include "ident/scene/method_traits.hpp"
 
 namespace jointid::ident {

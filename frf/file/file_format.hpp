@@ -19,7 +19,9 @@ struct Format {
   FileFormat format;
   std::string name;
   bool binary = false;
-  bool variables = false;  ///< OpenOptions::variable and frequency_variable apply
+  bool variables = false;     ///< OpenOptions::variable and frequency_variable apply
+  bool takes_unit = false;    ///< OpenOptions::unit applies: files state no unit, or their labels are often wrong
+  bool states_hertz = false;  ///< OpenOptions::frequency_unit does not apply: the frequencies are in Hz
   bool (*is_of)(const std::filesystem::path& path, std::string_view head);  ///< by the first bytes of a file
   std::unique_ptr<FrfSource> (*open)(const std::filesystem::path& path, const OpenOptions& options);
   std::vector<std::string> extensions{};  ///< of files that write() writes in it

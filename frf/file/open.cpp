@@ -26,13 +26,9 @@ void require_variables(const Format& format, const std::filesystem::path& path, 
          "leave out " + option);
 }
 
-/// A unit is given where a format has no place for it, or one whose labels are often wrong.
 void require_own_unit(const Format& format, const std::filesystem::path& path, const OpenOptions& options) {
-  if (options.unit.empty() || format.format == FileFormat::uff || format.format == FileFormat::analyser_text ||
-      format.format == FileFormat::csv)
-    return;
-  refuse(path,
-         "the unit '" + options.unit + "' is given, and a file of format " + format.name + " has a place of its own for it",
+  if (options.unit.empty() || format.takes_unit) return;
+  refuse(path, "the unit '" + options.unit + "' is given, and a file of format " + format.name + " has a place of its own for it",
          "write it there (a variable unit in MATLAB and numpy files, an attribute in HDF5) and leave out "
          "--unit, in a scene unit");
 }
@@ -40,7 +36,7 @@ void require_own_unit(const Format& format, const std::filesystem::path& path, c
 void require_own_axis(const Format& format, const std::filesystem::path& path, const OpenOptions& options) {
   if (options.frequency_unit.empty()) return;
   hertz_per(options.frequency_unit);
-  if (format.format != FileFormat::jointid_hdf5) return;
+  if (!format.states_hertz) return;
   refuse(path,
          "the unit '" + options.frequency_unit + "' of the frequencies is given, and a file of format " + format.name + " has Hz",
          "leave out --frequency-unit, in a scene frequency_unit; a scene can stretch frequencies (frequency_scale)");
@@ -62,7 +58,8 @@ void require_given_dofs(const FrfHeader& header, const std::filesystem::path& pa
 }
 
 /// Arrays say themselves what a file may leave open; only another quantity can be given.
-std::unique_ptr<FrfSource> as_given(std::unique_ptr<FrfSource> arrays, const std::filesystem::path& path, const OpenOptions& options) {
+std::unique_ptr<FrfSource> as_given(std::unique_ptr<FrfSource> arrays, const std::filesystem::path& path,
+                                    const OpenOptions& options) {
   require_given_dofs(arrays->header(), path, options);
   const bool other = !options.unit.empty() || !options.variable.empty() || !options.frequency_variable.empty();
   if (other) refuse(path, "a unit or a variable is given for FRFs in memory", "leave it out, and give arrays in SI units");

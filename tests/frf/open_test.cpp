@@ -28,6 +28,28 @@ TEST_F(Open, KnowsEveryFormatByItsContent) {
   }
 }
 
+TEST_F(Open, AUnitIsTakenWhereTheFormatHasNoOther) {
+  FrfSet set;
+  set.header.quantity = Quantity::accelerance;
+  set.header.frequency_hz = {10.0, 20.0};
+  set.header.response = {Dof::parse("4:+X")};
+  set.header.reference = {Dof::parse("1:+Y")};
+  set.values = {{1e-6, -2e-6}, {3e-6, 4e-6}};
+  OpenOptions unit, axis;
+  unit.unit = "g/N";
+  axis.frequency_unit = "kHz";
+  write(set, path("a.h5"));
+  write(set, path("a.csv"));
+  write(set, path("a.uff"));
+  EXPECT_THAT(message_of([&] { open(path("a.h5"), unit); }, ErrorKind::usage),
+              HasSubstr("the unit 'g/N' is given, and a file of format HDF5 jointid-frf has a place of its own for it"));
+  EXPECT_THAT(message_of([&] { open(path("a.h5"), axis); }, ErrorKind::usage),
+              HasSubstr("and a file of format HDF5 jointid-frf has Hz"));
+  EXPECT_NO_THROW(open(path("a.uff"), unit));
+  for (Complex& value : set.values) value *= 9.80665;
+  expect_same(load(*open(path("a.csv"), unit)), set, 1e-14);
+}
+
 TEST_F(Open, ACoherenceOfUnknownAveragesIsKept) {
   std::mt19937 random(34);
   FrfSet set = random_set(random, Quantity::receptance, NoiseRecord::coherence);
@@ -59,8 +81,7 @@ TEST_F(Open, AFullDiskLeavesTheOldFile) {
   for (const std::string& format : formats) {
     for (const rlim_t room : {1u, 100u, 300u, 600u, 1000u}) {
       const SmallDisk disk(room);
-      EXPECT_THAT(message_of([&] { write(set, path("a.data"), format); }),
-                  HasSubstr("a.data: cannot be written"));
+      EXPECT_THAT(message_of([&] { write(set, path("a.data"), format); }), HasSubstr("a.data: cannot be written"));
     }
   }
   EXPECT_EQ(std::filesystem::file_size(path("a.data")), 3u);
@@ -95,14 +116,12 @@ TEST_F(Open, WhatMayNotBeReadSaysSo) {
 
 TEST_F(Open, AnotherFormatSaysWhatWasFound) {
   write_file("a.zip", std::string("PK\x03\x04\0\0", 6));
-  EXPECT_THAT(error("a.zip"),
-              HasSubstr("a.zip: begins with bytes 50 4b 03 04 00 00 and is no FRF file that this"));
+  EXPECT_THAT(error("a.zip"), HasSubstr("a.zip: begins with bytes 50 4b 03 04 00 00 and is no FRF file that this"));
   write_file("a.txt", "Dear reader\nhow do you do\n");
   EXPECT_THAT(error("a.txt"), HasSubstr("begins with 'Dear reader' and is no FRF file"));
   EXPECT_THAT(error("a.txt"), HasSubstr("give jointid-frf HDF5, UFF, MATLAB v5 to v7.3, CSV or the text export of an analyser"));
   write_file("old.mat", "MATLAB 5.0 MAT-file, and no more");
-  EXPECT_THAT(error("old.mat"),
-              HasSubstr(has_matio() ? "old.mat: is damaged or truncated: it ends early" : "need matio"));
+  EXPECT_THAT(error("old.mat"), HasSubstr(has_matio() ? "old.mat: is damaged or truncated: it ends early" : "need matio"));
 }
 
 }  // namespace
