@@ -112,7 +112,8 @@ std::string delay_json(const tasks::DelayResult& report) {
   out["exponent_rosenstein"] = exponent_json(report.rosenstein);
   out["exponent_kantz"] = exponent_json(report.kantz);
   if (!report.wolf.empty()) {
-    out["exponent_wolf"] = {{"range", values(std::vector<double>(report.wolf_range.begin(), report.wolf_range.end()))}, {"rows", Json::array()}};
+    const std::vector<double> range(report.wolf_range.begin(), report.wolf_range.end());
+    out["exponent_wolf"] = {{"range", values(range)}, {"rows", Json::array()}};
     for (const tasks::WolfRow& row : report.wolf) {
       out["exponent_wolf"]["rows"].push_back({{"evolve", row.evolve},
                                               {"pairs", row.found.pairs},
