@@ -1,5 +1,8 @@
 #pragma once
 
+#include <Eigen/SparseCore>
+#include <optional>
+
 #include "ident/admissible/admissible_set.hpp"
 
 namespace jointid::ident {
@@ -21,5 +24,10 @@ struct AdmissibleFit {
 /// θ̂ itself when it is in the set. `unit` is what ‖R(θ − θ̂)‖ is when θ is a standard deviation off: the result is within
 /// about 1e-6 of these of the nearest point, or 1e-6 of its distance where that is more.
 AdmissibleFit nearest_admissible(const AdmissibleSet& set, const Eigen::VectorXd& theta, const Eigen::MatrixXd& root, double unit);
+
+/// The same, without `forces`, in the metric of a sparse N = RᵀR, its lower triangle, of a set without ties: for some 150 unknowns and more. Empty where N
+/// is not positive definite to rounding, or its iteration did not converge.
+std::optional<AdmissibleFit> nearest_admissible(const AdmissibleSet& set, const Eigen::VectorXd& theta,
+                                                const Eigen::SparseMatrix<double>& information, double unit);
 
 }  // namespace jointid::ident

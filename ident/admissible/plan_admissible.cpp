@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <set>
 
@@ -10,6 +8,7 @@
 #include "ident/admissible/constraint_phrases.hpp"
 #include "ident/admissible/definite_block.hpp"
 #include "ident/admissible/interior.hpp"
+#include "ident/admissible/passive_band.hpp"
 #include "ident/admissible/tie.hpp"
 #include "ident/scene/scene_failure.hpp"
 #include "restrictions/impedance_factor.hpp"
@@ -20,26 +19,10 @@ namespace {
 using Eigen::Index;
 using restrictions::Kind;
 
-std::string text_of(double value) {
-  std::array<char, 32> buffer{};
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
-}
-
 std::vector<std::string> names_of(const Plan& plan) {
   std::vector<std::string> names;
   for (std::size_t column = 0; column < plan.columns->size(); ++column) names.push_back(plan.columns->name(column, plan.restriction));
   return names;
-}
-
-/// Column by unknown of one matrix of a joint, band by band.
-std::map<std::optional<Range>, std::map<std::size_t, std::size_t>> columns_by_band(const Plan& plan, std::size_t joint, Kind kind) {
-  std::map<std::optional<Range>, std::map<std::size_t, std::size_t>> out;
-  for (std::size_t column = 0; column < plan.columns->size(); ++column) {
-    const std::size_t unknown = plan.columns->unknown_of(column);
-    if (plan.restriction.unknowns[unknown].joint != joint || plan.restriction.unknowns[unknown].kind != kind) continue;
-    out[plan.columns->band_of(column)][unknown] = column;
-  }
-  return out;
 }
 
 [[noreturn]] void refuse_asymmetric(const Scene& scene, const std::string& place) {
@@ -60,7 +43,7 @@ void add_definite(const Plan& plan, std::size_t joint, std::size_t first, Kind k
     auto block = definite_block(*terms, first, spec.dofs.size(), column_of, unit);
     if (!block) refuse_asymmetric(plan.scene, place);
     if (block->size() == 0) continue;
-    const std::string where = band ? "@" + text_of((*band)[0]) + "-" + text_of((*band)[1]) + "Hz" : "";
+    const std::string where = band ? "@" + plain_number((*band)[0]) + "-" + plain_number((*band)[1]) + "Hz" : "";
     const std::string name = symbol + where;
     set.inequalities.push_back({name + " positive semidefinite", place, name + " is singular", std::move(*block)});
   }
@@ -81,11 +64,32 @@ void add_bounds(const Plan& plan, const std::vector<std::string>& names, Admissi
       if (!std::isfinite(limit)) return;
       SymmetricBlock block{
           Eigen::MatrixXd::Constant(1, 1, -sign * limit / plan.unscale(column)), {at(column)}, {{{0, 0, sign}}}};
-      set.inequalities.push_back({bound.unknown + relation + text_of(limit) + (limit == 0.0 ? "" : " " + unit), "[identify] bounds",
+      set.inequalities.push_back({bound.unknown + relation + plain_number(limit) + (limit == 0.0 ? "" : " " + unit), "[identify] bounds",
                                 std::string("at its ") + which + " bound", std::move(block)});
     };
     add(bound.lower, 1.0, " >= ", "lower");
     add(bound.upper, -1.0, " <= ", "upper");
+  }
+}
+
+void add_inequalities(const Plan& plan, const std::vector<std::string>& names, AdmissibleSet& set) {
+  for (const std::string& text : plan.scene.identify.inequalities) {
+    try {
+      for (const LinearInequality& each : parse_inequality(text, names)) {
+        Eigen::VectorXd scaled = each.coefficients;
+        for (Index column = 0; column < scaled.size(); ++column) scaled[column] *= plan.unscale(static_cast<std::size_t>(column));
+        const double unit = scaled.cwiseAbs().maxCoeff();
+        SymmetricBlock block{Eigen::MatrixXd::Constant(1, 1, each.constant / unit), {}, {}};
+        for (Index column = 0; column < scaled.size(); ++column) {
+          if (scaled[column] == 0.0) continue;
+          block.unknowns.push_back(column);
+          block.coefficients.push_back({{0, 0, scaled[column] / unit}});
+        }
+        set.inequalities.push_back({each.text, "[identify] inequalities", "at the limit of " + each.text, std::move(block)});
+      }
+    } catch (const InputError& error) {
+      fail(plan.scene, "[identify] inequalities", error.parts().problem, error.parts().remedy);
+    }
   }
 }
 
@@ -122,7 +126,7 @@ void require_room(const Scene& scene, Index unknowns, AdmissibleSet& set) {
     texts += (texts.empty() ? "" : ", ") + inequality.text;
   }
   if (all.empty()) return;
-  if (auto inside = interior_point(all, set, unknowns)) {
+  if (auto inside = interior_point_by_parts(all, set, unknowns)) {
     set.inside = std::move(*inside);
     return;
   }
@@ -136,15 +140,14 @@ void require_room(const Scene& scene, Index unknowns, AdmissibleSet& set) {
 }
 
 bool asks(const Scene& scene) {
-  return !scene.identify.bounds.empty() || !scene.identify.ties.empty() ||
+  const IdentifySection& of = scene.identify;
+  return !of.bounds.empty() || !of.ties.empty() || !of.inequalities.empty() || of.passive_hz ||
          std::ranges::any_of(scene.joints, [](const restrictions::JointSpec& joint) { return !joint.definite.empty(); });
 }
 
 void require_support(const Scene& scene) {
-  const IdentifySection& identify = scene.identify;
-  if (traits(identify.method).has_constraints && identify.solver != Solver::iqml) return;
-  const std::string what = identify.solver == Solver::iqml ? "solver \"iqml\"" : traits(identify.method).phrase;
-  fail(scene, "[identify]", what + " knows no constraints (definite, bounds, ties)",
+  if (scene.identify.solver != Solver::iqml) return;
+  fail(scene, "[identify]", "solver \"iqml\" knows no constraints (definite, bounds, ties, inequalities, passive)",
        "use method \"likelihood\" with solver \"auto\", or a linear method");
 }
 
@@ -153,6 +156,7 @@ void require_support(const Scene& scene) {
 std::shared_ptr<const AdmissibleSet> plan_admissible(const Plan& plan) {
   if (!asks(plan.scene)) return nullptr;
   require_support(plan.scene);
+  require_damping(plan.scene);
   auto set = std::make_shared<AdmissibleSet>();
   std::size_t first = 0;
   for (std::size_t joint = 0; joint < plan.scene.joints.size(); ++joint) {
@@ -160,10 +164,12 @@ std::shared_ptr<const AdmissibleSet> plan_admissible(const Plan& plan) {
     for (const Kind kind : spec.definite) {
       if (spec.matrices.contains(kind)) add_definite(plan, joint, first, kind, *set);
     }
+    if (plan.scene.identify.passive_hz) add_passive(plan, joint, first, *set);
     first += spec.dofs.size();
   }
   const std::vector<std::string> names = names_of(plan);
   add_bounds(plan, names, *set);
+  add_inequalities(plan, names, *set);
   add_ties(plan, names, *set);
   require_room(plan.scene, at(names.size()), *set);
   std::erase_if(set->inequalities, [](const Inequality& inequality) { return inequality.block.unknowns.empty(); });  // known to hold
