@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/eigen.hpp"
+#include "ident/admissible/eigenfrequencies.hpp"
 #include "ident/admissible/outcome.hpp"
 #include "minimise/linear/null_space.hpp"
 #include "minimise/linear/reduced_system.hpp"
@@ -79,7 +80,7 @@ std::optional<Admissibility> constrain_sparse(const Plan& plan, const minimise::
                                               minimise::LinearSolution& linear) {
   const AdmissibleSet& set = *plan.admissible;
   const std::size_t unknowns = linear.y.size();
-  if (unknowns < many_unknowns || !set.ties.empty() || accumulator.reduction() == minimise::Reduction::normal) return std::nullopt;
+  if (unknowns < many_unknowns || !set.ties.empty() || !plan.scene.identify.frequencies_hz.empty() || accumulator.reduction() == minimise::Reduction::normal) return std::nullopt;
   const CompressedRows all(accumulator);
   const VectorXd theta = Eigen::Map<const VectorXd>(linear.y.data(), at(unknowns));
   const double unit = unit_of(all.residual(theta), all.right_side(), rows, unknowns);
@@ -110,12 +111,16 @@ Admissibility constrain(const Plan& plan, const minimise::Accumulator& accumulat
   const double residual = (root * theta - system.col(n)).norm();
   const bool measurable = rows > linear.y.size();
   const double unit = unit_of(residual, system.col(n).norm(), rows, linear.y.size());
-  const AdmissibleFit fit = nearest_admissible(*plan.admissible, theta, root, unit);
+  const bool has_frequencies = !plan.scene.identify.frequencies_hz.empty();
+  AdmissibleSet within;
+  const AdmissibleFit fit = has_frequencies ? Eigenfrequencies(plan).nearest(plan.admissible.get(), theta, root, unit, within)
+                                            : nearest_admissible(*plan.admissible, theta, root, unit);
+  const AdmissibleSet& set = has_frequencies ? within : *plan.admissible;
   converged = fit.converged;
   linear.y.assign(fit.theta.begin(), fit.theta.end());
   linear.residual_norm = (root * fit.theta - system.col(n)).norm();
-  if (!plan.admissible->ties.empty()) tell_rank(fit, linear);
-  return outcome_of(*plan.admissible, fit, measurable ? unit : std::numeric_limits<double>::quiet_NaN());
+  if (!set.ties.empty()) tell_rank(fit, linear);
+  return outcome_of(set, fit, measurable ? unit : std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace jointid::ident

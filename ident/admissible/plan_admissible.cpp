@@ -7,6 +7,7 @@
 #include "ident/admissible/admissible_set.hpp"
 #include "ident/admissible/constraint_phrases.hpp"
 #include "ident/admissible/definite_block.hpp"
+#include "ident/admissible/eigenfrequencies.hpp"
 #include "ident/admissible/interior.hpp"
 #include "ident/admissible/passive_band.hpp"
 #include "ident/admissible/tie.hpp"
@@ -141,7 +142,7 @@ void require_room(const Scene& scene, Index unknowns, AdmissibleSet& set) {
 
 bool asks(const Scene& scene) {
   const IdentifySection& of = scene.identify;
-  return !of.bounds.empty() || !of.ties.empty() || !of.inequalities.empty() || of.passive_hz ||
+  return !of.bounds.empty() || !of.ties.empty() || !of.inequalities.empty() || of.passive_hz || !of.frequencies_hz.empty() ||
          std::ranges::any_of(scene.joints, [](const restrictions::JointSpec& joint) { return !joint.definite.empty(); });
 }
 
@@ -157,6 +158,7 @@ std::shared_ptr<const AdmissibleSet> plan_admissible(const Plan& plan) {
   if (!asks(plan.scene)) return nullptr;
   require_support(plan.scene);
   require_damping(plan.scene);
+  require_frequencies(plan);
   auto set = std::make_shared<AdmissibleSet>();
   std::size_t first = 0;
   for (std::size_t joint = 0; joint < plan.scene.joints.size(); ++joint) {
@@ -179,6 +181,7 @@ std::shared_ptr<const AdmissibleSet> plan_admissible(const Plan& plan) {
 std::vector<std::string> constraint_phrases(const Plan& plan) {
   if (!plan.admissible) return {};
   std::vector<std::string> out = plan.admissible->ties;
+  for (const double hz : plan.scene.identify.frequencies_hz) out.push_back(plain_number(hz) + " Hz is an eigenfrequency");
   for (const Inequality& inequality : plan.admissible->inequalities) out.push_back(inequality.text);
   return out;
 }

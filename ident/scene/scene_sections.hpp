@@ -71,6 +71,9 @@ std::vector<Bound> read_bounds(const scene::Item& item);
 /// [identify] ties and inequalities: a list of them, whose names the plan reads.
 std::vector<std::string> read_ties(const scene::Item& item);
 
+/// [identify] frequencies: eigenfrequencies, Hz, each > 0 and none twice.
+std::vector<double> read_frequencies(const scene::Item& item);
+
 /// The keys bootstrap and bootstrap_seed of [identify].
 void read_bootstrap(const scene::Table& table, IdentifySection& identify);
 

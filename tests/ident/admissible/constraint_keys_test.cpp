@@ -232,6 +232,75 @@ TEST(Loose, SensorsAtAllJointsNameThem) {
   EXPECT_LT(found.loose[2].probability, 0.5);
 }
 
+/// Undamped eigenfrequencies of a chain of ten joints with shares of its nominal stiffness, Hz.
+Eigen::VectorXd eigenfrequencies(const std::vector<double>& shares) {
+  BeamChain chain;
+  chain.joints = shares.size();
+  for (const double share : shares) chain.lost.push_back(1.0 - share);
+  const auto n = 6 * Eigen::Index(chain.parts());
+  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n, n), m = k;
+  for (std::size_t s = 0; s < chain.parts(); ++s) {
+    const Eigen::Index first = 6 * Eigen::Index(s);
+    const auto [stiff, mass] = chain.beam(s);
+    k.block<6, 6>(first, first) += stiff;
+    m.block<6, 6>(first, first) += mass;
+    if (s == chain.joints) continue;
+    const Eigen::Matrix2d x = chain.impedance(s).real();
+    k.block<2, 2>(first + 4, first + 4) += x;
+    k.block<2, 2>(first + 6, first + 6) += x;
+    k.block<2, 2>(first + 4, first + 6) -= x;
+    k.block<2, 2>(first + 6, first + 4) -= x;
+  }
+  return dense::symmetric_eigen(k, m).values.cwiseMax(0.0).cwiseSqrt() / (2.0 * 3.141592653589793);
+}
+
+std::vector<double> values_of(const Solution& solution) {
+  std::vector<double> out;
+  for (const Estimate& each : solution.unknowns) out.push_back(each.value);
+  return out;
+}
+
+TEST(Frequencies, AreThoseOfTheJointThatIsFound) {
+  MemoryScene noisy = loose_chain(0.05, 2);
+  const std::vector<double> truth = {1, 1, 1, 1, 1, 0.4, 1, 1, 0.2, 1};
+  const Eigen::VectorXd exact = eigenfrequencies(truth);
+  const auto error = [&](const std::vector<double>& shares) {
+    double sum = 0.0;
+    for (std::size_t e = 0; e < shares.size(); ++e) sum += std::pow(shares[e] - truth[e], 2);
+    return std::sqrt(sum);
+  };
+  std::vector<Eigen::Index> modes;
+  for (Eigen::Index mode = 0; mode < exact.size() && modes.size() < 4; ++mode) {
+    if (exact[mode] > 60.0 && exact[mode] < 320.0) modes.push_back(mode);
+  }
+  ASSERT_EQ(modes.size(), 4u);
+  const std::vector<double> free = values_of(solve(*noisy.plan()));
+  for (const Eigen::Index mode : modes) noisy.scene.identify.frequencies_hz.push_back(exact[mode]);
+  const Solution found = solve(*noisy.plan());
+  EXPECT_EQ(found.status, Status::ok) << found.message;
+  EXPECT_EQ(found.admissibility->equations, 4u);
+  const std::vector<double> held = values_of(found);
+  EXPECT_LT(error(held), error(free));
+  for (const Eigen::Index mode : modes) {
+    const double before = std::abs(eigenfrequencies(free)[mode] / exact[mode] - 1.0);
+    const double after = std::abs(eigenfrequencies(held)[mode] / exact[mode] - 1.0);
+    EXPECT_LT(after, std::max(0.2 * before, 2e-3)) << exact[mode] << " Hz, before " << before;
+  }
+  const auto refused = [&](auto change) -> std::string {
+    MemoryScene other = noisy;
+    change(other.scene.identify);
+    try {
+      other.plan();
+    } catch (const InputError& error_found) {
+      return error_found.what();
+    }
+    return "no error";
+  };
+  EXPECT_THAT(refused([](IdentifySection& identify) { identify.frequencies_hz = {5.0}; }),
+              HasSubstr("5 Hz is outside the lines of the substructures"));
+  EXPECT_THAT(refused([](IdentifySection& identify) { identify.method = Method::likelihood; }), HasSubstr("use method \"one\""));
+}
+
 TEST(Loose, TakesANominalStiffnessByNumbers) {
   const auto parsed = [](const std::string& stiffness) {
     return parse_scene("data = { substructures = ['a.h5'], assembly = ['b.h5'] }\njoint = { dofs = ['4:+Y', '5:+Y'], stiffness = { " +
