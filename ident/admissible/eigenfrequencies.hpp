@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ident/admissible/admissible_fit.hpp"
+#include "ident/plan/joint_impedance.hpp"
 
 namespace jointid::ident {
 
