@@ -33,10 +33,22 @@ class Profile {
     const VectorXd way = tied_.basis.row(unknown).transpose();
     const double deviation = way.norm();
     if (!(deviation > 0.0)) return {least_.theta[unknown], least_.theta[unknown]};
-    return {end(unknown, -way / deviation, deviation), end(unknown, way / deviation, deviation)};
+    return {at_bound(unknown, end(unknown, -way / deviation, deviation), deviation),
+            at_bound(unknown, end(unknown, way / deviation, deviation), deviation)};
   }
 
  private:
+  /// The bound of the unknown itself where an end is there, which the interior point comes near to only.
+  double at_bound(Index unknown, double end, double deviation) const {
+    constexpr double there = 1e-3;
+    for (const SymmetricBlock& block : blocks_) {
+      if (block.size() != 1 || block.unknowns.size() != 1 || block.unknowns[0] != unknown) continue;
+      const double bound = -block.constant(0, 0) / block.coefficients[0][0].value;
+      if (std::abs(end - bound) <= there * deviation) return bound;
+    }
+    return end;
+  }
+
   /// Nearest to θ̂ + basis·shift.
   Point at(const VectorXd& shift) const {
     const VectorXd from = estimate_ + tied_.basis * shift;

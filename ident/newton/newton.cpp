@@ -61,7 +61,7 @@ NewtonFit by_nlopt(ResponseProblem& problem, const Point& start, const NewtonOpt
   const NewtonFit own = damped_newton(problem, start, options);
   const bool helps = !own.diverged && problem.misfit(own.q) < problem.misfit(start);
   NewtonFit found = by_misfit(problem, helps ? own.q : start, options, [&](const minimise::Slopes& objective, const Point& origin, double size) {
-    const int explored = 500 * static_cast<int>(origin.size());
+    const int explored = 100 * static_cast<int>(origin.size());
     const auto minimum = [&](minimise::Search way, const Point& from, int most, double tolerance) {
       return minimise::nlopt_minimum(objective, from, {.search = way, .half_width = size, .evaluations = most, .tolerance = tolerance});
     };

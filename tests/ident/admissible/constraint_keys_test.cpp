@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <set>
 
 #include "base/control.hpp"
 #include "base/error.hpp"
@@ -154,7 +155,7 @@ TEST(Loose, TheProbabilityIsOfTheOutliers) {
 }
 
 /// A chain of ten joints, 5 and 9 of it loose, all coordinates measured, 1 % noise.
-MemoryScene loose_chain(double level, unsigned seed) {
+MemoryScene loose_chain(double level, unsigned seed, double parts_level) {
   BeamChain chain;
   chain.joints = 10;
   chain.lost.assign(10, 0.0);
@@ -164,9 +165,9 @@ MemoryScene loose_chain(double level, unsigned seed) {
   MemoryScene out;
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
-  const auto noisy = [&](Complex value) {
+  const auto noisy = [&](Complex value, double own_level) {
     const double a = normal(random), b = normal(random);
-    return value + level * std::abs(value) / std::sqrt(6.0) * Complex(a, b);
+    return value + own_level * std::abs(value) / std::sqrt(6.0) * Complex(a, b);
   };
   const auto name = [](std::size_t part, std::size_t coordinate) {
     return frf::Dof::parse(std::to_string(10 * part + coordinate / 2 + 1) + (coordinate % 2 == 0 ? ":+Y" : ":+RZ"));
@@ -191,7 +192,7 @@ MemoryScene loose_chain(double level, unsigned seed) {
     for (const double hz : own.header.frequency_hz) {
       const BeamChain::Complex6 h = chain.free_frfs(part, 2.0 * 3.141592653589793 * hz);
       for (Eigen::Index r = 0; r < 6; ++r) {
-        for (Eigen::Index c = 0; c < 6; ++c) own.values.push_back(noisy(h(r, c)));
+        for (Eigen::Index c = 0; c < 6; ++c) own.values.push_back(noisy(h(r, c), parts_level));
       }
     }
     out.substructures.push_back(std::move(own));
@@ -199,7 +200,7 @@ MemoryScene loose_chain(double level, unsigned seed) {
   for (const double hz : assembly.header.frequency_hz) {
     const Eigen::MatrixXcd h = chain.chain_frfs(2.0 * 3.141592653589793 * hz, forces);
     for (Eigen::Index r = 0; r < h.rows(); ++r) {
-      for (Eigen::Index c = 0; c < h.cols(); ++c) assembly.values.push_back(noisy(h(r, c)));
+      for (Eigen::Index c = 0; c < h.cols(); ++c) assembly.values.push_back(noisy(h(r, c), level));
     }
   }
   out.assembly = {std::move(assembly)};
@@ -223,13 +224,17 @@ MemoryScene loose_chain(double level, unsigned seed) {
 }
 
 TEST(Loose, SensorsAtAllJointsNameThem) {
-  const Solution found = solve(*loose_chain(0.01, 1).plan());
-  ASSERT_EQ(found.loose.size(), 10u);
-  EXPECT_EQ(found.unknowns[5].name, "j5.K.share");
-  std::vector<std::string> first = {found.loose[0].joint, found.loose[1].joint};
-  EXPECT_THAT(first, ::testing::UnorderedElementsAre("j5", "j8"));
-  EXPECT_GT(found.loose[1].probability, 0.9);
-  EXPECT_LT(found.loose[2].probability, 0.5);
+  for (const double level : {0.01, 0.05}) {
+    int named = 0;
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+      const Solution found = solve(*loose_chain(level, seed, level).plan());
+      ASSERT_EQ(found.loose.size(), 10u);
+      EXPECT_EQ(found.unknowns[5].name, "j5.K.share");
+      const std::set<std::string> first = {found.loose[0].joint, found.loose[1].joint};
+      named += first == std::set<std::string>{"j5", "j8"} && found.loose[1].probability > 0.9 && found.loose[2].probability < 0.5;
+    }
+    EXPECT_GE(named, 19) << level;
+  }
 }
 
 /// Undamped eigenfrequencies of a chain of ten joints with shares of its nominal stiffness, Hz.
@@ -261,7 +266,7 @@ std::vector<double> values_of(const Solution& solution) {
 }
 
 TEST(Frequencies, AreThoseOfTheJointThatIsFound) {
-  MemoryScene noisy = loose_chain(0.05, 2);
+  MemoryScene noisy = loose_chain(0.05, 2, 0.0);
   const std::vector<double> truth = {1, 1, 1, 1, 1, 0.4, 1, 1, 0.2, 1};
   const Eigen::VectorXd exact = eigenfrequencies(truth);
   const auto error = [&](const std::vector<double>& shares) {

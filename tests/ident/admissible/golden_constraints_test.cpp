@@ -24,7 +24,8 @@ const json& golden(const std::string& name) {
     return std::filesystem::exists(file) ? json::parse(std::ifstream(file)) : json();
   }();
   static const json none;
-  for (const json& each : all.value("cases", json::array())) {
+  if (all.is_null()) return none;
+  for (const json& each : all["cases"]) {
     if (each["name"] == name) return each;
   }
   return none;
@@ -96,7 +97,7 @@ TEST(GoldenConstraints, SemidefiniteJoints) {
     VectorXd own = VectorXd::Zero(300);
     blocks[k].add_adjoint(fit->multiplier[k], own);
     pull -= own;
-    EXPECT_GT(least_eigenvalue(fit->multiplier[k]), 0.0);
+    EXPECT_GE(least_eigenvalue(fit->multiplier[k]), -1e-12 * fit->multiplier[k].norm());
     EXPECT_LT(fit->multiplier[k].cwiseProduct(fit->value[k]).sum(), 1e-9 * expected["cost"].get<double>());
   }
   EXPECT_LT(pull.norm(), 1e-7 * size);
