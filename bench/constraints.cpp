@@ -1,5 +1,6 @@
-// Many joints under constraints: times of the sparse interior point over the number of unknowns, with the certificate of the optimum
-// checked; active sets that are known beforehand; and the cover of intervals where bounds are active. docs/admissible-joints.md.
+// Many joints under constraints: times of the sparse interior point over the number of unknowns, with the certificate of the
+// optimum checked; active sets that are known beforehand; and the cover of intervals where bounds are active.
+// docs/admissible-joints.md.
 #include <fmt/core.h>
 
 #include <Eigen/Core>
@@ -28,7 +29,8 @@ struct Chain {
   std::vector<Index> zeros;  ///< eigenvalues at the limit, per block
 };
 
-/// The estimate is that of which a known answer, with known multipliers, is the constrained optimum: half of the blocks at the limit.
+/// The estimate is that of which a known answer, with known multipliers, is the constrained optimum: half of the blocks at the
+/// limit.
 Chain chain(Index joints, std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   const Index n = 6 * joints;
@@ -56,7 +58,8 @@ Chain chain(Index joints, std::mt19937_64& random) {
     (kind < 2 ? x : multiplier) += along * one;
     (kind < 1 ? x : multiplier) += across * two;
     out.answer.segment(first, 3) << x(0, 0), x(0, 1), x(1, 1);
-    out.blocks.push_back({MatrixXd::Zero(2, 2), {first, first + 1, first + 2}, {{{0, 0, 1.0}}, {{0, 1, 1.0}, {1, 0, 1.0}}, {{1, 1, 1.0}}}});
+    out.blocks.push_back(
+        {MatrixXd::Zero(2, 2), {first, first + 1, first + 2}, {{{0, 0, 1.0}}, {{0, 1, 1.0}, {1, 0, 1.0}}, {{1, 1, 1.0}}}});
     out.blocks.back().add_adjoint(20.0 * multiplier, pull);
     out.zeros.push_back(kind);
   }
@@ -102,8 +105,8 @@ void measure_times(const bench::CommandLine& line, bench::Promises& promises) {
     const double error = (fit->x - of.answer).cwiseAbs().maxCoeff();
     std::size_t at_limit = 0;
     for (const Index each : fit->at_limit) at_limit += each > 0;
-    fmt::print("| {} | {} of {} | {} | {:.3g} | {:.2g} | {:.2g} | {:.2g} |\n", 6 * joints, at_limit, of.blocks.size(), fit->iterations, seconds,
-               open, fit->gap / cost, error);
+    fmt::print("| {} | {} of {} | {} | {:.3g} | {:.2g} | {:.2g} | {:.2g} |\n", 6 * joints, at_limit, of.blocks.size(),
+               fit->iterations, seconds, open, fit->gap / cost, error);
     const std::string row = fmt::format("{} unknowns", 6 * joints);
     promises.at_most(row + ": open of the certificate", open, 1e-7);
     promises.at_least(row + ": least eigenvalue of a multiplier", least, 0.0);
@@ -125,8 +128,8 @@ void measure_active_sets(const bench::CommandLine& line, bench::Promises& promis
   promises.at_most("wrong active sets", static_cast<double>(wrong), 0.0);
 }
 
-/// C2 by likelihood with the truth on the bounds of every third unknown, or a standard deviation inside: intervals of the bounded unknowns and
-/// of the others.
+/// C2 by likelihood with the truth on the bounds of every third unknown, or a standard deviation inside: intervals of the bounded
+/// unknowns and of the others.
 void measure_cover(const bench::CommandLine& line, bench::Promises& promises) {
   const std::size_t trials = line.count(0, 200, 30);
   problems::Problem problem = problems::make("H3");
@@ -156,7 +159,8 @@ void measure_cover(const bench::CommandLine& line, bench::Promises& promises) {
       }
     }
     for (const std::size_t kind : {std::size_t{0}, std::size_t{1}}) {
-      const std::string row = fmt::format("truth {} sd from the bound, {}", inside, kind == 0 ? "bounded unknowns" : "the others");
+      const std::string row =
+          fmt::format("truth {} sd from the bound, {}", inside, kind == 0 ? "bounded unknowns" : "the others");
       fmt::print("{}: coverage {:.3f} of {:.0f}\n", row, in[kind] / all[kind], all[kind]);
       promises.at_least(row + ": coverage", in[kind] / all[kind], line.quick() ? 0.88 : 0.93);
       promises.at_most(row + ": coverage", in[kind] / all[kind], line.quick() ? 1.0 : 0.98);

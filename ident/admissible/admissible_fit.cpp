@@ -43,8 +43,8 @@ std::vector<SymmetricBlock> blocks_of(const AdmissibleSet& set) {
 }
 
 /// What the blocks did to an estimate that they moved.
-void take(const std::vector<SymmetricBlock>& blocks, const SemidefiniteFit& fit, const VectorXd& moved, double unit, bool keeps_forces,
-          AdmissibleFit& out) {
+void take(const std::vector<SymmetricBlock>& blocks, const SemidefiniteFit& fit, const VectorXd& moved, double unit,
+          bool keeps_forces, AdmissibleFit& out) {
   out.iterations = fit.iterations;
   out.converged = fit.converged;
   for (std::size_t k = 0; k < blocks.size(); ++k) {

@@ -80,7 +80,9 @@ std::optional<Admissibility> constrain_sparse(const Plan& plan, const minimise::
                                               minimise::LinearSolution& linear) {
   const AdmissibleSet& set = *plan.admissible;
   const std::size_t unknowns = linear.y.size();
-  if (unknowns < many_unknowns || !set.ties.empty() || !plan.scene.identify.frequencies_hz.empty() || accumulator.reduction() == minimise::Reduction::normal) return std::nullopt;
+  if (unknowns < many_unknowns || !set.ties.empty() || !plan.scene.identify.frequencies_hz.empty() ||
+      accumulator.reduction() == minimise::Reduction::normal)
+    return std::nullopt;
   const CompressedRows all(accumulator);
   const VectorXd theta = Eigen::Map<const VectorXd>(linear.y.data(), at(unknowns));
   const double unit = unit_of(all.residual(theta), all.right_side(), rows, unknowns);

@@ -68,21 +68,24 @@ void require_frequencies(const Plan& plan) {
   const std::vector<double>& stated = plan.scene.identify.frequencies_hz;
   if (stated.empty()) return;
   if (traits(plan.scene.identify.method).iterates) {
-    fail(plan.scene, frequencies_key, "eigenfrequencies of the assembly are conditions of the linear methods, not of " +
-                                          traits(plan.scene.identify.method).phrase,
+    fail(plan.scene, frequencies_key,
+         "eigenfrequencies of the assembly are conditions of the linear methods, not of " +
+             traits(plan.scene.identify.method).phrase,
          "use method \"one\", \"two\" or \"direct\", or leave frequencies out");
   }
   const std::vector<double>& axis = plan.substructures->frequency_hz();
   for (const double hz : stated) {
     if (hz >= axis.front() && hz <= axis.back()) continue;
-    fail(plan.scene, frequencies_key, plain_number(hz) + " Hz is outside the lines of the substructures, " + frf::range_text(axis),
+    fail(plan.scene, frequencies_key,
+         plain_number(hz) + " Hz is outside the lines of the substructures, " + frf::range_text(axis),
          "leave that frequency out");
   }
   for (const frf::Dof& dof : plan.coordinates.joint) {
     for (const auto* role : {&plan.substructures->responses(), &plan.substructures->references()}) {
       if (frf::find_coordinate(*role, dof) != frf::npos) continue;
-      fail(plan.scene, frequencies_key, dof.name() + " is no " + (role == &plan.substructures->responses() ? "response" : "reference") +
-                                            " of the substructures, whose FRFs between all joint DOFs are needed",
+      fail(plan.scene, frequencies_key,
+           dof.name() + " is no " + (role == &plan.substructures->responses() ? "response" : "reference") +
+               " of the substructures, whose FRFs between all joint DOFs are needed",
            "measure there, or leave frequencies out");
     }
   }

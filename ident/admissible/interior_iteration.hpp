@@ -9,7 +9,8 @@
 
 namespace jointid::ident {
 
-/// The iteration of solve_semidefinite() for min ½ xᵀMx subject to S_k(x) ⪰ 0. `Space` has the metric and the unknowns of the blocks:
+/// The iteration of solve_semidefinite() for min ½ xᵀMx subject to S_k(x) ⪰ 0. `Space` has the metric and the unknowns of the
+/// blocks:
 ///   Index unknowns() const;
 ///   InteriorBlock block(std::size_t k) const;                            the block over own(k, x)
 ///   VectorXd own(std::size_t k, const VectorXd& x) const;
@@ -22,7 +23,8 @@ class InteriorIteration {
   using VectorXd = Eigen::VectorXd;
 
  public:
-  InteriorIteration(Space& space, std::size_t blocks, double wanted) : space_(space), x_(VectorXd::Zero(space.unknowns())), wanted_(wanted) {
+  InteriorIteration(Space& space, std::size_t blocks, double wanted)
+      : space_(space), x_(VectorXd::Zero(space.unknowns())), wanted_(wanted) {
     double farthest = 1.0;  // a guess of ‖x‖: the violation in units of x
     for (std::size_t k = 0; k < blocks; ++k) {
       const InteriorBlock& own = blocks_.emplace_back(space.block(k));
@@ -45,7 +47,8 @@ class InteriorIteration {
       out.multiplier.push_back(blocks_[k].multiplier());
       out.at_limit.push_back(blocks_[k].at_limit());
     }
-    out.converged = out.gap <= enough * scale() + 100.0 * unsure() && open() <= most_open && pulled() <= 1e-5 * std::sqrt(scale());
+    out.converged =
+        out.gap <= enough * scale() + 100.0 * unsure() && open() <= most_open && pulled() <= 1e-5 * std::sqrt(scale());
     return out;
   }
 

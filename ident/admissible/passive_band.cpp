@@ -54,7 +54,8 @@ void require_damping(const Scene& scene) {
     return joint.matrices.contains(viscous) || joint.matrices.contains(hysteretic);
   });
   if (!scene.identify.passive_hz || has) return;
-  fail(scene, "[identify] passive", "no joint has viscous or hysteretic damping", "add a damping matrix to a joint, or leave passive out");
+  fail(scene, "[identify] passive", "no joint has viscous or hysteretic damping",
+       "add a damping matrix to a joint, or leave passive out");
 }
 
 void add_passive(const Plan& plan, std::size_t joint, std::size_t first, AdmissibleSet& set) {
@@ -72,7 +73,8 @@ void add_passive(const Plan& plan, std::size_t joint, std::size_t first, Admissi
     for (const double end : std::set<double>{ends[0], ends[1]}) {
       std::vector<BlockPart> parts;
       if (has_d) parts.push_back({terms_of(plan, hysteretic), of_d[band], unscale(hysteretic, plan.omega0), 1.0});
-      if (has_c) parts.push_back({terms_of(plan, viscous), of_c[band], unscale(viscous, plan.omega0), has_d ? angular(end) : 1.0});
+      if (has_c)
+        parts.push_back({terms_of(plan, viscous), of_c[band], unscale(viscous, plan.omega0), has_d ? angular(end) : 1.0});
       auto block = definite_block(parts, first, spec.dofs.size(), unit);
       if (!block) {
         fail(plan.scene, "[identify] passive",
@@ -81,7 +83,8 @@ void add_passive(const Plan& plan, std::size_t joint, std::size_t first, Admissi
       }
       if (block->size() == 0) continue;
       const std::string where = has_c && has_d ? name + " at " + plain_number(end) + " Hz" : name;
-      set.inequalities.push_back({where + " positive semidefinite", "[identify] passive", where + " is singular", std::move(*block)});
+      set.inequalities.push_back(
+          {where + " positive semidefinite", "[identify] passive", where + " is singular", std::move(*block)});
     }
   }
 }

@@ -22,7 +22,8 @@ using restrictions::Kind;
 
 std::vector<std::string> names_of(const Plan& plan) {
   std::vector<std::string> names;
-  for (std::size_t column = 0; column < plan.columns->size(); ++column) names.push_back(plan.columns->name(column, plan.restriction));
+  for (std::size_t column = 0; column < plan.columns->size(); ++column)
+    names.push_back(plan.columns->name(column, plan.restriction));
   return names;
 }
 
@@ -34,8 +35,9 @@ std::vector<std::string> names_of(const Plan& plan) {
 void add_definite(const Plan& plan, std::size_t joint, std::size_t first, Kind kind, AdmissibleSet& set) {
   const restrictions::JointSpec& spec = plan.scene.joints[joint];
   const auto terms = std::ranges::find(plan.restriction.matrices, kind, &restrictions::MatrixTerms::kind);
-  const std::string place = (spec.name.empty() ? "[joint." + restrictions::key(kind) + "]"
-                                               : "joint '" + spec.name + "', " + restrictions::key(kind)) + " definite";
+  const std::string place =
+      (spec.name.empty() ? "[joint." + restrictions::key(kind) + "]" : "joint '" + spec.name + "', " + restrictions::key(kind)) +
+      " definite";
   const std::string symbol = (spec.name.empty() ? "" : spec.name + ".") + restrictions::symbol(kind);
   auto bands = columns_by_band(plan, joint, kind);
   if (bands.empty()) bands[std::nullopt] = {};  // all known
@@ -54,7 +56,8 @@ std::size_t column_named(const Plan& plan, const std::vector<std::string>& names
   const auto found = std::ranges::find(names, name);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   const std::string near = nearest_word(name, names);
-  fail(plan.scene, place, "the joint has no unknown " + name, near.empty() ? "`jointid plan` lists them" : "did you mean " + near + "?");
+  fail(plan.scene, place, "the joint has no unknown " + name,
+       near.empty() ? "`jointid plan` lists them" : "did you mean " + near + "?");
 }
 
 void add_bounds(const Plan& plan, const std::vector<std::string>& names, AdmissibleSet& set) {
@@ -63,10 +66,9 @@ void add_bounds(const Plan& plan, const std::vector<std::string>& names, Admissi
     const std::string unit = plan.restriction.unknowns[plan.columns->unknown_of(column)].unit;
     const auto add = [&](double limit, double sign, const char* relation, const char* which) {
       if (!std::isfinite(limit)) return;
-      SymmetricBlock block{
-          Eigen::MatrixXd::Constant(1, 1, -sign * limit / plan.unscale(column)), {at(column)}, {{{0, 0, sign}}}};
-      set.inequalities.push_back({bound.unknown + relation + plain_number(limit) + (limit == 0.0 ? "" : " " + unit), "[identify] bounds",
-                                std::string("at its ") + which + " bound", std::move(block)});
+      SymmetricBlock block{Eigen::MatrixXd::Constant(1, 1, -sign * limit / plan.unscale(column)), {at(column)}, {{{0, 0, sign}}}};
+      set.inequalities.push_back({bound.unknown + relation + plain_number(limit) + (limit == 0.0 ? "" : " " + unit),
+                                  "[identify] bounds", std::string("at its ") + which + " bound", std::move(block)});
     };
     add(bound.lower, 1.0, " >= ", "lower");
     add(bound.upper, -1.0, " <= ", "upper");
@@ -133,8 +135,9 @@ void require_room(const Scene& scene, Index unknowns, AdmissibleSet& set) {
   }
   for (const Inequality& inequality : set.inequalities) {
     if (interior_point({inequality.block}, set, unknowns)) continue;
-    fail(scene, inequality.place, "no joint" + std::string(set.ties.empty() ? "" : " that meets the ties") + " has " + inequality.text +
-                                      " with room to spare: the pattern or its known elements forbid it or force it to its edge",
+    fail(scene, inequality.place,
+         "no joint" + std::string(set.ties.empty() ? "" : " that meets the ties") + " has " + inequality.text +
+             " with room to spare: the pattern or its known elements forbid it or force it to its edge",
          "remove it, or change the pattern (a zero on the diagonal forces its row to zero)");
   }
   fail(scene, "[identify]", "no joint meets these together with room to spare: " + texts, "remove or widen one of them");
@@ -174,7 +177,8 @@ std::shared_ptr<const AdmissibleSet> plan_admissible(const Plan& plan) {
   add_inequalities(plan, names, *set);
   add_ties(plan, names, *set);
   require_room(plan.scene, at(names.size()), *set);
-  std::erase_if(set->inequalities, [](const Inequality& inequality) { return inequality.block.unknowns.empty(); });  // known to hold
+  std::erase_if(set->inequalities,
+                [](const Inequality& inequality) { return inequality.block.unknowns.empty(); });  // known to hold
   return set;
 }
 

@@ -63,8 +63,11 @@ class Profile {
   double end(Index unknown, const VectorXd& way, double deviation) const {
     constexpr int most = 30;
     constexpr double near = 1e-3, still = 1e-5;
-    const auto excess = [&](const Point& point) { return std::sqrt(std::max(0.0, point.chi_square - least_.chi_square)) - profile_quantile; };
-    const double released = 4.0 * (std::sqrt(least_.chi_square) + profile_quantile);  // what is at its limit leaves it before, if ever
+    const auto excess = [&](const Point& point) {
+      return std::sqrt(std::max(0.0, point.chi_square - least_.chi_square)) - profile_quantile;
+    };
+    const double released =
+        4.0 * (std::sqrt(least_.chi_square) + profile_quantile);  // what is at its limit leaves it before, if ever
     double low = 0.0, below = -profile_quantile, high = profile_quantile;
     Point point = at(high * way);
     double above = excess(point), last = least_.theta[unknown];
@@ -97,7 +100,8 @@ double normal_below(double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); }
 
 }  // namespace
 
-std::vector<std::array<double, 2>> profile_intervals(const AdmissibleSet& set, const VectorXd& estimate, const Eigen::MatrixXd& root) {
+std::vector<std::array<double, 2>> profile_intervals(const AdmissibleSet& set, const VectorXd& estimate,
+                                                     const Eigen::MatrixXd& root) {
   const Profile profile(set, estimate, root);
   std::vector<std::array<double, 2>> out;
   for (Index unknown = 0; unknown < estimate.size(); ++unknown) out.push_back(profile.interval(unknown));

@@ -95,8 +95,8 @@ class SparseSpace {
   bool analysed_ = false;
 };
 
-/// The bounds of single unknowns that hold at their limit: per unknown its x there and the sign of its multiplier; none where something
-/// else is at its limit, or all is free.
+/// The bounds of single unknowns that hold at their limit: per unknown its x there and the sign of its multiplier; none where
+/// something else is at its limit, or all is free.
 struct Held {
   std::vector<std::optional<double>> x;
   std::vector<double> sign;
@@ -164,7 +164,8 @@ bool is_optimal(const Held& held, const VectorXd& x, const VectorXd& pull, const
 }
 
 /// Puts the exact minimum with these bounds held in place of the interior point's.
-void make_exact(const std::vector<SymmetricBlock>& blocks, const VectorXd& estimate, const SparseSpace& space, SemidefiniteFit& fit) {
+void make_exact(const std::vector<SymmetricBlock>& blocks, const VectorXd& estimate, const SparseSpace& space,
+                SemidefiniteFit& fit) {
   const auto held = bounds_held(blocks, fit, estimate, space.scale());
   if (!held) return;
   const auto x = with_held(*held, space.metric());

@@ -36,7 +36,8 @@ std::size_t name_at(const std::string& text, std::size_t place, const std::vecto
 std::string with_identifiers(const std::string& text, const std::vector<std::string>& names) {
   std::string out;
   for (std::size_t i = 0; i < text.size();) {
-    const bool begins = (std::isalpha(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_') && (i == 0 || !in_name(text[i - 1]));
+    const bool begins =
+        (std::isalpha(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_') && (i == 0 || !in_name(text[i - 1]));
     const std::size_t name = begins ? name_at(text, i, names) : std::string::npos;
     if (name == std::string::npos) {
       out += text[i++];
@@ -77,12 +78,14 @@ void add_side(const std::string& side, double sign, Tie& tie) {
 }
 
 /// left − right as coefficients·θ − value.
-Tie difference(const std::string& left, const std::string& right, const std::string& quoted, const std::vector<std::string>& names) {
+Tie difference(const std::string& left, const std::string& right, const std::string& quoted,
+               const std::vector<std::string>& names) {
   for (const std::string* side : {&left, &right}) {
     const std::string word = stranger(*side, names);
     if (word.empty()) continue;
     const std::string near = nearest_word(word, names);
-    fail(quoted + ": the joint has no unknown " + word, near.empty() ? "`jointid plan` lists them" : "did you mean " + near + "?");
+    fail(quoted + ": the joint has no unknown " + word,
+         near.empty() ? "`jointid plan` lists them" : "did you mean " + near + "?");
   }
   Tie tie{Eigen::VectorXd::Zero(at(names.size())), 0.0};
   try {

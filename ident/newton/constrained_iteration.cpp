@@ -30,7 +30,8 @@ class LinearisedLines {
     right_ = VectorXd(n_);
     for (Index i = 0; i < n_; ++i) {
       const auto row = static_cast<std::size_t>(i);
-      for (Index j = i; j < n_; ++j) root_(i, j) = triangle(row, static_cast<std::size_t>(j)) / problem.scale()[static_cast<std::size_t>(j)];
+      for (Index j = i; j < n_; ++j)
+        root_(i, j) = triangle(row, static_cast<std::size_t>(j)) / problem.scale()[static_cast<std::size_t>(j)];
       right_[i] = triangle(row, problem.unknowns());
     }
     rest_ = std::pow(triangle(problem.unknowns(), problem.unknowns()), 2);
@@ -113,7 +114,8 @@ NewtonFit constrained_newton(ResponseProblem& problem, const AdmissibleSet& set,
       return problem.cost(next) < model.cost();
     });
     if (!lowers) {  // rounding, and the precision of the nearest joint, hide what a step would gain
-      fit.converged = model.length(whole) <= 1e-2 * model.unit() || whole.cwiseAbs().maxCoeff() <= 1e-6 * theta.cwiseAbs().maxCoeff();
+      fit.converged =
+          model.length(whole) <= 1e-2 * model.unit() || whole.cwiseAbs().maxCoeff() <= 1e-6 * theta.cwiseAbs().maxCoeff();
       break;
     }
     damping.less();

@@ -8,8 +8,8 @@
 namespace jointid::ident {
 
 /// From where another iteration ended to the minimum over the joints of `set`: Gauss–Newton steps with the weights and lines of
-/// damped_newton(), each to the minimum of the damped linearised problem over the set (nearest_admissible()), so that no point is outside.
-/// `start` itself is moved to the nearest joint of the set first. `iterations` are added to those it takes.
+/// damped_newton(), each to the minimum of the damped linearised problem over the set (nearest_admissible()), so that no point is
+/// outside. `start` itself is moved to the nearest joint of the set first. `iterations` are added to those it takes.
 NewtonFit constrained_newton(ResponseProblem& problem, const AdmissibleSet& set, const std::vector<double>& start,
                              const NewtonOptions& options, std::size_t iterations);
 

@@ -9,8 +9,8 @@
 #include "base/random.hpp"
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
-#include "ident/judgement/judge.hpp"
 #include "ident/admissible/outcome.hpp"
+#include "ident/judgement/judge.hpp"
 #include "ident/newton/constrained_iteration.hpp"
 #include "ident/newton/iteration.hpp"
 #include "ident/newton/newton_plan.hpp"
@@ -29,9 +29,7 @@ using Point = std::vector<double>;
 
 /// Seven lines in ten, other ones in every iteration: each choice has local minima of its own (docs/formulas.md §7).
 std::function<bool()> draws_of(std::size_t start) {
-  return [start, drawn = std::uint64_t{0}]() mutable {
-    return uniform_numbers({.seed = 2, .trial = start}, drawn++)[0] < 0.7;
-  };
+  return [start, drawn = std::uint64_t{0}]() mutable { return uniform_numbers({.seed = 2, .trial = start}, drawn++)[0] < 0.7; };
 }
 
 /// A search that compares misfits: weights by sensitivity would favour points whose resonances lie on the lines.
@@ -60,16 +58,18 @@ constexpr int evaluations = 20000;
 NewtonFit by_nlopt(ResponseProblem& problem, const Point& start, const NewtonOptions& options) {
   const NewtonFit own = damped_newton(problem, start, options);
   const bool helps = !own.diverged && problem.misfit(own.q) < problem.misfit(start);
-  NewtonFit found = by_misfit(problem, helps ? own.q : start, options, [&](const minimise::Slopes& objective, const Point& origin, double size) {
-    const int explored = 100 * static_cast<int>(origin.size());
-    const auto minimum = [&](minimise::Search way, const Point& from, int most, double tolerance) {
-      return minimise::nlopt_minimum(objective, from, {.search = way, .half_width = size, .evaluations = most, .tolerance = tolerance});
-    };
-    const minimise::Minimum best = minimum(minimise::Search::mlsl, origin, explored, 0.0);
-    minimise::Minimum settled = minimum(minimise::Search::slsqp, best.q, evaluations, 1e-12);
-    settled.iterations += best.iterations;
-    return settled;
-  });
+  NewtonFit found = by_misfit(
+      problem, helps ? own.q : start, options, [&](const minimise::Slopes& objective, const Point& origin, double size) {
+        const int explored = 100 * static_cast<int>(origin.size());
+        const auto minimum = [&](minimise::Search way, const Point& from, int most, double tolerance) {
+          return minimise::nlopt_minimum(objective, from,
+                                         {.search = way, .half_width = size, .evaluations = most, .tolerance = tolerance});
+        };
+        const minimise::Minimum best = minimum(minimise::Search::mlsl, origin, explored, 0.0);
+        minimise::Minimum settled = minimum(minimise::Search::slsqp, best.q, evaluations, 1e-12);
+        settled.iterations += best.iterations;
+        return settled;
+      });
   found.iterations += own.iterations;
   return found;
 }
@@ -197,9 +197,8 @@ void search(const Plan& plan, const NewtonPlan& own, const ResponseProblem& prob
             RunTime& time) {
   const Clock::time_point begun = Clock::now();
   const std::size_t wanted = plan.scene.identify.starts;
-  const Point given = own.start
-                          ? problem.scaled(started(plan, *own.start, control))
-                          : problem.scaled(scaled(plan, joint_values(plan, plan.scene.identify.start, "[identify] start")));
+  const Point given = own.start ? problem.scaled(started(plan, *own.start, control))
+                                : problem.scaled(scaled(plan, joint_values(plan, plan.scene.identify.start, "[identify] start")));
   time.start = seconds_since(begun);
   const Stopwatch watch(time.solve);
   if (plan.solver == Solver::newton && wanted == 0) {

@@ -22,7 +22,8 @@ Bound read_bound(const std::string& unknown, const scene::Item& item) {
     item.fail("both bounds are " + value, "write ties = [\"" + unknown + " = " + value + "\"]");
   }
   if (bound.lower > bound.upper || bound.lower == infinity || bound.upper == -infinity) {
-    item.fail("expected lowest < highest, found [" + scene::number_text(bound.lower) + ", " + scene::number_text(bound.upper) + "]");
+    item.fail("expected lowest < highest, found [" + scene::number_text(bound.lower) + ", " + scene::number_text(bound.upper) +
+              "]");
   }
   if (bound.lower == -infinity && bound.upper == infinity) item.fail("neither bound is finite", "leave the unknown out");
   return bound;
@@ -48,7 +49,8 @@ std::vector<double> read_frequencies(const scene::Item& item) {
   for (const scene::Item& each : item.list_not_empty()) {
     const double hz = each.number();
     if (!(hz > 0.0)) each.fail("an eigenfrequency of " + scene::number_text(hz) + " Hz", "give those above 0 Hz");
-    if (std::ranges::find(frequencies, hz) != frequencies.end()) each.fail("the eigenfrequency " + scene::number_text(hz) + " is named twice");
+    if (std::ranges::find(frequencies, hz) != frequencies.end())
+      each.fail("the eigenfrequency " + scene::number_text(hz) + " is named twice");
     frequencies.push_back(hz);
   }
   return frequencies;

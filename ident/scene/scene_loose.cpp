@@ -46,8 +46,9 @@ void make_nominal(const scene::Item& item, std::vector<JointSpec>& joints) {
   for (JointSpec& joint : joints) {
     const EntryMatrix* const nominal = nominal_of(joint);
     if (nominal == nullptr) {
-      item.fail("the stiffness of " + (joint.name.empty() ? "the joint" : "joint '" + joint.name + "'") + " is not given by numbers",
-                "write its nominal stiffness, stiffness.matrix = [[1e6, -1e6], [-1e6, 1e6]], or leave loose out");
+      item.fail(
+          "the stiffness of " + (joint.name.empty() ? "the joint" : "joint '" + joint.name + "'") + " is not given by numbers",
+          "write its nominal stiffness, stiffness.matrix = [[1e6, -1e6], [-1e6, 1e6]], or leave loose out");
     }
     const EntryMatrix numbers = *nominal;
     joint.matrices[Kind::stiffness] = in_shares(numbers, "share");

@@ -58,8 +58,8 @@ std::vector<std::array<frf::Dof, 2>> read_couple_first(const scene::Table& scene
 /// [identify]; `joints` are needed to check the start values.
 IdentifySection read_identify(const scene::Item& item, const std::vector<restrictions::JointSpec>& joints);
 
-/// Makes the stiffness of every joint its numbers times one unknown "share", and its hysteretic damping, where it has none, the same numbers
-/// times "loss". Throws InputError where a stiffness is not given by numbers.
+/// Makes the stiffness of every joint its numbers times one unknown "share", and its hysteretic damping, where it has none, the
+/// same numbers times "loss". Throws InputError where a stiffness is not given by numbers.
 void make_nominal(const scene::Item& item, std::vector<restrictions::JointSpec>& joints);
 
 /// [identify] priors: a table of [value, standard deviation]; the names are checked against the unknowns by the plan.

@@ -34,8 +34,9 @@ void state_constrained_intervals(const Plan& plan, const std::vector<double>& th
     const auto found = std::ranges::find(out.unknowns, unknown, &Estimate::name);
     const auto column = static_cast<std::size_t>(found - out.unknowns.begin());
     const double unit = plan.unscale(column);
-    state_scaled(plan, column,
-          densest_interval(estimate[at(column)], std::sqrt(covariance(at(column), at(column))), lower / unit, upper / unit), out);
+    state_scaled(
+        plan, column,
+        densest_interval(estimate[at(column)], std::sqrt(covariance(at(column), at(column))), lower / unit, upper / unit), out);
   }
 }
 

@@ -11,8 +11,8 @@
 
 namespace jointid::ident {
 
-/// A chain of Euler–Bernoulli beams, two elements each, joint e between the last node of beam e and the first of e + 1: the structure
-/// `chain50` of the golden values, of any length. Coordinates of a beam: y, θ node by node.
+/// A chain of Euler–Bernoulli beams, two elements each, joint e between the last node of beam e and the first of e + 1: the
+/// structure `chain50` of the golden values, of any length. Coordinates of a beam: y, θ node by node.
 struct BeamChain {
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
   using Complex6 = Eigen::Matrix<std::complex<double>, 6, 6>;
@@ -30,9 +30,10 @@ struct BeamChain {
     const double l = length * (1.0 + spread * std::sin(1.7 * double(part) + phase)) / 2.0;
     const double ei = e * width * std::pow(height, 3) / 12.0, m = rho * width * height * l / 420.0, s = ei / (l * l * l);
     Eigen::Matrix4d stiff, mass;
-    stiff << 12, 6 * l, -12, 6 * l, 6 * l, 4 * l * l, -6 * l, 2 * l * l, -12, -6 * l, 12, -6 * l, 6 * l, 2 * l * l, -6 * l, 4 * l * l;
-    mass << 156, 22 * l, 54, -13 * l, 22 * l, 4 * l * l, 13 * l, -3 * l * l, 54, 13 * l, 156, -22 * l, -13 * l, -3 * l * l, -22 * l,
+    stiff << 12, 6 * l, -12, 6 * l, 6 * l, 4 * l * l, -6 * l, 2 * l * l, -12, -6 * l, 12, -6 * l, 6 * l, 2 * l * l, -6 * l,
         4 * l * l;
+    mass << 156, 22 * l, 54, -13 * l, 22 * l, 4 * l * l, 13 * l, -3 * l * l, 54, 13 * l, 156, -22 * l, -13 * l, -3 * l * l,
+        -22 * l, 4 * l * l;
     std::pair<Matrix6, Matrix6> out{Matrix6::Zero(), Matrix6::Zero()};
     for (int element = 0; element < 2; ++element) {
       out.first.block<4, 4>(2 * element, 2 * element) += s * stiff;
@@ -105,9 +106,12 @@ struct BeamChain {
         const Complex6 h = free_frfs(s, omega);
         for (Eigen::Index l = 0; l < x.cols(); ++l) {
           Eigen::Matrix<std::complex<double>, 6, 12> rows = Eigen::Matrix<std::complex<double>, 6, 12>::Zero();
-          if (s > 0) add_joint(h.leftCols<2>(), x.block<2, 1>(6 * Eigen::Index(s), l) - x.block<2, 1>(6 * Eigen::Index(s) - 2, l), s - 1, 0, rows);
+          if (s > 0)
+            add_joint(h.leftCols<2>(), x.block<2, 1>(6 * Eigen::Index(s), l) - x.block<2, 1>(6 * Eigen::Index(s) - 2, l), s - 1,
+                      0, rows);
           if (s < joints)
-            add_joint(h.rightCols<2>(), x.block<2, 1>(6 * Eigen::Index(s) + 4, l) - x.block<2, 1>(6 * Eigen::Index(s) + 6, l), s, 6, rows);
+            add_joint(h.rightCols<2>(), x.block<2, 1>(6 * Eigen::Index(s) + 4, l) - x.block<2, 1>(6 * Eigen::Index(s) + 6, l), s,
+                      6, rows);
           largest = std::max(largest, rows.cwiseAbs().maxCoeff());
           const Eigen::Matrix<double, 12, 12> square = (rows.adjoint() * rows).real();
           for (Eigen::Index u = 0; u < 12; ++u) {
@@ -130,7 +134,8 @@ struct BeamChain {
     for (Eigen::Index kind = 0; kind < 2; ++kind) {
       const std::complex<double> factor = kind == 0 ? 1.0 : std::complex(0.0, 1.0);
       rows.col(first + 3 * kind) += factor * truth[std::size_t(3 * kind)] * relative[0] * h.col(0);
-      rows.col(first + 3 * kind + 1) += factor * truth[std::size_t(3 * kind + 1)] * (relative[1] * h.col(0) + relative[0] * h.col(1));
+      rows.col(first + 3 * kind + 1) +=
+          factor * truth[std::size_t(3 * kind + 1)] * (relative[1] * h.col(0) + relative[0] * h.col(1));
       rows.col(first + 3 * kind + 2) += factor * truth[std::size_t(3 * kind + 2)] * relative[1] * h.col(1);
     }
   }

@@ -218,8 +218,9 @@ MemoryScene loose_chain(double level, unsigned seed, double parts_level) {
               std::to_string(10 * e + 3) + ":+RZ', '" + std::to_string(10 * e + 11) + ":+Y', '" + std::to_string(10 * e + 11) +
               ":+RZ']\nstiffness = " + matrix(k11, k12, k22) + "\nhysteretic_damping = " + matrix(d11, d12, d22) + "\n";
   }
-  out.scene = parse_scene("data = { substructures = ['a.h5'], assembly = ['b.h5'] }\nidentify = { method = 'one', loose = true }\n" + joints,
-                          "s.toml");
+  out.scene = parse_scene(
+      "data = { substructures = ['a.h5'], assembly = ['b.h5'] }\nidentify = { method = 'one', loose = true }\n" + joints,
+      "s.toml");
   return out;
 }
 
@@ -308,9 +309,10 @@ TEST(Frequencies, AreThoseOfTheJointThatIsFound) {
 
 TEST(Loose, TakesANominalStiffnessByNumbers) {
   const auto parsed = [](const std::string& stiffness) {
-    return parse_scene("data = { substructures = ['a.h5'], assembly = ['b.h5'] }\njoint = { dofs = ['4:+Y', '5:+Y'], stiffness = { " +
-                           stiffness + " } }\nidentify = { loose = true, passive = [10.0, 400.0], inequalities = ['K.share <= 1'] }\n",
-                       "s.toml");
+    return parse_scene(
+        "data = { substructures = ['a.h5'], assembly = ['b.h5'] }\njoint = { dofs = ['4:+Y', '5:+Y'], stiffness = { " +
+            stiffness + " } }\nidentify = { loose = true, passive = [10.0, 400.0], inequalities = ['K.share <= 1'] }\n",
+        "s.toml");
   };
   const Scene scene = parsed("matrix = [[2e6, -2e6], [-2e6, 2e6]]");
   EXPECT_EQ(std::get<std::string>(std::get<restrictions::EntryMatrix>(scene.joints[0].matrices.at(Kind::stiffness))[0][1]),

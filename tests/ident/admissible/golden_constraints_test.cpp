@@ -45,7 +45,8 @@ struct Chain50 {
     information = chain.local_information(base["lines_hz"].get<std::vector<double>>(), references);
     estimate.resize(information.rows());
     for (Index u = 0; u < estimate.size(); ++u)
-      estimate[u] = 1.0 + problem["amplitude"].get<double>() * std::sin(problem["rate"].get<double>() * double(u) + problem["phase"].get<double>());
+      estimate[u] = 1.0 + problem["amplitude"].get<double>() *
+                              std::sin(problem["rate"].get<double>() * double(u) + problem["phase"].get<double>());
   }
 
   Eigen::SparseMatrix<double> sparse() const { return information.sparseView(); }
@@ -68,7 +69,8 @@ TEST(GoldenConstraints, TheChainIsThatOfTheFile) {
   const json& probe = base["probe"][0]["H_asm"];
   const double omega = 2.0 * std::numbers::pi * base["lines_hz"][base["probe"][0]["line"].get<std::size_t>()].get<double>();
   const Eigen::MatrixXcd h = chain.chain_frfs(omega, {{0, 2}});
-  EXPECT_NEAR(std::abs(h(0, 0) - std::complex(probe[0][0].get<double>(), probe[0][1].get<double>())) / std::abs(h(0, 0)), 0.0, 1e-9);
+  EXPECT_NEAR(std::abs(h(0, 0) - std::complex(probe[0][0].get<double>(), probe[0][1].get<double>())) / std::abs(h(0, 0)), 0.0,
+              1e-9);
 }
 
 TEST(GoldenConstraints, SemidefiniteJoints) {
@@ -91,7 +93,8 @@ TEST(GoldenConstraints, SemidefiniteJoints) {
   Index at_limit = 0;
   for (const Index each : fit->at_limit) at_limit += each > 0 ? 1 : 0;
   EXPECT_EQ(at_limit, expected["blocks_at_limit"].get<Index>());
-  VectorXd pull = all.information * (fit->x - all.estimate);  // the certificate: made of multipliers, which are Λ ⪰ 0 with tr SΛ = 0
+  VectorXd pull =
+      all.information * (fit->x - all.estimate);  // the certificate: made of multipliers, which are Λ ⪰ 0 with tr SΛ = 0
   const double size = pull.norm();
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     VectorXd own = VectorXd::Zero(300);

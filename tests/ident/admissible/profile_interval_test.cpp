@@ -1,3 +1,5 @@
+#include "ident/admissible/profile_interval.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
@@ -5,7 +7,6 @@
 #include <random>
 
 #include "ident/admissible/admissible_fit.hpp"
-#include "ident/admissible/profile_interval.hpp"
 #include "ident/admissible/sparse_semidefinite.hpp"
 
 namespace jointid::ident {
@@ -100,7 +101,9 @@ TEST(SparseSemidefinite, FindsTheActiveSetOfTwoHundredSeeds) {
       (kind < 2 ? x : multiplier) += a * along_square;
       (kind < 1 ? x : multiplier) += b * across_square;
       answer.segment(3 * joint, 3) << x(0, 0), x(0, 1), x(1, 1);
-      blocks.push_back({MatrixXd::Zero(2, 2), {3 * joint, 3 * joint + 1, 3 * joint + 2}, {{{0, 0, 1.0}}, {{0, 1, 1.0}, {1, 0, 1.0}}, {{1, 1, 1.0}}}});
+      blocks.push_back({MatrixXd::Zero(2, 2),
+                        {3 * joint, 3 * joint + 1, 3 * joint + 2},
+                        {{{0, 0, 1.0}}, {{0, 1, 1.0}, {1, 0, 1.0}}, {{1, 1, 1.0}}}});
       blocks.back().add_adjoint(10.0 * multiplier, pull);
       zeros.push_back(kind);
     }
