@@ -128,7 +128,7 @@ void measure_active_sets(const bench::CommandLine& line, bench::Promises& promis
   promises.at_most("wrong active sets", static_cast<double>(wrong), 0.0);
 }
 
-/// C2 by likelihood with the truth on the bounds of every third unknown, or a standard deviation inside: intervals of the bounded
+/// H3 by likelihood with the truth on the bounds of every third unknown, or a standard deviation inside: intervals of the bounded
 /// unknowns and of the others.
 void measure_cover(const bench::CommandLine& line, bench::Promises& promises) {
   const std::size_t trials = line.count(0, 200, 30);
