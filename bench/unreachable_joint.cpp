@@ -36,9 +36,7 @@ const std::vector<Way> ways = {{"likelihood (default)", ident::Method::likelihoo
                                {"newton, thesis", ident::Method::newton, "newton", false},
                                {"newton, ceres", ident::Method::newton, "ceres", false},
                                {"newton, ipopt", ident::Method::newton, "ipopt", false},
-                               {"newton, nlopt (MLSL)", ident::Method::newton, "nlopt", true},
-                               {"newton, nlopt-crs2", ident::Method::newton, "nlopt-crs2", true},
-                               {"newton, nlopt-sbplx", ident::Method::newton, "nlopt-sbplx", true},
+                               {"newton, nlopt", ident::Method::newton, "nlopt", true},
                                {"newton, pattern", ident::Method::newton, "pattern", true}};
 
 /// Every third line of a set.

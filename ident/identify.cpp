@@ -7,6 +7,7 @@
 #include "ident/automatic_method.hpp"
 #include "ident/check/check.hpp"
 #include "ident/check/rest.hpp"
+#include "ident/judgement/loose_joints.hpp"
 #include "ident/judgement/judge.hpp"
 #include "ident/judgement/tell_errors.hpp"
 #include "ident/likelihood/data/systematic_plan.hpp"
@@ -196,6 +197,7 @@ Solution solve(Plan& plan, const Control& asked) {
   out.used = {plan.scene.identify.method, plan.equations, plan.scene.identify.weighting,
               plan.scene.identify.delta,  name(plan.solver), plan.chosen};
   plan.method->solve(plan, control, out);
+  find_loose_joints(plan, out);
   tell_wild_lines(wild, out);
   check_briefly(plan, control, out);
   out.runtime_s.total = seconds_since(start);

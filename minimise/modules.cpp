@@ -1,5 +1,7 @@
 #include "minimise/modules.hpp"
 
+#include <stdexcept>
+
 #include "base/module.hpp"
 
 namespace jointid::minimise {
@@ -23,8 +25,13 @@ BlockMinimum ceres_blocks(const std::vector<BlockTerm>& terms, const BlockOption
   return interface_of<CeresModule>(ceres).blocks(terms, options);
 }
 
-Minimum nlopt_minimum(const Objective& objective, std::span<const double> start, const NloptOptions& options) {
+Minimum nlopt_minimum(const Slopes& objective, std::span<const double> start, const NloptOptions& options) {
   return interface_of<NloptModule>(nlopt).minimum(objective, start, options);
+}
+
+Minimum nlopt_minimum(const Objective& objective, std::span<const double> start, const NloptOptions& options) {
+  if (options.search != Search::direct) throw std::logic_error("a search of NLopt needs the gradient");
+  return nlopt_minimum([&](std::span<const double> q, std::span<double>) { return objective(q); }, start, options);
 }
 
 Minimum ipopt_minimum(const LeastSquares& problem, std::span<const double> start, const IpoptOptions& options) {

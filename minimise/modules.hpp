@@ -16,7 +16,7 @@ class CeresModule {
 class NloptModule {
  public:
   virtual ~NloptModule() = default;
-  virtual Minimum minimum(const Objective& objective, std::span<const double> start, const NloptOptions& options) = 0;
+  virtual Minimum minimum(const Slopes& objective, std::span<const double> start, const NloptOptions& options) = 0;
 };
 
 class IpoptModule {

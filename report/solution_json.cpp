@@ -34,6 +34,18 @@ Json admissibility(const ident::Admissibility& found) {
   return json;
 }
 
+Json loose_joints(const std::vector<ident::LooseJoint>& joints) {
+  Json all = Json::array();
+  for (const auto& [joint, lost, std_error, probability, loss_factor] : joints) {
+    all.push_back({{"joint", joint},
+                   {"lost", value(lost)},
+                   {"std_error", value(std_error)},
+                   {"probability", probability},
+                   {"loss_factor", value(loss_factor)}});
+  }
+  return all;
+}
+
 Json matrices(const ident::Matrices& by_kind) {
   Json all = Json::object();
   for (const auto& [kind, rows] : by_kind) all[restrictions::key(kind)] = values(rows);
@@ -132,6 +144,7 @@ std::string solution_json(const ident::Solution& solution) {
   json["fit"] = fit(solution.fit);
   if (solution.search) json["search"] = minima(*solution.search);
   if (solution.admissibility) json["admissibility"] = admissibility(*solution.admissibility);
+  if (!solution.loose.empty()) json["loose"] = loose_joints(solution.loose);
   if (!solution.systematic.empty()) json["systematic"] = systematic(solution.systematic);
   if (solution.identifiability) json["identifiability"] = identifiability_json(solution);
   json["quality"] = quality(solution.quality);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ident/admissible/admissible_fit.hpp"
 #include "ident/plan/plan.hpp"
 #include "ident/result/solution.hpp"
 #include "minimise/linear/accumulator.hpp"
@@ -13,5 +14,8 @@ namespace jointid::ident {
 /// rank and free directions become those of the unknowns that the ties leave.
 Admissibility constrain(const Plan& plan, const minimise::Accumulator& accumulator, std::size_t rows,
                         minimise::LinearSolution& linear, bool& converged);
+
+/// Rank, condition and free directions of what the ties leave.
+void tell_rank(const AdmissibleFit& fit, minimise::LinearSolution& linear);
 
 }  // namespace jointid::ident

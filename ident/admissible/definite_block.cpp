@@ -40,21 +40,22 @@ std::vector<BlockEntry> entries_of(const MatrixXd& matrix) {
 
 }  // namespace
 
-std::optional<SymmetricBlock> definite_block(const restrictions::MatrixTerms& matrix, std::size_t first, std::size_t count,
-                                             const std::map<std::size_t, std::size_t>& column_of, double unit) {
+std::optional<SymmetricBlock> definite_block(const std::vector<BlockPart>& parts, std::size_t first, std::size_t count, double unit) {
   const auto size = at(count);
   const auto at = [&](std::size_t i) { return static_cast<Index>(i - first); };
   std::map<std::size_t, MatrixXd> coefficients;  // by column
-  for (const restrictions::Term& term : matrix.terms) {
-    const auto column = column_of.find(term.unknown);
-    if (column == column_of.end()) continue;
-    MatrixXd& own = coefficients.try_emplace(column->second, MatrixXd::Zero(size, size)).first->second;
-    own(at(term.row), at(term.column)) += term.coefficient;
-  }
   MatrixXd known = MatrixXd::Zero(size, size);
-  for (const restrictions::Known& element : matrix.known) {
-    if (element.row < first || element.row >= first + count) continue;
-    known(at(element.row), at(element.column)) += element.value / unit;
+  for (const BlockPart& part : parts) {
+    for (const restrictions::Term& term : part.matrix.terms) {
+      const auto column = part.column_of.find(term.unknown);
+      if (column == part.column_of.end()) continue;
+      MatrixXd& own = coefficients.try_emplace(column->second, MatrixXd::Zero(size, size)).first->second;
+      own(at(term.row), at(term.column)) += term.coefficient * (part.factor * part.unit / unit);
+    }
+    for (const restrictions::Known& element : part.matrix.known) {
+      if (element.row < first || element.row >= first + count) continue;
+      known(at(element.row), at(element.column)) += element.value * part.factor / unit;
+    }
   }
   std::vector<MatrixXd> all = {known};
   for (const auto& [column, own] : coefficients) all.push_back(own);
@@ -74,6 +75,11 @@ std::optional<SymmetricBlock> definite_block(const restrictions::MatrixTerms& ma
     block.coefficients.push_back(entries_of(reduced(own)));
   }
   return block;
+}
+
+std::optional<SymmetricBlock> definite_block(const restrictions::MatrixTerms& matrix, std::size_t first, std::size_t count,
+                                             const std::map<std::size_t, std::size_t>& column_of, double unit) {
+  return definite_block(std::vector<BlockPart>{{matrix, column_of, unit, 1.0}}, first, count, unit);
 }
 
 }  // namespace jointid::ident

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 
+#include "base/eigen.hpp"
 #include "ident/admissible/semidefinite_least_squares.hpp"
 
 namespace jointid::ident {
@@ -14,6 +17,7 @@ using Eigen::VectorXd;
 
 constexpr double price = 1e-4;  ///< of a unit of θ over one of t: enters squared
 constexpr double room = 1e-5;
+constexpr Index few_unknowns = 150;  ///< that one problem may have: its steps cost the cube of them
 
 /// The same condition with its unknowns in units of `unit`.
 SymmetricBlock in_units(SymmetricBlock block, const VectorXd& unit) {
@@ -76,6 +80,35 @@ std::optional<VectorXd> interior_point(const std::vector<SymmetricBlock>& blocks
       std::ranges::all_of(raised, [&](const SymmetricBlock& block) { return least_eigenvalue(block.at(found)) > -0.5 * room; });
   if (!inside || !(found[unknowns] > room)) return std::nullopt;
   return unit.asDiagonal() * found.head(unknowns);
+}
+
+std::optional<VectorXd> interior_point_by_parts(const std::vector<SymmetricBlock>& blocks, const AdmissibleSet& set, Index unknowns) {
+  if (unknowns <= few_unknowns || set.directions.size() > 0) return interior_point(blocks, set, unknowns);
+  std::vector<Index> leader(static_cast<std::size_t>(unknowns));
+  std::iota(leader.begin(), leader.end(), Index{0});
+  const auto find = [&](Index u) {
+    while (leader[static_cast<std::size_t>(u)] != u) u = leader[static_cast<std::size_t>(u)];
+    return u;
+  };
+  for (const SymmetricBlock& block : blocks) {
+    for (const Index u : block.unknowns) leader[static_cast<std::size_t>(find(u))] = find(block.unknowns.front());
+  }
+  std::map<Index, std::vector<SymmetricBlock>> parts;
+  for (const SymmetricBlock& block : blocks) parts[block.unknowns.empty() ? -1 : find(block.unknowns.front())].push_back(block);
+  VectorXd out = VectorXd::Zero(unknowns);
+  for (auto& [first, own] : parts) {
+    std::vector<Index> used;
+    for (const SymmetricBlock& block : own) used.insert(used.end(), block.unknowns.begin(), block.unknowns.end());
+    std::ranges::sort(used);
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    for (SymmetricBlock& block : own) {
+      for (Index& u : block.unknowns) u = std::ranges::lower_bound(used, u) - used.begin();
+    }
+    const auto found = interior_point(own, AdmissibleSet(), std::max<Index>(1, at(used.size())));
+    if (!found) return std::nullopt;
+    for (Index k = 0; k < at(used.size()); ++k) out[used[static_cast<std::size_t>(k)]] = (*found)[k];
+  }
+  return out;
 }
 
 }  // namespace jointid::ident

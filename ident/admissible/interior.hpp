@@ -11,4 +11,9 @@ namespace jointid::ident {
 /// t > 1e-5.
 std::optional<Eigen::VectorXd> interior_point(const std::vector<SymmetricBlock>& blocks, const AdmissibleSet& set, Eigen::Index unknowns);
 
+/// The same for many unknowns: blocks without an unknown in common are asked one by one where there are no ties. With up to 150
+/// unknowns it is interior_point() itself.
+std::optional<Eigen::VectorXd> interior_point_by_parts(const std::vector<SymmetricBlock>& blocks, const AdmissibleSet& set,
+                                                       Eigen::Index unknowns);
+
 }  // namespace jointid::ident

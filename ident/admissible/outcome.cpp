@@ -54,7 +54,7 @@ Admissibility outcome_of(const AdmissibleSet& set, const AdmissibleFit& fit, dou
 void tell_outcome(const Plan& plan, Solution& out) {
   const AdmissibleSet& set = *plan.admissible;
   const Admissibility& found = *out.admissibility;
-  const std::size_t first = set.ties.empty() ? 0 : 1;
+  const std::size_t first = found.constraints.size() - set.inequalities.size();
   for (const Index column : set.tied) out.unknowns[count(column)].limit = "tied";
   for (std::size_t k = 0; k < set.inequalities.size(); ++k) {
     const Inequality& inequality = set.inequalities[k];

@@ -36,7 +36,8 @@ std::size_t name_at(const std::string& text, std::size_t place, const std::vecto
 std::string with_identifiers(const std::string& text, const std::vector<std::string>& names) {
   std::string out;
   for (std::size_t i = 0; i < text.size();) {
-    const bool begins = (std::isalpha(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_') && (i == 0 || !in_name(text[i - 1]));
+    const bool begins =
+        (std::isalpha(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_') && (i == 0 || !in_name(text[i - 1]));
     const std::size_t name = begins ? name_at(text, i, names) : std::string::npos;
     if (name == std::string::npos) {
       out += text[i++];
@@ -76,27 +77,69 @@ void add_side(const std::string& side, double sign, Tie& tie) {
   }
 }
 
-}  // namespace
-
-Tie parse_tie(const std::string& text, const std::vector<std::string>& names) {
-  const std::string quoted = "the tie '" + text + "'";
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || text.find('=', equals + 1) != std::string::npos) {
-    fail(quoted + " is no equation", "write \"K(1,1) = K(2,2)\"");
-  }
-  if (const std::string word = stranger(text, names); !word.empty()) {
+/// left − right as coefficients·θ − value.
+Tie difference(const std::string& left, const std::string& right, const std::string& quoted,
+               const std::vector<std::string>& names) {
+  for (const std::string* side : {&left, &right}) {
+    const std::string word = stranger(*side, names);
+    if (word.empty()) continue;
     const std::string near = nearest_word(word, names);
-    fail(quoted + ": the joint has no unknown " + word, near.empty() ? "`jointid plan` lists them" : "did you mean " + near + "?");
+    fail(quoted + ": the joint has no unknown " + word,
+         near.empty() ? "`jointid plan` lists them" : "did you mean " + near + "?");
   }
   Tie tie{Eigen::VectorXd::Zero(at(names.size())), 0.0};
   try {
-    add_side(with_identifiers(text.substr(0, equals), names), 1.0, tie);
-    add_side(with_identifiers(text.substr(equals + 1), names), -1.0, tie);
+    add_side(with_identifiers(left, names), 1.0, tie);
+    add_side(with_identifiers(right, names), -1.0, tie);
   } catch (const InputError& error) {
     fail(quoted + " is not linear in unknowns: " + error.parts().problem, error.parts().remedy);
   }
   if (tie.coefficients.isZero(0.0)) fail(quoted + " has no unknown", "leave it out");
   return tie;
+}
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') + 1 - first);
+}
+
+}  // namespace
+
+Tie parse_tie(const std::string& text, const std::vector<std::string>& names) {
+  const std::string quoted = "the tie '" + text + "'";
+  const std::size_t equals = text.find('=');
+  if (text.find_first_of("<>") != std::string::npos) fail(quoted + " is an inequality", "write it into inequalities");
+  if (equals == std::string::npos || text.find('=', equals + 1) != std::string::npos) {
+    fail(quoted + " is no equation", "write \"K(1,1) = K(2,2)\"");
+  }
+  return difference(text.substr(0, equals), text.substr(equals + 1), quoted, names);
+}
+
+std::vector<LinearInequality> parse_inequality(const std::string& text, const std::vector<std::string>& names) {
+  const std::string quoted = "the inequality '" + text + "'";
+  const std::string remedy = "write \"K(1,1) >= 2*K(2,2)\" or \"0.01*K(1,1) <= D(1,1) <= 0.1*K(1,1)\"";
+  std::vector<std::string> sides = {""};
+  std::string signs;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool relates = (text[i] == '<' || text[i] == '>') && i + 1 < text.size() && text[i + 1] == '=';
+    if (!relates && std::string("<>=").find(text[i]) != std::string::npos) fail(quoted + " needs <= or >=", remedy);
+    if (!relates) {
+      sides.back() += text[i];
+      continue;
+    }
+    signs += text[i++];
+    sides.emplace_back();
+  }
+  if (signs.empty() || signs.size() > 2 || signs.find(signs[0] == '<' ? '>' : '<') != std::string::npos) {
+    fail(quoted + " is none of one or two equal relations", remedy);
+  }
+  std::vector<LinearInequality> out;
+  for (std::size_t k = 0; k < signs.size(); ++k) {
+    const bool rises = signs[k] == '<';
+    const Tie tie = difference(sides[rises ? k + 1 : k], sides[rises ? k : k + 1], quoted, names);
+    out.push_back({tie.coefficients, -tie.value, trimmed(sides[k]) + (rises ? " <= " : " >= ") + trimmed(sides[k + 1])});
+  }
+  return out;
 }
 
 TiedUnknowns eliminate(std::vector<Tie> ties, Index unknowns) {

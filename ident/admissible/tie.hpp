@@ -16,6 +16,16 @@ struct Tie {
 /// quotes the tie.
 Tie parse_tie(const std::string& text, const std::vector<std::string>& names);
 
+/// coefficients·θ + constant ≥ 0, θ in SI.
+struct LinearInequality {
+  Eigen::VectorXd coefficients;
+  double constant = 0.0;
+  std::string text;  ///< "D(1,1) <= 0.1*K(1,1)"
+};
+
+/// Parses "K(1,1) >= 2*K(2,2)", or "0.01*K(1,1) <= D(1,1) <= 0.1*K(1,1)", which is two. Throws as parse_tie().
+std::vector<LinearInequality> parse_inequality(const std::string& text, const std::vector<std::string>& names);
+
 /// All θ that meet ties: offset + directions·w. One unknown of each tie is expressed by the others, the rest are the w.
 struct TiedUnknowns {
   Eigen::VectorXd offset;      ///< [unknowns]

@@ -22,6 +22,7 @@
 #include "ident/judgement/whitened_fit.hpp"
 #include "ident/likelihood/bundle/bundle.hpp"
 #include "ident/likelihood/data/likelihood_plan.hpp"
+#include "ident/likelihood/findings/constrained_intervals.hpp"
 #include "ident/likelihood/findings/bootstrap.hpp"
 #include "ident/likelihood/findings/bound_of.hpp"
 #include "ident/likelihood/errors/chi_square_law.hpp"
@@ -341,6 +342,7 @@ struct Fitted {
   std::optional<TriedErrors> tried = {};
   std::unique_ptr<AssumedGain> gain = {};  ///< a common gain that is one of the unknowns
   std::optional<FileGain> without = {};    ///< what the fit without that gain said of it
+  Eigen::VectorXd pull = {};               ///< of the scene's inequalities; empty: none
 
   bool is_own(const Plan& plan) const { return plan.solver == Solver::gauss_helmert && found.fit.converged; }
   /// Whether intervals may hold more than the noise that variances tell.
@@ -364,6 +366,7 @@ Fitted fitted(const Plan& plan, const Control& control, const std::shared_ptr<st
   }
   LinearisedLikelihood found =
       fit_by_solver(plan, make_estimator(plan, control, stage), control, std::move(options), *stage, out.runtime_s.start);
+  Eigen::VectorXd pull = Eigen::VectorXd::Zero(at(plan.columns->size()));
   if (plan.admissible) {
     *stage = "constraining";
     auto [constrained, admissible] =
@@ -371,9 +374,14 @@ Fitted fitted(const Plan& plan, const Control& control, const std::shared_ptr<st
     found = std::move(constrained);
     out.admissibility = outcome_of(*plan.admissible, admissible, 1.0);
     out.admissibility->from_variances = true;
+    for (const Eigen::VectorXd& force : admissible.forces) {
+      if (force.size() > 0) pull += force;
+    }
   }
   out.runtime_s.solve = seconds_since(start) - out.runtime_s.start;
-  return with_chi_square(plan, std::move(found));
+  Fitted all = with_chi_square(plan, std::move(found));
+  all.pull = std::move(pull);
+  return all;
 }
 
 /// Whether a gain explains the misfit beyond its expectation, or half of it.
@@ -485,6 +493,9 @@ void estimate(const Plan& plan, const Control& control, Solution& out) {
   out.systematic = systematic_estimates(plan, all.found.fit, information);
   const Widened widest = widened(plan, all, information, control, out);
   widest.intervals.state(plan, out);
+  if (plan.admissible && fit.converged)
+    state_constrained_intervals(plan, fit.theta, all.pull, joint_information(information, plan.columns->size()),
+                                widest.intervals.covariance(), out);
   out.fit.lines = plan.lines.size();
   out.fit.equations_used = equations_used(observations, fit.line_weight);
   out.fit.iterations = fit.iterations;

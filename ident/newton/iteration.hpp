@@ -41,13 +41,16 @@ NewtonFit damped_newton(ResponseProblem& problem, std::vector<double> start, con
 /// and choice of lines. The same end.
 NewtonFit divided_newton(ResponseProblem& problem, std::vector<double> start, const NewtonOptions& options = {});
 
-/// Coordinates in which the linearised problem at a point is a sphere, for searches that know no derivatives:
+/// Coordinates in which the linearised problem at a point is a sphere, for searches:
 /// q = centre + R⁻¹x with RᵀR = JᵀJ (weighted) there.
 class RoundCoordinates {
  public:
   RoundCoordinates(ResponseProblem& problem, std::vector<double> centre);
 
   std::vector<double> point(std::span<const double> x) const;
+
+  /// R⁻ᵀ of a slope by q: the slope by x, in place.
+  void turn_slope(std::span<double> slope) const;
 
   /// ‖R·centre‖: how far the free joint is.
   double size() const { return size_; }

@@ -9,7 +9,9 @@
 #include "base/random.hpp"
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
+#include "ident/admissible/outcome.hpp"
 #include "ident/judgement/judge.hpp"
+#include "ident/newton/constrained_iteration.hpp"
 #include "ident/newton/iteration.hpp"
 #include "ident/newton/newton_plan.hpp"
 #include "ident/plan/interpret.hpp"
@@ -27,20 +29,19 @@ using Point = std::vector<double>;
 
 /// Seven lines in ten, other ones in every iteration: each choice has local minima of its own (docs/formulas.md §7).
 std::function<bool()> draws_of(std::size_t start) {
-  return [start, drawn = std::uint64_t{0}]() mutable {
-    return uniform_numbers({.seed = 2, .trial = start}, drawn++)[0] < 0.7;
-  };
+  return [start, drawn = std::uint64_t{0}]() mutable { return uniform_numbers({.seed = 2, .trial = start}, drawn++)[0] < 0.7; };
 }
 
-/// A search without derivatives. It compares misfits: weights by sensitivity would favour points whose resonances lie on the lines.
+/// A search that compares misfits: weights by sensitivity would favour points whose resonances lie on the lines.
 /// Every point better than those before is watched like the beginning of an iteration.
-NewtonFit by_values(ResponseProblem& problem, const Point& start, const NewtonOptions& options,
-                    const std::function<minimise::Minimum(const minimise::Objective&, const Point& origin, double size)>& minimum) {
+NewtonFit by_misfit(ResponseProblem& problem, const Point& start, const NewtonOptions& options,
+                    const std::function<minimise::Minimum(const minimise::Slopes&, const Point& origin, double size)>& minimum) {
   const RoundCoordinates round(problem, start);
   double best = std::numeric_limits<double>::infinity();
-  const minimise::Objective objective = [&](std::span<const double> x) {
+  const minimise::Slopes objective = [&](std::span<const double> x, std::span<double> slope) {
     const Point q = round.point(x);
-    const double misfit = problem.misfit(q);
+    const double misfit = slope.empty() ? problem.misfit(q) : problem.misfit(q, slope);
+    if (!slope.empty()) round.turn_slope(slope);
     if (options.watch && misfit < best) options.watch(q);
     best = std::min(best, misfit);
     return misfit;
@@ -53,24 +54,30 @@ NewtonFit by_values(ResponseProblem& problem, const Point& start, const NewtonOp
 
 constexpr int evaluations = 20000;
 
-/// MLSL explores and never ends by itself: Sbplx settles from the best that it found.
-NewtonFit by_nlopt(ResponseProblem& problem, const Point& start, minimise::Search search, const NewtonOptions& options) {
-  return by_values(problem, start, options, [&](const minimise::Objective& objective, const Point& origin, double size) {
-    const auto minimum = [&](minimise::Search way, const Point& from, double tolerance) {
-      return minimise::nlopt_minimum(objective, from,
-                                     {.search = way, .half_width = size, .evaluations = evaluations, .tolerance = tolerance});
-    };
-    if (search != minimise::Search::mlsl) return minimum(search, origin, 1e-10);
-    const minimise::Minimum explored = minimum(search, origin, 0.0);
-    minimise::Minimum settled = minimum(minimise::Search::sbplx, explored.q, 1e-10);
-    settled.iterations += explored.iterations;
-    return settled;
-  });
+/// The own least squares first, then MLSL around its end, with SLSQP and gradients. MLSL never ends by itself: SLSQP settles.
+NewtonFit by_nlopt(ResponseProblem& problem, const Point& start, const NewtonOptions& options) {
+  const NewtonFit own = damped_newton(problem, start, options);
+  const bool helps = !own.diverged && problem.misfit(own.q) < problem.misfit(start);
+  NewtonFit found = by_misfit(
+      problem, helps ? own.q : start, options, [&](const minimise::Slopes& objective, const Point& origin, double size) {
+        const int explored = 100 * static_cast<int>(origin.size());
+        const auto minimum = [&](minimise::Search way, const Point& from, int most, double tolerance) {
+          return minimise::nlopt_minimum(objective, from,
+                                         {.search = way, .half_width = size, .evaluations = most, .tolerance = tolerance});
+        };
+        const minimise::Minimum best = minimum(minimise::Search::mlsl, origin, explored, 0.0);
+        minimise::Minimum settled = minimum(minimise::Search::slsqp, best.q, evaluations, 1e-12);
+        settled.iterations += best.iterations;
+        return settled;
+      });
+  found.iterations += own.iterations;
+  return found;
 }
 
 NewtonFit by_pattern(ResponseProblem& problem, const Point& start, const NewtonOptions& options) {
-  return by_values(problem, start, options, [](const minimise::Objective& objective, const Point& origin, double size) {
-    return minimise::pattern_search(objective, origin, {.step = 0.1 * size, .tolerance = 1e-10 * size, .most_evaluations = evaluations});
+  return by_misfit(problem, start, options, [](const minimise::Slopes& objective, const Point& origin, double size) {
+    return minimise::pattern_search([&](std::span<const double> x) { return objective(x, {}); }, origin,
+                                    {.step = 0.1 * size, .tolerance = 1e-10 * size, .most_evaluations = evaluations});
   });
 }
 
@@ -89,9 +96,7 @@ NewtonFit run(Solver solver, ResponseProblem& problem, const Point& start, const
     };
     return in_rounds(problem, start, few, options);
   }
-  if (solver == Solver::nlopt) return by_nlopt(problem, start, minimise::Search::mlsl, options);
-  if (solver == Solver::nlopt_crs2) return by_nlopt(problem, start, minimise::Search::crs2, options);
-  if (solver == Solver::nlopt_sbplx) return by_nlopt(problem, start, minimise::Search::sbplx, options);
+  if (solver == Solver::nlopt) return by_nlopt(problem, start, options);
   if (solver == Solver::pattern) return by_pattern(problem, start, options);
   return damped_newton(problem, start, options);
 }
@@ -115,9 +120,15 @@ class Search {
   void from(const Point& start, std::size_t number) {
     NewtonOptions options;
     options.watch = [this](const Point& q) { watch(q); };
+    is_constrained_ = !plan_.admissible;
     if (number > 0) options.draw = draws_of(number);
     NewtonFit fit = run_or_stop(start, options);
     stop_if(control_.interrupted);
+    if (plan_.admissible) {
+      options.draw = {};
+      is_constrained_ = true;
+      fit = constrained_newton(problem_, *plan_.admissible, fit.diverged ? start : fit.q, options, fit.iterations);
+    }
     fit.converged = fit.converged && !fit.diverged;
     iterations_ += fit.iterations;
     const double misfit = problem_.misfit(fit.q);
@@ -138,7 +149,7 @@ class Search {
   void watch(const Point& q) {
     ++steps_;
     if (control_.progress) control_.progress(("step " + std::to_string(steps_)).c_str(), 0, 0);
-    if (control_.so_far) tell(q);
+    if (control_.so_far && is_constrained_) tell(q);
     stop_if(control_.interrupted);
   }
 
@@ -174,6 +185,7 @@ class Search {
   const Control& control_;
   double told_ = std::numeric_limits<double>::infinity();
   std::size_t steps_ = 0;
+  bool is_constrained_ = true;  ///< the steps watched keep the constraints of the scene
   NewtonFit best_;
   double misfit_ = std::numeric_limits<double>::infinity();
   std::size_t iterations_ = 0;
@@ -185,9 +197,8 @@ void search(const Plan& plan, const NewtonPlan& own, const ResponseProblem& prob
             RunTime& time) {
   const Clock::time_point begun = Clock::now();
   const std::size_t wanted = plan.scene.identify.starts;
-  const Point given = own.start
-                          ? problem.scaled(started(plan, *own.start, control))
-                          : problem.scaled(scaled(plan, joint_values(plan, plan.scene.identify.start, "[identify] start")));
+  const Point given = own.start ? problem.scaled(started(plan, *own.start, control))
+                                : problem.scaled(scaled(plan, joint_values(plan, plan.scene.identify.start, "[identify] start")));
   time.start = seconds_since(begun);
   const Stopwatch watch(time.solve);
   if (plan.solver == Solver::newton && wanted == 0) {
@@ -284,14 +295,17 @@ void estimate(const Plan& plan, NewtonPlan& own, const Control& control, Solutio
     out.message = "The FRFs are not defined at any start: H_bb and the start make I + Z H_bb singular on some line.";
     return;
   }
-  interpret(plan, linearised(problem, found.best().q), out);
+  minimise::LinearSolution linear = linearised(problem, found.best().q);
+  if (plan.admissible) out.admissibility = state_constraints(plan, problem, found.best().q, linear);
+  interpret(plan, linear, out);
+  if (plan.admissible) tell_outcome(plan, out);
   out.fit.iterations = found.iterations();
   if (!found.best().converged) {
     out.status = Status::not_converged;
     out.message = (found.best().diverged ? "The iteration diverged and was stopped: " + largest_unknown(found.best().q, out) + "."
                                          : "The iteration did not converge.") +
                   " Try other starts (starts = 20 in [identify]) or method \"likelihood\".";
-  } else if (out.status == Status::ok && control.detail == Detail::full) {
+  } else if (out.status == Status::ok && control.detail == Detail::full && !plan.admissible) {
     scatter = scatter_at(problem, found.best().q);
   }
   if (plan.scene.identify.starts > 0) {

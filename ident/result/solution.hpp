@@ -10,6 +10,7 @@
 #include "base/status.hpp"
 #include "ident/result/admissibility.hpp"
 #include "ident/result/identifiability.hpp"
+#include "ident/result/loose_joint.hpp"
 #include "ident/result/suspect.hpp"
 #include "ident/scene/scene.hpp"
 
@@ -160,6 +161,7 @@ struct Solution {
   std::optional<CheckResult> check{};     ///< of the data, its short form (quick_check()); with Detail::full
   std::vector<SystematicEstimate> systematic{};  ///< of [[data.gains]] and [[data.masses]]
   std::vector<Suspect> suspects{};  ///< method likelihood: suspects from the fit itself; files as they were opened
+  std::vector<LooseJoint> loose{};  ///< if the scene asks for loose joints: the most probable first
   std::vector<VarianceSource> variances;  ///< per file, of methods that weigh FRFs by their variances
 };
 

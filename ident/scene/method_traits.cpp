@@ -9,8 +9,8 @@ namespace jointid::ident {
 namespace {
 
 /// In the order of Solver.
-constexpr std::array solver_words = {"auto",  "qr",         "normal",      "spqr",    "cholmod", "ldlt",    "levenberg-marquardt", "newton", "ceres", "ipopt",
-                                     "nlopt", "nlopt-crs2", "nlopt-sbplx", "pattern", "gauss-helmert",       "iqml"};
+constexpr std::array solver_words = {"auto",  "qr",    "normal", "spqr",  "cholmod", "ldlt",          "levenberg-marquardt", "newton",
+                                     "ceres", "ipopt", "nlopt",  "pattern", "gauss-helmert", "iqml"};
 
 }  // namespace
 

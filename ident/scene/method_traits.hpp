@@ -28,8 +28,6 @@ enum class Solver {
   ceres,
   ipopt,
   nlopt,
-  nlopt_crs2,
-  nlopt_sbplx,
   pattern,
   gauss_helmert,
   iqml
@@ -51,7 +49,6 @@ struct MethodTraits {
   PlannedMethod (*plan)(const Plan& plan, const StartPlanner& plan_start);  ///< what is the method's own of a prepared plan
   bool iterates = false;               ///< from a start; no weighting and Δ, which are those of linear equations
   bool uses_variances = false;         ///< of the FRFs, so that priors and a bootstrap have something to be weighed against
-  bool has_constraints = true;         ///< definite, bounds, ties
   bool joint_on_assembly = true;       ///< reads the joint coordinates of the assembly: equations nn nj jj jn, else nn alone
   bool inverts_substructures = false;  ///< over all coordinates: both roles there, equations jn and jj
   bool inverts_references = false;     ///< at least as many non-joint references as joint DOFs

@@ -20,6 +20,10 @@ Scene parse_scene(const std::string& text, const Path& file) {
   if (const auto frequency = table.find("frequency")) scene.frequency = read_frequency(*frequency);
   scene.joints = read_joints(table);
   scene.identify.automatic = scene.identify.any_weighting = true;
+  if (const auto identify = table.find("identify")) {
+    const auto loose = identify->is_table() ? identify->open_table().find("loose") : std::nullopt;
+    if (loose && loose->boolean()) make_nominal(*loose, scene.joints);
+  }
   if (const auto identify = table.find("identify")) scene.identify = read_identify(*identify, scene.joints);
   if (const auto noise = table.find("noise")) scene.noise = read_noise(*noise);
   read_virtual_points(table, file.parent_path(), all_files(scene.data));

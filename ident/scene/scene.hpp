@@ -117,6 +117,10 @@ struct IdentifySection {
   std::vector<Prior> priors;  ///< of method likelihood
   std::vector<Bound> bounds;
   std::vector<std::string> ties;  ///< linear equations between unknowns: "K(1,1) = K(2,2)"
+  std::vector<std::string> inequalities;  ///< linear ones: "0.01*K(1,1) <= D(1,1) <= 0.1*K(1,1)"
+  std::optional<Range> passive_hz;  ///< Im Z_J is positive semidefinite from the first of these frequencies to the second
+  std::vector<double> frequencies_hz;  ///< eigenfrequencies of the assembly, as conditions on the joint
+  bool loose = false;  ///< the joints are nominal ones times a share each, and the result tells which are loose
   std::size_t bootstrap = 0;  ///< replicates of the parametric bootstrap of method likelihood; 0: none
   std::uint64_t bootstrap_seed = 1;
 };

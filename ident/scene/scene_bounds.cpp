@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <limits>
 
 #include "ident/scene/scene_sections.hpp"
@@ -21,7 +22,8 @@ Bound read_bound(const std::string& unknown, const scene::Item& item) {
     item.fail("both bounds are " + value, "write ties = [\"" + unknown + " = " + value + "\"]");
   }
   if (bound.lower > bound.upper || bound.lower == infinity || bound.upper == -infinity) {
-    item.fail("expected lowest < highest, found [" + scene::number_text(bound.lower) + ", " + scene::number_text(bound.upper) + "]");
+    item.fail("expected lowest < highest, found [" + scene::number_text(bound.lower) + ", " + scene::number_text(bound.upper) +
+              "]");
   }
   if (bound.lower == -infinity && bound.upper == infinity) item.fail("neither bound is finite", "leave the unknown out");
   return bound;
@@ -40,6 +42,18 @@ std::vector<std::string> read_ties(const scene::Item& item) {
   std::vector<std::string> ties;
   for (const scene::Item& tie : item.list_not_empty()) ties.push_back(tie.text_not_empty());
   return ties;
+}
+
+std::vector<double> read_frequencies(const scene::Item& item) {
+  std::vector<double> frequencies;
+  for (const scene::Item& each : item.list_not_empty()) {
+    const double hz = each.number();
+    if (!(hz > 0.0)) each.fail("an eigenfrequency of " + scene::number_text(hz) + " Hz", "give those above 0 Hz");
+    if (std::ranges::find(frequencies, hz) != frequencies.end())
+      each.fail("the eigenfrequency " + scene::number_text(hz) + " is named twice");
+    frequencies.push_back(hz);
+  }
+  return frequencies;
 }
 
 }  // namespace jointid::ident

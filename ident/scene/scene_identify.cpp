@@ -202,7 +202,8 @@ std::map<Kind, Matrix> read_matrices(const scene::Item& item, std::size_t size) 
 
 IdentifySection read_identify(const scene::Item& item, const std::vector<JointSpec>& joints) {
   const scene::Table table = item.table({"method", "equations", "weighting", "delta", "solver", "start", "starts", "variance",
-                                       "smooth_variance", "priors", "bounds", "ties", "bootstrap", "bootstrap_seed"});
+                                       "smooth_variance", "priors", "bounds", "ties", "inequalities", "passive",
+                                         "frequencies", "loose", "bootstrap", "bootstrap_seed"});
   IdentifySection identify;
   identify.automatic = true;
   if (const auto method = table.find("method")) {
@@ -222,6 +223,10 @@ IdentifySection read_identify(const scene::Item& item, const std::vector<JointSp
   if (const auto priors = table.find("priors")) identify.priors = read_priors(*priors);
   if (const auto bounds = table.find("bounds")) identify.bounds = read_bounds(*bounds);
   if (const auto ties = table.find("ties")) identify.ties = read_ties(*ties);
+  if (const auto list = table.find("inequalities")) identify.inequalities = read_ties(*list);
+  if (const auto band = table.find("passive")) identify.passive_hz = band->interval();
+  if (const auto list = table.find("frequencies")) identify.frequencies_hz = read_frequencies(*list);
+  if (const auto flag = table.find("loose")) identify.loose = flag->boolean();
   read_bootstrap(table, identify);
   return identify;
 }

@@ -58,14 +58,21 @@ std::vector<std::array<frf::Dof, 2>> read_couple_first(const scene::Table& scene
 /// [identify]; `joints` are needed to check the start values.
 IdentifySection read_identify(const scene::Item& item, const std::vector<restrictions::JointSpec>& joints);
 
+/// Makes the stiffness of every joint its numbers times one unknown "share", and its hysteretic damping, where it has none, the
+/// same numbers times "loss". Throws InputError where a stiffness is not given by numbers.
+void make_nominal(const scene::Item& item, std::vector<restrictions::JointSpec>& joints);
+
 /// [identify] priors: a table of [value, standard deviation]; the names are checked against the unknowns by the plan.
 std::vector<Prior> read_priors(const scene::Item& item);
 
 /// [identify] bounds: a table of [lowest, highest] or of the words "positive" and "negative".
 std::vector<Bound> read_bounds(const scene::Item& item);
 
-/// [identify] ties: a list of equations, whose names the plan reads.
+/// [identify] ties and inequalities: a list of them, whose names the plan reads.
 std::vector<std::string> read_ties(const scene::Item& item);
+
+/// [identify] frequencies: eigenfrequencies, Hz, each > 0 and none twice.
+std::vector<double> read_frequencies(const scene::Item& item);
 
 /// The keys bootstrap and bootstrap_seed of [identify].
 void read_bootstrap(const scene::Table& table, IdentifySection& identify);

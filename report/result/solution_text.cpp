@@ -191,7 +191,7 @@ std::string time_text(const ident::RunTime& time) {
 std::string solution_text(const ident::Solution& solution, const std::string& title, const std::string& units) {
   const std::string values =
       is_shown_by_joint(solution) ? joints_text(solution) : matrices_text(solution, units) + unknowns_text(solution);
-  return head(solution, title) + values + constraints_text(solution) +
+  return head(solution, title) + values + constraints_text(solution) + loose_text(solution) +
          systematic_text(solution) + identifiability_text(solution) + fit_text(solution) + search_text(solution) +
          variances_text(solution.variances) + quality_text(solution.quality) + time_text(solution.runtime_s);
 }

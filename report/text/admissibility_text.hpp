@@ -17,4 +17,7 @@ std::string constraints_sum(const ident::Admissibility& found);
 /// The section "constraints" of a solution; empty for scenes without.
 std::string constraints_text(const ident::Solution& solution);
 
+/// The joints most probably loose, ten at most; empty where the scene does not ask for them.
+std::string loose_text(const ident::Solution& solution);
+
 }  // namespace jointid::report

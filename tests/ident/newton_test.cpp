@@ -116,7 +116,7 @@ TEST(ResponseLine, ItsJacobianIsThatOfCentralDifferences) {
 }
 /// Within a step of any minimiser, of other libraries too.
 TEST_F(UnreachableJoint, EndsWhereItIsInterrupted) {
-  for (const Solver solver : {Solver::automatic, Solver::newton, Solver::ceres, Solver::nlopt_sbplx}) {
+  for (const Solver solver : {Solver::automatic, Solver::newton, Solver::ceres, Solver::nlopt}) {
     Scene scene = near(1.5);
     scene.identify.solver = solver;
     for (const int most : {3, 60, 100}) EXPECT_THROW(solve_until(scene, most), Interrupted) << most;
