@@ -36,11 +36,7 @@ double largest_square(const CheckedFile& file, std::size_t line, Index c) {
 
 /// E|e|² of one FRF of a file; NaN where it is not known. `largest`: largest_square() of its reference.
 double error_square(const CheckedFile& file, std::size_t line, Index r, Index c, double largest) {
-  const double square = std::norm(file.frfs[line](r, c));
-  const double least = least_noise * least_noise * largest;
-  if (file.errors) return file.variance(line, r, c) + least;
-  if (!file.noise) return nan;
-  return (*file.noise)(r, c, square, frf::squared_factor(file.quantity, file.frequency_hz[line])) + least;
+  return file.error_square(line, r, c) + least_noise * least_noise * largest;
 }
 
 /// Sums that become an Agreement.

@@ -64,6 +64,7 @@ CheckedFile kept(const CheckedFile& file, const std::vector<Eigen::Index>& rows,
   for (const Eigen::Index c : columns) result.references.push_back(file.references[static_cast<std::size_t>(c)]);
   result.frequency_hz = file.frequency_hz;
   for (const Eigen::MatrixXcd& line : file.frfs) result.frfs.emplace_back(line(rows, columns));
+  for (const Eigen::MatrixXd& line : file.recorded_over_law) result.recorded_over_law.emplace_back(line(rows, columns));
   result.errors = kept_law(file, rows);
   if (file.noise) {
     result.noise = std::make_shared<const NoiseLaws>(
@@ -174,6 +175,33 @@ std::vector<Suspect> wild_numbers(const CheckedFile& file, const frf::FrfHeader&
   return found;
 }
 
+/// Of few lines one counts for much, and a law of two numbers does not follow every line: where a resonance moves what an FRF is
+/// made of (virtual points, forces that act together) its error is larger than its own size says.
+constexpr std::size_t few_lines = 40;
+
+/// Whether the variances of a file are exact; those of few averages scatter, and the law is better.
+bool has_exact_variances(const frf::FrfHeader& header) {
+  return header.noise == frf::NoiseRecord::variance && header.averages == 0.0 && header.repeats == 0;
+}
+
+void set_recorded_over_law(const std::vector<double>& squares, CheckedFile& file) {
+  const Eigen::Index rows = at(file.responses.size()), columns = at(file.references.size());
+  if (squares.empty()) return;
+  for (std::size_t l = 0; l < file.frfs.size(); ++l) {
+    Eigen::MatrixXd factors = Eigen::MatrixXd::Ones(rows, columns);
+    for (Eigen::Index r = 0; r < rows; ++r) {
+      for (Eigen::Index c = 0; c < columns; ++c) {
+        const double recorded =
+            squares[(l * static_cast<std::size_t>(rows) + static_cast<std::size_t>(r)) * static_cast<std::size_t>(columns) +
+                    static_cast<std::size_t>(c)];
+        const double factor = recorded / file.error_square(l, r, c);
+        if (std::isfinite(factor)) factors(r, c) = std::max(1.0, factor);
+      }
+    }
+    file.recorded_over_law.push_back(std::move(factors));
+  }
+}
+
 CheckedFile read_file(frf::FrfSource& source, const std::vector<std::size_t>& source_lines, const Scene& scene, bool assembly) {
   const frf::FrfHeader& header = source.header();
   CheckedFile file{.name = name_in_scene(scene, header.file),
@@ -201,6 +229,7 @@ CheckedFile read_file(frf::FrfSource& source, const std::vector<std::size_t>& so
     file.frfs.push_back(std::move(line));
   }
   file.noise = recorded_laws(source, source_lines, values, scene);
+  if (source_lines.size() < few_lines && has_exact_variances(header)) set_recorded_over_law(recorded_squares(source, source_lines, values, scene), file);
   file.wild = wild_numbers(file, header, source_lines, values);
   leave_out_unmeasured(file);
   return file;
@@ -257,6 +286,14 @@ double CheckedFile::variance(std::size_t line, Eigen::Index response, Eigen::Ind
          errors->constant(response, response).real() * frf::squared_factor(quantity, frequency_hz[line]);
 }
 
+double CheckedFile::error_square(std::size_t line, Eigen::Index response, Eigen::Index reference) const {
+  if (!has_recorded_noise()) return std::numeric_limits<double>::quiet_NaN();
+  const double factor = line < recorded_over_law.size() ? recorded_over_law[line](response, reference) : 1.0;
+  if (errors) return factor * variance(line, response, reference);
+  return factor * (*noise)(response, reference, std::norm(frfs[line](response, reference)),
+                           frf::squared_factor(quantity, frequency_hz[line]));
+}
+
 std::vector<CheckedFile> read_checked_files(const CheckedSystems& of, const CheckExtent& most,
                                             const std::function<bool()>& interrupted) {
   frf::FrfSystem* const systems[] = {&of.substructures, &of.assembly};
@@ -285,6 +322,7 @@ CheckedFile at_lines(const CheckedFile& file, const std::vector<std::size_t>& li
   for (const std::size_t l : lines) {
     result.frequency_hz.push_back(file.frequency_hz[l]);
     result.frfs.push_back(file.frfs[l]);
+    if (!file.recorded_over_law.empty()) result.recorded_over_law.push_back(file.recorded_over_law[l]);
   }
   return result;
 }

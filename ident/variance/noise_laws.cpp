@@ -117,6 +117,15 @@ std::pair<double, double> fit_noise_law(const std::vector<NoiseSample>& all) {
   return {a, b};
 }
 
+std::vector<double> recorded_squares(frf::FrfSource& source, const std::vector<std::size_t>& source_lines,
+                                     std::span<const Complex> values, const Scene& scene) {
+  const frf::FrfHeader& header = source.header();
+  const auto origin = recorded_origin(scene, header);
+  if (origin != VarianceOrigin::variance || static_cast<double>(source_lines.size() * header.entries()) > most_records) return {};
+  const auto rows = indices_up_to(header.response.size()), columns = indices_up_to(header.reference.size());
+  return error_squares(source, {source_lines, rows, columns}, *origin, values);
+}
+
 std::shared_ptr<const NoiseLaws> recorded_laws(frf::FrfSource& source, const std::vector<std::size_t>& source_lines,
                                                std::span<const Complex> values, const Scene& scene) {
   const frf::FrfHeader& header = source.header();

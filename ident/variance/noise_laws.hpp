@@ -36,6 +36,11 @@ std::pair<double, double> fit_noise_law(const std::vector<NoiseSample>& samples)
 std::shared_ptr<const NoiseLaws> recorded_laws(frf::FrfSource& source, const std::vector<std::size_t>& source_lines,
                                                std::span<const Complex> values, const Scene& scene);
 
+/// E|e|² [line,R,C] by the variances of the file at all of the lines, where the scene takes them from there and they are no more
+/// than a million; else empty. Coherences and repeats are left to laws: what disturbs a line is in them, too.
+std::vector<double> recorded_squares(frf::FrfSource& source, const std::vector<std::size_t>& source_lines,
+                                     std::span<const Complex> values, const Scene& scene);
+
 /// `count` or fewer of 0 … size−1, evenly spread, the first and the last among them.
 std::vector<std::size_t> spread_lines(std::size_t size, std::size_t count);
 
