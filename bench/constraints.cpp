@@ -128,11 +128,11 @@ void measure_active_sets(const bench::CommandLine& line, bench::Promises& promis
   promises.at_most("wrong active sets", static_cast<double>(wrong), 0.0);
 }
 
-/// H3 by likelihood with the truth on the bounds of every third unknown, or a standard deviation inside: intervals of the bounded
+/// A1 by likelihood with the truth on the bounds of every third unknown, or a standard deviation inside: intervals of the bounded
 /// unknowns and of the others.
 void measure_cover(const bench::CommandLine& line, bench::Promises& promises) {
-  const std::size_t trials = line.count(0, 200, 30);
-  problems::Problem problem = problems::make("H3");
+  const std::size_t trials = line.count(0, 200, 10);
+  problems::Problem problem = problems::make("A1");
   auto& noise = std::get<frf::NoiseModel>(problem.noise);
   noise.level = 0.05;
   ident::Scene scene = problems::scene(problem);
