@@ -3285,6 +3285,22 @@ Eine Auswertung und die Kanäle wählen, dann ausführen.</translation>
         <source>Harmonics fitted together. Empty: 3</source>
         <translation>Gemeinsam angepasste Harmonische. Leer: 3</translation>
     </message>
+    <message>
+        <source>linear, between unknowns: [&quot;K(1,1) &gt;= 2*K(2,2)&quot;]</source>
+        <translation>linear, zwischen Unbekannten: [&quot;K(1,1) &gt;= 2*K(2,2)&quot;]</translation>
+    </message>
+    <message>
+        <source>band in Hz over which the damping of every joint is passive: 100, 400</source>
+        <translation>Band in Hz, in dem die Dämpfung jeder Fügestelle passiv ist: 100, 400</translation>
+    </message>
+    <message>
+        <source>eigenfrequencies of the assembly, in Hz: 83.2, 140.6</source>
+        <translation>Eigenfrequenzen der Gesamtstruktur, in Hz: 83.2, 140.6</translation>
+    </message>
+    <message>
+        <source>whether joints with nominal stiffness are tested for being loose</source>
+        <translation>ob Fügestellen mit nomineller Steifigkeit auf Lockerheit geprüft werden</translation>
+    </message>
 </context>
 <context>
     <name>SceneEditor</name>

@@ -38,7 +38,7 @@ expect 2 "'study' is no command of \`jointid\`; see \`jointid --help\`; for more
 expect 0 "$remedy" alone/jointid --help
 expect 0 "$remedy" alone/jointid problem list
 expect 2 "did you mean A1?; for more of them, build all of jointid: $remedy" alone/jointid problem write A1x out
-expect 2 "scene of friction laws, which this part of jointid does not solve; build all of jointid: $remedy" alone/jointid solve laws/sdof-iwan.toml
+expect 2 "scene of friction laws or of a joint at every line, which this part of jointid does not solve; build all of jointid: $remedy" alone/jointid solve laws/sdof-iwan.toml
 expect 2 "scene of friction laws" alone/jointid plan laws/sdof-iwan.toml --bound
 expect 0 "next: jointid solve" alone/jointid problem write A1 a1
 expect 0 "K(1,1)" alone/jointid solve a1/A1.toml

@@ -150,7 +150,7 @@ TEST(Wolf, OfLorenzMeetsTheGoldenNumbers) {
 TEST(Wolf, OfTheLogisticMapIsOneBitAStep) {
   std::vector<double> x = {0.2345};
   while (x.size() < 4000) x.push_back(4.0 * x.back() * (1.0 - x.back()));
-  for (const std::size_t evolve : {1, 2, 3}) {
+  for (const std::size_t evolve : {std::size_t{1}, std::size_t{2}, std::size_t{3}}) {
     const WolfExponent found =
         wolf_exponent(x, {.embedding = {1, 1}, .theiler = 5, .evolve = evolve, .smallest = 1e-6, .largest = 0.02});
     EXPECT_NEAR(found.bits_per_second, 1.0, 0.04) << evolve;
