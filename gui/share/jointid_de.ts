@@ -3295,7 +3295,7 @@ Eine Auswertung und die Kanäle wählen, dann ausführen.</translation>
     </message>
     <message>
         <source>eigenfrequencies of the assembly, in Hz: 83.2, 140.6</source>
-        <translation>Eigenfrequenzen der Gesamtstruktur, in Hz: 83.2, 140.6</translation>
+        <translation>Eigenfrequenzen des Zusammenbaus, in Hz: 83.2, 140.6</translation>
     </message>
     <message>
         <source>whether joints with nominal stiffness are tested for being loose</source>
