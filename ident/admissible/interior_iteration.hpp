@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ident/admissible/interior_block.hpp"
-#include "ident/admissible/semidefinite_least_squares.hpp"
+#include "ident/admissible/semidefinite_fit.hpp"
 
 namespace jointid::ident {
 

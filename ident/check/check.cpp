@@ -34,7 +34,8 @@ CheckResult check_lines(const CheckedSystems& systems, const Dofs& joint, const 
   const bool with_axis = most.lines > short_form.lines;
   const auto parts = static_cast<std::size_t>(std::ranges::count(files, false, &CheckedFile::assembly));
   CheckResult result =
-      parts > most_parts_at_once ? inquire_by_parts(files, joint, control, with_axis) : inquire(std::move(files), joint, control, with_axis);
+      parts > most_parts_at_once ? inquire_by_parts(files, joint, control, with_axis)
+                                 : inquire(std::move(files), joint, control, with_axis);
   const std::vector<Suspect> same = equal_runs(systems.scene);
   result.suspects.insert(result.suspects.begin(), same.begin(), same.end());
   if (!same.empty()) result.verdict = Verdict::wrong;

@@ -229,7 +229,9 @@ CheckedFile read_file(frf::FrfSource& source, const std::vector<std::size_t>& so
     file.frfs.push_back(std::move(line));
   }
   file.noise = recorded_laws(source, source_lines, values, scene);
-  if (source_lines.size() < few_lines && has_exact_variances(header)) set_recorded_over_law(recorded_squares(source, source_lines, values, scene), file);
+  if (source_lines.size() < few_lines && has_exact_variances(header)) {
+    set_recorded_over_law(recorded_squares(source, source_lines, values, scene), file);
+  }
   file.wild = wild_numbers(file, header, source_lines, values);
   leave_out_unmeasured(file);
   return file;

@@ -317,7 +317,8 @@ CheckResult inquire_by_parts(const std::vector<CheckedFile>& files, const Dofs& 
     levels.push_back(parts.back().level);
   }
   const double usual = median(levels);
-  std::erase_if(parts, [&](const PartFiles& part) { return !part.stands_out && part.level <= std::min(large, std::max(over_median * usual, 0.01)); });
+  const double high = std::min(large, std::max(over_median * usual, 0.01));
+  std::erase_if(parts, [&](const PartFiles& part) { return !part.stands_out && part.level <= high; });
   std::ranges::stable_sort(parts, std::ranges::greater{}, &PartFiles::level);
   parts.resize(std::min(parts.size(), most_inquired));
   for (PartFiles& part : parts) {

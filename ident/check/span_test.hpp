@@ -24,7 +24,8 @@ struct SpanSetup {
   bool weighed = false;  ///< both files know what the errors of R have in common
 };
 
-/// All pairs of part and assembly file that can be tested, in both directions. `elsewhere`: coordinates of parts that are not among the files.
+/// All pairs of part and assembly file that can be tested, in both directions. `elsewhere`: coordinates of parts that are
+/// not among the files.
 std::vector<SpanSetup> span_setups(const std::vector<CheckedFile>& files, const Dofs& joint, const Dofs& elsewhere = {});
 
 /// What is left of it. Rows and columns are scaled by the sizes of the terms, so that relative errors p of all FRFs leave about

@@ -146,7 +146,9 @@ std::vector<PartOfRows> parts_of_rows(const Coordinates& coordinates, const Equa
     parts.push_back({.source = s,
                      .n_rows = {},
                      .j_rows = {},
-                     .support = {{of.rows.begin(), of.rows.end()}, {of.columns.begin(), of.columns.end()}, {of.unknowns.begin(), of.unknowns.end()}}});
+                     .support = {{of.rows.begin(), of.rows.end()},
+                                 {of.columns.begin(), of.columns.end()},
+                                 {of.unknowns.begin(), of.unknowns.end()}}});
   }
   const auto add = [&](const Dofs& dofs, Dofs PartOfRows::* rows) {
     for (const frf::Dof& dof : dofs) {

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "base/eigen.hpp"
-#include "minimise/linear/sparse_normal.hpp"
 
 namespace jointid::minimise {
 namespace {

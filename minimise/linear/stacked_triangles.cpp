@@ -1,7 +1,9 @@
 #include "minimise/linear/stacked_triangles.hpp"
 
+#include <Eigen/SparseCore>
 #include <cmath>
 
+#include "base/eigen.hpp"
 #include "minimise/linear/column_scaling.hpp"
 
 namespace jointid::minimise {
@@ -52,6 +54,23 @@ std::vector<double> StackedTriangles::transposed(const std::vector<double>& r) c
     out[static_cast<std::size_t>(matrix.column[e])] += matrix.value[e] * r[static_cast<std::size_t>(matrix.row[e])];
   }
   return out;
+}
+
+SparseSymmetric normal_matrix(const StackedTriangles& stacked) {
+  using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>;
+  const SparseEntries& entries = stacked.matrix;
+  std::vector<Eigen::Triplet<double, std::int64_t>> triplets;
+  triplets.reserve(entries.value.size());
+  for (std::size_t e = 0; e < entries.value.size(); ++e) triplets.emplace_back(entries.row[e], entries.column[e], entries.value[e]);
+  Matrix a(at(entries.rows), at(entries.columns));
+  a.setFromTriplets(triplets.begin(), triplets.end());
+  const Matrix whole = Matrix(a.transpose()) * a;
+  const Matrix product = whole.triangularView<Eigen::Lower>();
+  const std::int64_t* start = product.outerIndexPtr();
+  const auto count = static_cast<std::size_t>(product.nonZeros());
+  return {{start, start + product.cols() + 1},
+          {product.innerIndexPtr(), product.innerIndexPtr() + count},
+          {product.valuePtr(), product.valuePtr() + count}};
 }
 
 }  // namespace jointid::minimise

@@ -24,4 +24,7 @@ struct StackedTriangles {
   void append(const std::vector<std::size_t>& columns, const Triangle& triangle);
 };
 
+/// AᵀA of the scaled columns.
+SparseSymmetric normal_matrix(const StackedTriangles& stacked);
+
 }  // namespace jointid::minimise

@@ -116,7 +116,8 @@ std::string scene_of_many(const Problem& problem, const ManyJoints& structure, b
             joint_declaration(matrix_of(Kind::stiffness, joint, all_elements).spec) + "[joints.hysteretic_damping]\n" +
             joint_declaration(matrix_of(Kind::hysteretic_damping, joint, all_elements).spec);
   }
-  text += "\n[identify]\nmethod = \"one\"\nweighting = \"WB\"\n\n[noise]\nmodel = \"circular\"\nlevel = " + number(many_joints_noise) + "\n";
+  text += "\n[identify]\nmethod = \"one\"\nweighting = \"WB\"\n";
+  text += "\n[noise]\nmodel = \"circular\"\nlevel = " + number(many_joints_noise) + "\n";
   if (!problem.truth.empty()) text += "\n[truth]\n";
   for (const auto& [kind, matrix] : problem.truth) text += restrictions::key(kind) + " = " + matrix_rows_text(matrix) + "\n";
   return text;

@@ -97,7 +97,8 @@ Structure plane_beam(const BeamOfMany& beam, std::size_t part, std::int64_t firs
     dofs = joined(dofs, plane_dofs(nodes.back().id));
   }
   Structure structure(nodes, dofs);
-  const Matrix k = turned(scaled({{1.0, -1.0}, {-1.0, 1.0}}, beam.youngs_modulus * area / l), element_stiffness(section_of(beam), l), angle);
+  const Matrix along = scaled({{1.0, -1.0}, {-1.0, 1.0}}, beam.youngs_modulus * area / l);
+  const Matrix k = turned(along, element_stiffness(section_of(beam), l), angle);
   const Matrix m = turned(scaled({{2.0, 1.0}, {1.0, 2.0}}, beam.density * area * l / 6.0), element_mass(section_of(beam), l), angle);
   for (std::size_t i = 0; i < beam.elements; ++i) {
     const std::vector<frf::Dof> ends = joined(plane_dofs(nodes[i].id), plane_dofs(nodes[i + 1].id));

@@ -76,7 +76,9 @@ Eigen::MatrixXcd solved(const std::vector<Element>& elements, double frequency_h
   const Eigen::Index n = forces.rows();
   std::vector<Eigen::Triplet<Complex>> entries;
   entries.reserve(elements.size());
-  for (const Element& e : elements) entries.emplace_back(e.row, e.column, Complex(factor(e.kind, omega) * static_cast<long double>(e.value)));
+  for (const Element& e : elements) {
+    entries.emplace_back(e.row, e.column, Complex(factor(e.kind, omega) * static_cast<long double>(e.value)));
+  }
   Eigen::SparseMatrix<Complex> z(n, n);
   z.setFromTriplets(entries.begin(), entries.end());
   Eigen::SparseLU<Eigen::SparseMatrix<Complex>> lu;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/complex.hpp"
+#include "frf/noise/noise.hpp"
 #include "modalfit/model/mac.hpp"
 #include "modalfit/model/rank_one.hpp"
 #include "modalfit/model/synthesis.hpp"
@@ -138,15 +139,29 @@ TEST(Symmetric, NeedsADrivingPoint) {
   EXPECT_EQ(obstacle(found), "");
 }
 
-/// Rigid-body modes below and a mode far above the range, without noise.
-TEST(Symmetric, ResidualTermsStandForModesOutside) {
-  problems::ModalSet set = problems::make_modal_set("modes-pair");
-  set.modes.frequency_hz = {0.0, 100.0, 101.0, 900.0};
-  set.modes.loss_factor = {0.0, 0.002, 0.002, 0.002};
-  set.modes.shapes = {1.0, 1.0, 0.6, 3.0, 1.0, 0.8, -1.0, -2.0, 1.0, -0.5, 0.7, 4.0, 1.0, 0.3, 0.9, 5.0};
+/// Rigid-body modes below and a mode far above the range.
+struct ModesOutside {
+  problems::ModalSet set = made();
   problems::ResponseRequest request{set.clean.header.response, set.clean.header.reference, set.clean.header.frequency_hz};
-  const frf::FrfSet exact = problems::modal_response(set.modes, request);
-  Band band = make_band(exact, {});
+  frf::FrfSet exact = problems::modal_response(set.modes, request);
+
+  static problems::ModalSet made() {
+    problems::ModalSet set = problems::make_modal_set("modes-pair");
+    set.modes.frequency_hz = {0.0, 100.0, 101.0, 900.0};
+    set.modes.loss_factor = {0.0, 0.002, 0.002, 0.002};
+    set.modes.shapes = {1.0, 1.0, 0.6, 3.0, 1.0, 0.8, -1.0, -2.0, 1.0, -0.5, 0.7, 4.0, 1.0, 0.3, 0.9, 5.0};
+    return set;
+  }
+};
+
+/// Noise hides what a pole beyond the range would change.
+TEST(Symmetric, ResidualTermsStandForModesOutside) {
+  ModesOutside of;
+  const frf::FrfSet noisy = frf::polluted(of.exact, {.kind = frf::NoiseKind::circular, .level = 1e-3}, 1, 0, 0);
+  Band band = make_band(noisy, {});
+  const frf::FrfSet& exact = of.exact;
+  problems::ResponseRequest& request = of.request;
+  const problems::ModalSet& set = of.set;
   const ModalFit found = fit(band, exact.header, {.kind = hysteretic_real});
   ASSERT_EQ(found.modes.size(), 2u);
   EXPECT_NEAR(found.modes[0].pole.frequency_hz, 100.0, 1e-4);
@@ -161,6 +176,20 @@ TEST(Symmetric, ResidualTermsStandForModesOutside) {
   };
   EXPECT_LT(worst(of_fit, exact), 0.01);
   EXPECT_LT(worst(of_model, all), 0.01);
+}
+
+/// Without noise poles beyond the range follow them, and those inside are exact.
+TEST(Symmetric, PolesBeyondTheRangeFollowExactFrfs) {
+  const ModesOutside of;
+  Band band = make_band(of.exact, {});
+  const ModalFit found = fit(band, of.exact.header, {.kind = hysteretic_real});
+  std::vector<double> inside;
+  for (const Mode& mode : found.modes) {
+    if (mode.inside) inside.push_back(mode.pole.frequency_hz);
+  }
+  ASSERT_EQ(inside.size(), 2u);
+  EXPECT_NEAR(inside[0], 100.0, 1e-7);
+  EXPECT_NEAR(inside[1], 101.0, 1e-7);
 }
 
 }  // namespace

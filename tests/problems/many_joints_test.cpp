@@ -73,7 +73,8 @@ TEST_P(Golden, PartsJointsAndFrfsOfTheAssemblyAreThoseOfAnIndependentProgram) {
     const std::size_t references = structure.references.size();
     ASSERT_EQ(expected.size(), 3 * references) << "rows one after the other";
     for (std::size_t k = 0; k < 3 * references; ++k) {
-      const Complex value(expected[k][0], expected[k][1]), found = assembly.values[assembly.index(line, rows[k / references], k % references)];
+      const Complex value(expected[k][0], expected[k][1]);
+      const Complex found = assembly.values[assembly.index(line, rows[k / references], k % references)];
       EXPECT_LE(std::abs(found - value), 1e-8 * std::abs(value)) << line << ", " << k;
     }
   }

@@ -161,7 +161,7 @@ TEST(Wolf, OfTheLogisticMapIsOneBitAStep) {
 /// Neighbours of a quasi-periodic record stay neighbours.
 TEST(Wolf, OfTwoTonesIsNothing) {
   std::vector<double> x;
-  for (std::size_t i = 0; i < 4000; ++i) x.push_back(std::sin(0.1 * static_cast<double>(i)) + 0.5 * std::sin(0.1618 * static_cast<double>(i)));
+  for (int i = 0; i < 4000; ++i) x.push_back(std::sin(0.1 * i) + 0.5 * std::sin(0.1618 * i));
   const WolfExponent found = wolf_exponent(x, {.embedding = {4, 12}, .theiler = 100, .evolve = 20, .smallest = 1e-3, .largest = 0.3});
   EXPECT_NEAR(found.bits_per_second * 20.0, 0.0, 0.05);
 }

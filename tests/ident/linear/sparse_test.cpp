@@ -104,7 +104,9 @@ TEST(SparseCovarianceTest, IsTheDenseInverseWhereItIsWorkedOut) {
   const StackedTriangles stacked(system);
   const std::size_t n = stacked.matrix.columns;
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(at(stacked.matrix.rows), at(n));
-  for (std::size_t e = 0; e < stacked.matrix.value.size(); ++e) a(stacked.matrix.row[e], stacked.matrix.column[e]) += stacked.matrix.value[e];
+  for (std::size_t e = 0; e < stacked.matrix.value.size(); ++e) {
+    a(stacked.matrix.row[e], stacked.matrix.column[e]) += stacked.matrix.value[e];
+  }
   const Eigen::MatrixXd exact = (a.transpose() * a).inverse();
   const SparseCovariance found(stacked);
   const std::vector<double> variances = found.variances();
