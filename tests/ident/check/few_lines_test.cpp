@@ -3,9 +3,11 @@
 
 #include <algorithm>
 
-#include "ident/check/check.hpp"
-#include "problems/case/in_memory.hpp"
+#include "ident/scene/read_scene.hpp"
+#include "ident/whole_check.hpp"
+#include "problems/case/write.hpp"
 #include "problems/problem.hpp"
+#include "tests/test_folder.hpp"
 
 namespace {
 
@@ -13,14 +15,14 @@ using namespace jointid;
 using ident::SuspectKind;
 
 ident::CheckResult checked_at_seven_lines(const char* name, std::uint64_t seed) {
-  const problems::Problem problem = problems::make(name);
-  ident::Scene scene = problems::scene(problem);
+  const TestFolder folder;
+  ident::Scene scene = ident::read_scene(problems::write(problems::make(name), folder, {.seed = seed}));
   scene.frequency.step_hz = 400.0;
-  return problems::check(scene, problems::polluted(problem, seed, 0));
+  return ident::check_whole(scene);
 }
 
 TEST(FewLines, OfVirtualPointsHaveNoFalseOutlier) {
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     const ident::CheckResult result = checked_at_seven_lines("flange", seed);
     for (const ident::Suspect& suspect : result.suspects) {
       EXPECT_NE(suspect.kind, SuspectKind::outlier) << seed << ": " << suspect.evidence;
