@@ -40,8 +40,8 @@ Coordinates find_coordinates(const Scene& scene, const restrictions::Restriction
 std::vector<Equation> choose_equations(const Scene& scene, const Coordinates& coordinates,
                                        const frf::FrfSystem& substructures, const frf::FrfSystem& assembly);
 
-/// Of three parts and more: the equations of rows by parts (PartOfRows) that the scene names, or all that the data allow; empty where there is none. They take
-/// motion at all joint coordinates of the assembly, and of the substructures forces there.
+/// Of three parts and more: the equations of rows by parts (PartOfRows) that the scene names, or all that the data allow; empty
+/// where there is none. They take motion at all joint coordinates of the assembly, and of the substructures forces there.
 std::vector<Equation> equations_by_parts(const Scene& scene, const Coordinates& coordinates, const frf::FrfSystem& substructures,
                                          const frf::FrfSystem& assembly);
 

@@ -5,7 +5,6 @@
 
 #include "ident/scene/read_scene.hpp"
 #include "ident/whole_check.hpp"
-#include "problems/case/write.hpp"
 #include "problems/problem.hpp"
 #include "tests/test_folder.hpp"
 
