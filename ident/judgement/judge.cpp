@@ -141,6 +141,12 @@ void judge_parts(const Plan& plan, const std::vector<double>& theta, const Contr
   fill_errors(plan, theta, *scatter, std::nullopt, out);
   fill_matrix_errors(plan, out);
   tell_useless_errors(plan, out);
+  const auto is_noisy = [](const Estimate& each) { return each.error_estimate && *each.error_estimate > 1e-6 * std::abs(each.value); };
+  if (std::ranges::any_of(out.unknowns, is_noisy)) {
+    tell(out, Status::doubtful,
+         "The rows of single substructures are not compared with the assembly: errors are the scatter of groups of lines alone, and what "
+         "noise biases is not in them (docs/many-joints.md). Excite the assembly at its joints, or take method \"likelihood\".");
+  }
 }
 
 /// By the equations of Method One.
