@@ -51,12 +51,11 @@ Chain chain(Index joints, std::mt19937_64& random) {
     const double angle = normal(random), a = 0.2 + std::abs(normal(random)), b = 0.2 + std::abs(normal(random));
     const double c = std::cos(angle), s = std::sin(angle);
     const Index kind = static_cast<Index>(random() % 3);
-    const double along = a, across = b;
     Eigen::Matrix2d one, two, x = Eigen::Matrix2d::Zero(), multiplier = Eigen::Matrix2d::Zero();
     one << c * c, c * s, c * s, s * s;
     two << s * s, -c * s, -c * s, c * c;
-    (kind < 2 ? x : multiplier) += along * one;
-    (kind < 1 ? x : multiplier) += across * two;
+    (kind < 2 ? x : multiplier) += a * one;
+    (kind < 1 ? x : multiplier) += b * two;
     out.answer.segment(first, 3) << x(0, 0), x(0, 1), x(1, 1);
     out.blocks.push_back(
         {MatrixXd::Zero(2, 2), {first, first + 1, first + 2}, {{{0, 0, 1.0}}, {{0, 1, 1.0}, {1, 0, 1.0}}, {{1, 1, 1.0}}}});

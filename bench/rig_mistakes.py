@@ -132,7 +132,7 @@ class Session:
         self.labels = [list(names) for names in self.names]
         self.count = 2 * SENSORS
         self.later = rng.permutation(self.count)[: self.count // 2] if rng.random() < 0.5 else np.arange(self.count // 2, self.count)
-        if kind in ("all in g, mass known",):
+        if kind == "all in g, mass known":
             self.rig.lines = np.arange(2.0, 100.0, 2.0)
         self.exact = self.rig.accelerances()
         self.before()
@@ -204,8 +204,8 @@ class Session:
         if twice:
             os.link(f"{folder}/S.h5", f"{folder}/T.h5")
         springs = list(zip(self.rig.dofs[0][SENSORS - BOLTS:], self.rig.dofs[1]))
-        scene = {"assembly": [["S.h5", "T.h5"]] if twice else ["S.h5"]}
-        text = f'[data]\nsubstructures = ["A.h5", "B.h5"]\nassembly = {json.dumps(scene["assembly"])}\n'
+        assembly = [["S.h5", "T.h5"]] if twice else ["S.h5"]
+        text = f'[data]\nsubstructures = ["A.h5", "B.h5"]\nassembly = {json.dumps(assembly)}\n'
         if self.mass:
             text += f'[data.files."A.h5"]\nmass = {self.rig.masses[0]:.4g}\n'
         text += f"[frequency]\nrange = [{max(0.0, self.rig.lines[0] - 1):g}, {self.rig.lines[-1] + 1:g}]\n"

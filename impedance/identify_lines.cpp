@@ -288,7 +288,7 @@ class Lines {
 void add_conditions(const Lines& lines, IdentifiedLines& out) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const LineBlocks& line = lines.blocks(i);
-    const auto size = LineBlocks::at(line.joint);
+    const auto size = at(line.joint);
     const auto condition = [&](const Eigen::MatrixXd& known, const Eigen::MatrixXcd& y) {
       return known.bottomRightCorner(size, size).minCoeff() > 0.0 ? condition_of(y) : nan;
     };

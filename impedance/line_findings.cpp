@@ -55,10 +55,12 @@ std::optional<WorstRun> worst_run(const std::vector<std::optional<LineValue>>& l
 std::string structure_text(Structure structure) { return "structure \"" + name(structure) + "\""; }
 
 /// What a free Z says of a structure that does not fit.
-void tell_structure(const LineScene& scene, const FreeFit& free, const std::function<double(double)>& likely,
+void tell_structure(const LineScene& scene, const std::function<FreeFit()>& free_fit, const std::function<double(double)>& likely,
                     IdentifiedLines& out) {
+  if (scene.structure == Structure::symmetric) return;
+  const FreeFit free = free_fit();
   const double more = out.freedom - free.freedom, fall = out.chi_square - free.chi_square;
-  if (scene.structure == Structure::symmetric || !(more > 0.0) || !(fall / more > likely(more))) return;
+  if (!(more > 0.0) || !(fall / more > likely(more))) return;
   const bool free_fits = free.freedom > 0.0 && free.chi_square / free.freedom <= likely(free.freedom);
   const std::string evidence = fmt::format("a symmetric Z has χ² lower by {:.4g}, and {:.0f} is expected", fall, more);
   if (free.freedom <= 0.0) {
@@ -94,7 +96,7 @@ void judge_fit(const ident::Plan& plan, const LineScene& scene, const std::funct
   const bool estimated = out.likely > 1.001 * chi_square_quantile(out.freedom, 5.0) / out.freedom;
   const double ratio = out.chi_square / out.freedom, poor = estimated ? 4.0 : 2.0;
   const auto run = worst_run(out.likelihood.lines, likely);
-  tell_structure(scene, free_fit(), likely, out);
+  tell_structure(scene, free_fit, likely, out);
   if (ratio <= out.likely && !run) return;
   std::string sentence = fmt::format("χ²/f is {:.3g} where chance leaves {:.3g}", ratio, out.likely);
   if (run) sentence += fmt::format(", and {:.3g} from {}", run->ratio, band_text(out, run->first, run->last));

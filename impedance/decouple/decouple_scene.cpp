@@ -1,7 +1,5 @@
 #include "impedance/decouple/decouple_scene.hpp"
 
-#include <algorithm>
-
 #include "impedance/scene/line_sections.hpp"
 #include "scene/text.hpp"
 
@@ -9,22 +7,6 @@ namespace jointid::impedance {
 namespace {
 
 const std::vector<std::string> decouple_words = {"likelihood", "standard", "extended", "both"};
-
-DecoupleWay read_decouple_way(const scene::Item& item) {
-  const std::string word = item.word(decouple_words);
-  return static_cast<DecoupleWay>(std::ranges::find(decouple_words, word) - decouple_words.begin());
-}
-
-std::vector<DecoupleWay> read_decouple_ways(const scene::Item& item) {
-  if (item.is_text()) return {read_decouple_way(item)};
-  std::vector<DecoupleWay> out;
-  for (const scene::Item& each : item.list_not_empty()) {
-    const DecoupleWay way = read_decouple_way(each);
-    if (std::ranges::find(out, way) != out.end()) each.fail("the way '" + name(way) + "' is named twice");
-    out.push_back(way);
-  }
-  return out;
-}
 
 }  // namespace
 
@@ -37,7 +19,7 @@ DecoupleScene parse_decouple_scene(const std::string& text, const std::filesyste
   const scene::Item item = document.table().require("decouple");
   const scene::Table table = item.table({"interface", "way"});
   out.interface = table.require("interface").dofs();
-  if (const auto way = table.find("way")) out.ways = read_decouple_ways(*way);
+  if (const auto way = table.find("way")) out.ways = read_words<DecoupleWay>(*way, decouple_words, "way");
   out.lines.scene.joints.emplace_back();
   out.lines.scene.joints.back().dofs = out.interface;
   item.here([&] { set_structure(out.lines); });

@@ -23,16 +23,16 @@ std::size_t count(Index i) { return static_cast<std::size_t>(i); }
 
 Places range(std::size_t first, std::size_t last) {
   Places out;
-  for (std::size_t i = first; i < last; ++i) out.push_back(LineBlocks::at(i));
+  for (std::size_t i = first; i < last; ++i) out.push_back(at(i));
   return out;
 }
 Places others_of(const LineBlocks& line) { return range(0, line.others); }
 Places joint_of(const LineBlocks& line) { return range(line.others, line.others + line.joint); }
 
 Matrix pick(const Matrix& from, const Places& rows, const Places& columns) {
-  Matrix out(LineBlocks::at(rows.size()), LineBlocks::at(columns.size()));
+  Matrix out(at(rows.size()), at(columns.size()));
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    for (std::size_t c = 0; c < columns.size(); ++c) out(LineBlocks::at(r), LineBlocks::at(c)) = from(rows[r], columns[c]);
+    for (std::size_t c = 0; c < columns.size(); ++c) out(at(r), at(c)) = from(rows[r], columns[c]);
   }
   return out;
 }
@@ -40,21 +40,21 @@ Matrix pick(const Matrix& from, const Places& rows, const Places& columns) {
 /// M E_R: the columns of M at the places R of all coordinates.
 Matrix at_places(const Matrix& m, const Places& places, const LineBlocks& line) {
   Matrix out = Matrix::Zero(m.rows(), line.substructures.cols());
-  for (std::size_t i = 0; i < places.size(); ++i) out.col(places[i]) += m.col(LineBlocks::at(i));
+  for (std::size_t i = 0; i < places.size(); ++i) out.col(places[i]) += m.col(at(i));
   return out;
 }
 
 /// (11): δz of every error of the line, then its covariance.
 Eigen::MatrixXd covariance_of(const LineBlocks& line, const FirstOrder& d) {
   const Index size = d.a_sub.rows(), values = size * (size + 1) / 2;
-  Matrix jacobian(values, LineBlocks::at(line.frfs.size()));
+  Matrix jacobian(values, at(line.frfs.size()));
   for (std::size_t e = 0; e < line.frfs.size(); ++e) {
     const auto& [p, q, of_assembly] = line.frfs[e];
     const Matrix &a = of_assembly ? d.a_asm : d.a_sub, &b = of_assembly ? d.b_asm : d.b_sub;
     Matrix change = a.col(p) * b.row(q);
     if (p != q) change += a.col(q) * b.row(p);
     if (of_assembly) change = -change;
-    jacobian.col(LineBlocks::at(e)) = triangle_of(0.5 * (change + change.transpose()));
+    jacobian.col(at(e)) = triangle_of(0.5 * (change + change.transpose()));
   }
   const Matrix errors = errors_of(jacobian, line.errors);
   Eigen::MatrixXd parts(2 * values, errors.cols());
@@ -112,7 +112,7 @@ std::optional<LineValue> extended_over(const LineBlocks& line, const Places& row
 
 Basis symmetric_basis(std::size_t size) {
   Basis out;
-  const Index n = LineBlocks::at(size);
+  const Index n = at(size);
   for (Index r = 0; r < n; ++r) {
     for (Index c = r; c < n; ++c) {
       out.push_back(Eigen::MatrixXd::Zero(n, n));
@@ -124,7 +124,7 @@ Basis symmetric_basis(std::size_t size) {
 
 Matrix matrix_of(const Basis& basis, const Eigen::VectorXcd& z) {
   Matrix out = Matrix::Zero(basis.front().rows(), basis.front().cols());
-  for (std::size_t t = 0; t < basis.size(); ++t) out += z(LineBlocks::at(t)) * basis[t];
+  for (std::size_t t = 0; t < basis.size(); ++t) out += z(at(t)) * basis[t];
   return out;
 }
 
@@ -211,7 +211,7 @@ std::optional<Matrix> joint_receptance(const LineBlocks& line) {
 }
 
 std::optional<LineValue> weighed(const LineValue& from, const Basis& basis) {
-  const Index rows = from.z.size(), t = LineBlocks::at(basis.size());
+  const Index rows = from.z.size(), t = at(basis.size());
   Eigen::MatrixXd design(rows, t);
   for (Index k = 0; k < t; ++k) design.col(k) = triangle_of(basis[count(k)].cast<Complex>()).real();
   const Eigen::VectorXd scale = from.covariance.diagonal().cwiseSqrt();

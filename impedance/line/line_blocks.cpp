@@ -67,7 +67,7 @@ LineBlocks blocks_of(const ident::LineLayout& layout, const ident::LineData& dat
   out.others = layout.others;
   out.joint = layout.joint;
   out.omega = data.omega;
-  const auto size = LineBlocks::at(layout.others + layout.joint), n = LineBlocks::at(layout.others);
+  const auto size = at(layout.others + layout.joint), n = at(layout.others);
   out.substructures = out.assembly = Eigen::MatrixXcd::Zero(size, size);
   out.known_substructures = Eigen::MatrixXd::Ones(size, size);  // what the layout lacks of X and Y is zero by construction
   out.known_assembly = Eigen::MatrixXd::Zero(size, size);
@@ -80,7 +80,7 @@ LineBlocks blocks_of(const ident::LineLayout& layout, const ident::LineData& dat
     Eigen::MatrixXcd& values = of_assembly ? out.assembly : out.substructures;
     Eigen::MatrixXd& known = of_assembly ? out.known_assembly : out.known_substructures;
     for (std::size_t i = 0; i < places.size(); ++i, ++element) {
-      const Eigen::Index r = row + LineBlocks::at(places[i].row), c = column + LineBlocks::at(places[i].column);
+      const Eigen::Index r = row + at(places[i].row), c = column + at(places[i].column);
       const bool is_measured = channel.weight[i] != Complex(0.0);
       known(r, c) = known(c, r) = is_measured ? 1.0 : 0.0;
       values(r, c) = values(c, r) = is_measured ? channel.value[i] : Complex(0.0);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/eigen.hpp"
 #include "ident/likelihood/line/line_data.hpp"
 #include "impedance/line/error_columns.hpp"
 
@@ -28,7 +29,6 @@ struct LineBlocks {
   Eigen::MatrixXcd y_substructures() const { return substructures.bottomRightCorner(at(joint), at(joint)); }
   Eigen::MatrixXcd y_assembly() const { return assembly.bottomRightCorner(at(joint), at(joint)); }
 
-  static Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 };
 
 LineBlocks blocks_of(const ident::LineLayout& layout, const ident::LineData& data);

@@ -1,6 +1,5 @@
 #include "impedance/scene/read_line_scene.hpp"
 
-#include <algorithm>
 #include <array>
 
 #include "ident/scene/scene_matrix.hpp"
@@ -12,12 +11,7 @@ namespace {
 using restrictions::JointSpec;
 using restrictions::Kind;
 
-const std::vector<std::string> written_structures = {"symmetric", "diagonal", "massless", "masses"};
-
-Structure structure_at(std::ptrdiff_t word) {
-  constexpr std::array all = {Structure::symmetric, Structure::diagonal, Structure::massless, Structure::masses};
-  return all[static_cast<std::size_t>(word)];
-}
+const std::vector<std::string> written_structures = {"symmetric", "diagonal", "massless", "masses"};  // `given` has no word
 
 void read_facing(const scene::Item& item, const JointSpec& joint, LineScene& out) {
   std::vector<bool> used(joint.dofs.size());
@@ -39,8 +33,7 @@ void read_facing(const scene::Item& item, const JointSpec& joint, LineScene& out
 
 void read_structure(const scene::Item& item, JointSpec& joint, LineScene& out) {
   if (item.is_text()) {
-    const std::string word = item.word(written_structures);
-    out.structure = structure_at(std::ranges::find(written_structures, word) - written_structures.begin());
+    out.structure = read_word<Structure>(item, written_structures);
     return;
   }
   if (!item.is_table()) {
@@ -52,37 +45,10 @@ void read_structure(const scene::Item& item, JointSpec& joint, LineScene& out) {
   joint.matrices[Kind::stiffness] = ident::read_matrix_spec(table.itself(), Kind::stiffness, joint);
 }
 
-Way read_way(const scene::Item& item) {
-  const std::string word = item.word(way_names());
-  return static_cast<Way>(std::ranges::find(way_names(), word) - way_names().begin());
-}
-
-std::vector<Way> read_ways(const scene::Item& item) {
-  if (item.is_text()) return {read_way(item)};
-  std::vector<Way> out;
-  for (const scene::Item& each : item.list_not_empty()) {
-    const Way way = read_way(each);
-    if (std::ranges::find(out, way) != out.end()) each.fail("the way '" + name(way) + "' is named twice");
-    out.push_back(way);
-  }
-  return out;
-}
-
 std::vector<LawKind> read_laws(const scene::Item& item) {
+  if (!item.is_text() || item.text() != "all") return read_words<LawKind>(item, law_names(), "law");
   std::vector<LawKind> out;
-  const auto add = [&](const scene::Item& each) {
-    const std::string word = each.word(law_names());
-    const auto law = static_cast<LawKind>(std::ranges::find(law_names(), word) - law_names().begin());
-    if (std::ranges::find(out, law) != out.end()) each.fail("the law '" + word + "' is named twice");
-    out.push_back(law);
-  };
-  if (item.is_text() && item.text() == "all") {
-    for (std::size_t k = 0; k < law_names().size(); ++k) out.push_back(static_cast<LawKind>(k));
-  } else if (item.is_text()) {
-    add(item);
-  } else {
-    for (const scene::Item& each : item.list_not_empty()) add(each);
-  }
+  for (std::size_t k = 0; k < law_names().size(); ++k) out.push_back(static_cast<LawKind>(k));
   return out;
 }
 
@@ -110,8 +76,7 @@ void read_smoothing(const scene::Table& joint, LineScene& out) {
   if (splines) out.splines = static_cast<std::size_t>(splines->whole(least, most));
   if (!smooth) return;
   if (smooth->is_text()) {
-    const std::string word = smooth->word(smoothing_names());
-    out.smoothing = static_cast<Smoothing>(std::ranges::find(smoothing_names(), word) - smoothing_names().begin());
+    out.smoothing = read_word<Smoothing>(*smooth, smoothing_names());
   } else {
     out.lambda = smooth->positive();
     out.smoothing = Smoothing::given;
@@ -135,7 +100,7 @@ void read_joint(const scene::Table& table, LineScene& out) {
     }
     read_facing(*facing, spec, out);
   }
-  if (const auto way = joint.find("way")) out.ways = read_ways(*way);
+  if (const auto way = joint.find("way")) out.ways = read_words<Way>(*way, way_names(), "way");
   read_law_keys(joint, out);
   read_smoothing(joint, out);
   item.here([&] { set_structure(out); });

@@ -32,14 +32,6 @@ double power_method(std::size_t n, const Function& f) {
   return norm;
 }
 
-std::vector<double> product(const StackedTriangles& stacked, const std::vector<double>& x) {
-  std::vector<double> image(stacked.matrix.rows, 0.0);
-  const SparseEntries& a = stacked.matrix;
-  for (std::size_t e = 0; e < a.value.size(); ++e)
-    image[static_cast<std::size_t>(a.row[e])] += a.value[e] * x[static_cast<std::size_t>(a.column[e])];
-  return stacked.transposed(image);
-}
-
 }  // namespace
 
 std::optional<LinearSolution> solve_sparse_normal(Accumulator& accumulator, Condition condition, SparseWay way) {
@@ -50,7 +42,7 @@ std::optional<LinearSolution> solve_sparse_normal(Accumulator& accumulator, Cond
   if (!factor->factorize(normal_matrix(stacked))) return std::nullopt;
   LinearSolution out;
   const double inverse = power_method(n, [&](const std::vector<double>& x) { return factor->solve(x); });
-  const double largest = power_method(n, [&](const std::vector<double>& x) { return product(stacked, x); });
+  const double largest = power_method(n, [&](const std::vector<double>& x) { return stacked.transposed(stacked.product(x)); });
   out.condition = std::sqrt(inverse * largest);
   if (!(out.condition < largest_condition)) return std::nullopt;
   out.rank = n;

@@ -118,9 +118,11 @@ struct SmallestValues {
 };
 
 Eigen::MatrixXd times(const StackedTriangles& stacked, const Eigen::MatrixXd& v) {
-  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(at(stacked.matrix.rows), v.cols());
-  const SparseEntries& a = stacked.matrix;
-  for (std::size_t e = 0; e < a.value.size(); ++e) out.row(a.row[e]) += a.value[e] * v.row(a.column[e]);
+  Eigen::MatrixXd out(at(stacked.matrix.rows), v.cols());
+  for (Eigen::Index c = 0; c < v.cols(); ++c) {
+    const std::vector<double> image = stacked.product({v.col(c).begin(), v.col(c).end()});
+    out.col(c) = Eigen::Map<const Eigen::VectorXd>(image.data(), out.rows());
+  }
   return out;
 }
 
@@ -152,14 +154,14 @@ SmallestValues smallest_values(const StackedTriangles& stacked, const Staircase&
 /// Largest singular value, from below.
 double largest_value(const StackedTriangles& stacked) {
   Eigen::VectorXd x = random_block(at(stacked.matrix.columns), 1).normalized();
-  double norm = 0.0;
+  double largest = 0.0;
   for (int step = 0; step < 10 && x.size() > 0; ++step) {
-    const Eigen::VectorXd image = times(stacked, x);
-    norm = image.norm();
-    const std::vector<double> back = stacked.transposed({image.begin(), image.end()});
+    const std::vector<double> image = stacked.product({x.begin(), x.end()});
+    largest = norm(image);
+    const std::vector<double> back = stacked.transposed(image);
     x = Eigen::Map<const Eigen::VectorXd>(back.data(), x.size()).stableNormalized();
   }
-  return norm;
+  return largest;
 }
 
 LinearSolution solve_by_qr(Accumulator& accumulator, Condition asked) {

@@ -40,6 +40,14 @@ void StackedTriangles::append(const std::vector<std::size_t>& columns, const Tri
   }
 }
 
+std::vector<double> StackedTriangles::product(const std::vector<double>& y) const {
+  std::vector<double> out(matrix.rows, 0.0);
+  for (std::size_t e = 0; e < matrix.value.size(); ++e) {
+    out[static_cast<std::size_t>(matrix.row[e])] += matrix.value[e] * y[static_cast<std::size_t>(matrix.column[e])];
+  }
+  return out;
+}
+
 std::vector<double> StackedTriangles::residual(const std::vector<double>& y) const {
   std::vector<double> out = right;
   for (std::size_t e = 0; e < matrix.value.size(); ++e) {

@@ -15,6 +15,8 @@ struct StackedTriangles {
 
   explicit StackedTriangles(const Accumulator& accumulator);
 
+  /// A y.
+  std::vector<double> product(const std::vector<double>& y) const;
   /// b − A y.
   std::vector<double> residual(const std::vector<double>& y) const;
   /// Aᵀ r.

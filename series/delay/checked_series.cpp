@@ -2,9 +2,15 @@
 
 #include <cmath>
 
+#include "base/eigen.hpp"
 #include "base/error.hpp"
 
 namespace jointid::series {
+
+double deviation(std::span<const double> x) {
+  const Eigen::Map<const Eigen::VectorXd> values(x.data(), at(x.size()));
+  return std::sqrt((values.array() - values.mean()).square().mean());
+}
 
 void check_series(std::span<const double> x, std::size_t least) {
   if (x.size() < least) {

@@ -125,8 +125,7 @@ RecordExponent largest_exponent_rosenstein(std::span<const double> x, const Dive
 RecordExponent largest_exponent_kantz(std::span<const double> x, const DivergenceOptions& options, const PlateauOptions& plateau,
                                       double agreement) {
   check_series(x, 2);
-  const Eigen::Map<const Eigen::VectorXd> values(x.data(), at(x.size()));
-  const double sigma = std::sqrt((values.array() - values.mean()).square().mean());
+  const double sigma = deviation(x);
   std::vector<DivergenceCurve> curves;
   DivergenceOptions each = options;
   for (std::size_t more = 0; more < 3; ++more) {

@@ -9,12 +9,6 @@
 namespace jointid::series {
 namespace {
 
-/// The population standard deviation.
-double deviation(std::span<const double> x) {
-  const Eigen::Map<const Eigen::VectorXd> values(x.data(), at(x.size()));
-  return std::sqrt((values.array() - values.mean()).square().mean());
-}
-
 FalseNeighbours in_dimension(std::span<const double> x, std::size_t d, double sigma, const FalseNeighbourOptions& options) {
   const std::size_t count = x.size() - d * options.delay;
   const RowMatrixXd points = delay_points(x, {d, options.delay}, count);

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "base/control.hpp"
-#include "base/eigen.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "series/delay/checked_series.hpp"
 #include "tasks/tell.hpp"
 
 namespace jointid::tasks {
@@ -95,9 +95,8 @@ class DelayRun {
 
   void find_wolf() {
     constexpr double near = 0.001, far = 0.1;  // of the standard deviation: beyond the noise, within a fold
-    const Eigen::Map<const Eigen::ArrayXd> values(x_.data(), at(x_.size()));
-    const double deviation = std::sqrt((values - values.mean()).square().mean());
-    out_.wolf_range = task_.wolf_range.value_or(std::array{near * deviation, far * deviation});
+    const double sigma = series::deviation(x_);
+    out_.wolf_range = task_.wolf_range.value_or(std::array{near * sigma, far * sigma});
     for (const std::size_t evolve : task_.wolf) {
       out_.wolf.push_back({evolve, series::wolf_exponent(x_, {.embedding = out_.embedding,
                                                               .theiler = out_.theiler,
