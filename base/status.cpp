@@ -32,7 +32,7 @@ consteval bool is_in_order() {
   }
   return true;
 }
-static_assert(is_in_order(), "rows stand in the order of the enumerators");
+static_assert(is_in_order(), "rows are in the order of the enumerators");
 
 /// Nothing where a file has a number that is none.
 const Row* row_of(Status status) {

@@ -80,7 +80,7 @@ class Builder {
     if (owners.size() > 1) {
       const std::string &one = parts_[owners[0]].name, &two = parts_[owners[1]].name;
       fail("DOF " + placed.name(), "it is in " + one + " and in " + two,
-           "say which: \"" + one + "/" + placed.dof.name() + "\"");
+           "name the one that is meant: \"" + one + "/" + placed.dof.name() + "\"");
     }
     const frf::FrfSystem& system = *parts_[owners[0]].system;
     const std::vector<frf::Dof>& dofs = frf::has(system.responses(), placed.dof) ? system.responses() : system.references();

@@ -23,9 +23,9 @@ void require_variance(const frf::FrfHeader& header, bool law) {
   if (header.noise == frf::NoiseRecord::coherence) {
     if (header.averages >= 2.0) return;
     fail(header.file, "its coherences come from " + std::to_string(header.averages) + " averages",
-         "coherences need at least two averages to say anything of the noise");
+         "coherences give the noise from two averages on");
   }
-  if (!law) fail(header.file, "it has neither variances nor coherences", "say the noise in [noise]");
+  if (!law) fail(header.file, "it has neither variances nor coherences", "give the noise in [noise]");
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "laws/scene/read_law_scene.hpp"
 #include "laws/task/identify_laws.hpp"
 #include "laws/task/law_bound.hpp"
+#include "python/lines.hpp"
 #include "report/check_json.hpp"
 #include "report/json_value.hpp"
 #include "report/laws/law_bound_text.hpp"
@@ -119,6 +120,7 @@ Outcome bound_of_laws(const SceneText& text, bool has_candidates) {
 
 Outcome solve(const SceneText& text, const ident::Control& control, SoFar& so_far) {
   if (scene::is_law_scene(text.text, text.file)) return solve_laws(text, control);
+  if (scene::is_line_scene(text.text, text.file)) return solve_lines(text, control);
   auto plan = ident::make_plan(ident::parse_scene(text.text, text.file));
   ident::Control judging = control;
   judging.judgement = ident::Judgement::data;
@@ -151,7 +153,7 @@ Outcome check(const SceneText& text, const ident::Control& control) {
 
 Outcome plan(const SceneText& text, const ident::Control&) {
   if (scene::is_law_scene(text.text, text.file))
-    refuse_law_scene(text, "scenes of friction laws have no plan but the bound", "call bound(): what the levels will tell");
+    refuse_law_scene(text, "scenes of friction laws have no plan but the bound", "call bound(): what the levels will determine");
   const std::shared_ptr<const ident::Plan> made = ident::make_plan(ident::parse_scene(text.text, text.file));
   return {.status = {},
           .message = {},

@@ -9,10 +9,12 @@
 
 #include "python/arrays.hpp"
 #include "python/identify.hpp"
+#include "python/lines.hpp"
 #include "python/predict.hpp"
 #include "python/sets.hpp"
 #include "python/trials.hpp"
 #include "python/watch.hpp"
+#include "scene/kind.hpp"
 #include "scene/text.hpp"
 
 namespace jointid::python {
@@ -108,6 +110,12 @@ Outcome run_couple(const std::string& text, const std::string& file, std::size_t
   });
 }
 
+Outcome run_decouple(const std::string& text, const std::string& file, std::size_t threads, const py::object& progress,
+                     const std::string& out) {
+  return run_scene(text, file, threads, progress,
+                   [out](const SceneText& scene, const ident::Control& control) { return decouple(scene, out, control); });
+}
+
 py::dict virtual_points(const std::string& text, const std::string& file, const std::string& path) {
   return dict_of(watched(py::none(), 0, [scene = SceneText{text, file}, path](const ident::Control&) {
     return at_virtual_points(scene, path);
@@ -143,6 +151,8 @@ void bind_scene_tasks(py::module_& module) {
   module.def("study", run_study);
   module.def("compare", run_compare);
   module.def("couple", run_couple);
+  module.def("decouple", run_decouple);
+  module.def("is_line_scene", [](const std::string& text, const std::string& file) { return scene::is_line_scene(text, file); });
   module.def("virtual_points", virtual_points);
   module.def("read_text", [](const std::string& file) { return py::bytes(scene::read_text(file)); });
 }

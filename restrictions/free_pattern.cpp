@@ -52,7 +52,7 @@ LocalMatrix from_free_pattern(const JointSpec& joint, Kind kind) {
   const Eigen::Index unknowns = basis.cols() * (basis.cols() + 1) / 2;
   if (unknowns * basis.rows() * basis.rows() > most_terms) {
     fail(joint, kind, "pattern \"free\" of " + std::to_string(basis.rows()) + " DOFs is too large: each of its " +
-                          std::to_string(unknowns) + " unknowns stands at every element",
+                          std::to_string(unknowns) + " unknowns is at every element",
          "split the joint, or use springs");
   }
   LocalMatrix matrix;

@@ -89,9 +89,9 @@ const T& Item::as(const char* expected) const {
   if (const T* content = std::get_if<T>(&value_->content)) return *content;
   const std::string header = table_.empty() ? key_ : table_ + "." + key_;
   std::string remedy;
-  if (std::is_same_v<T, Members> && is_list_of_tables(*value_)) remedy = "[[" + header + "]] should say [" + header + "]";
+  if (std::is_same_v<T, Members> && is_list_of_tables(*value_)) remedy = "[[" + header + "]] should be [" + header + "]";
   if (std::is_same_v<T, Array> && is_table() && (table_.empty() || stands_as_list(header)))
-    remedy = "[" + header + "] should say [[" + header + "]]";
+    remedy = "[" + header + "] should be [[" + header + "]]";
   fail("expected " + std::string(expected) + ", found " + std::visit(Describe(), value_->content), remedy);
 }
 

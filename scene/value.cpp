@@ -45,7 +45,7 @@ Value convert(const toml::node& node) {
 std::string remedy_of(const std::string& text, const std::string& problem) {
   if (text.find('\0') != std::string::npos) return "is it a scene file (TOML)?";
   if (problem.find("cannot redefine") == std::string::npos) return "correct the TOML there";
-  return "a key stands in a table once; several springs of one name are a list: k1 = [[\"4:+Y\", \"5:+Y\"], [\"6:+Y\", "
+  return "a key is in a table once; several springs of one name are a list: k1 = [[\"4:+Y\", \"5:+Y\"], [\"6:+Y\", "
          "\"7:+Y\"]]";
 }
 

@@ -73,7 +73,7 @@ void require_rank(const VirtualPoint& point, Side side, const frf::FrfHeader& he
     if (share[i] > counts) unseen += (unseen.empty() ? "" : ", ") + names[static_cast<std::size_t>(i)].name();
   }
   fail(header, name(point),
-       fmt::format("its {} {} in the file tell {} of its {} motions: {} cannot be told apart or not be seen", out.channels.size(),
+       fmt::format("its {} {} in the file determine {} of its {} motions: {} cannot be separated, or are not seen", out.channels.size(),
                    word(side), rank, modes, unseen),
        std::string("add ") + word(side) + " elsewhere or in other directions, or give it fewer modes (plane, flexible)");
 }

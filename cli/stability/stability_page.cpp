@@ -37,7 +37,7 @@ report::StatusBanner stability_banner(const StabilityReport& report) {
       static_cast<std::size_t>(std::ranges::count(report.rows, stability::Honesty::silent_wrong, &stability::Measured::verdict)) +
       report.count.silent_wrong;
   if (silent == 0) return {report::Trust::good, "ok", "No solution was silently wrong."};
-  return {report::Trust::bad, "silently wrong", fmt::format("{} solutions were wrong and did not say so.", silent)};
+  return {report::Trust::bad, "silently wrong", fmt::format("{} solutions were wrong without a warning.", silent)};
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ report::StatusBanner stability_banner(const StabilityReport& report) {
 std::string stability_report(const StabilityReport& report) {
   report::ReportPage page("Numerical stability", "jointid stability");
   page.status(stability_banner(report));
-  page.section("What solutions say of themselves");
+  page.section("What solutions state of themselves");
   page.add(verdict_table(report));
   page.add(
       report::Text{"Silent wrong: off by more than 10 times the stated bound, without status or warning. "

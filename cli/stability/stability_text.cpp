@@ -14,8 +14,8 @@ std::string stability_text(const StabilityReport& report) {
   }
   text +=
       "digits: of the unknowns, each times the norm of its column, against the same identification of the same FRFs in 50 digits\n"
-      "digits true: of the worst unknown over the largest, against the truth; stated: what the solution says\n\n"
-      "what solutions say of themselves\n" +
+      "digits true: of the worst unknown over the largest, against the truth; stated: by the solution\n\n"
+      "what solutions state of themselves\n" +
       verdict_table(report).text();
   if (report.count.scenes > 0) text += fmt::format("  random scenes of seed {}\n", report.seed);
   text +=

@@ -172,7 +172,7 @@ class AnalyserText {
       } else if (footers_.empty()) {
         read_row(cells);
       } else {
-        fail("line " + std::to_string(footers_.front().line), "a line of words stands between lines of numbers", "remove it");
+        fail("line " + std::to_string(footers_.front().line), "a line of words is between lines of numbers", "remove it");
       }
     }
     read_footers();
@@ -226,7 +226,7 @@ class AnalyserText {
   std::vector<double> si_factors() {
     if (!options_.unit.empty()) units_.assign(frfs_, options_.unit);
     if (std::ranges::all_of(units_, [](const std::string& unit) { return unit.empty(); })) {
-      if (!options_.quantity) fail({}, "does not say which quantity it holds", "name it, e.g. --quantity accelerance");
+      if (!options_.quantity) fail({}, "does not state which quantity it holds", "name it, e.g. --quantity accelerance");
       set_.header.quantity = *options_.quantity;
       return std::vector<double>(frfs_, 1.0);
     }

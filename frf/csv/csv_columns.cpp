@@ -95,7 +95,7 @@ class HeaderRow {
     if (column > 1 && named != named_) fail(column, "columns with and without DOFs", "name all of them or none");
     named_ = named;
     const Pair pair = named ? named_pair(column, label) : unnamed_pair(column, part);
-    if (pairs_[pair].has(part)) fail(column, "'" + name + "' stands there twice", "remove one");
+    if (pairs_[pair].has(part)) fail(column, "'" + name + "' is there twice", "remove one");
     pairs_[pair][part] = column;
   }
 
@@ -116,7 +116,7 @@ class HeaderRow {
     const std::string plain = lower_case(unit);
     if (is_degrees(plain)) return phase_deg;
     if (plain == "rad" || plain == "radians" || plain == "radian") return phase_rad;
-    fail(column, "'" + table_.columns[column] + "' does not say whether it is in degrees or radians",
+    fail(column, "'" + table_.columns[column] + "' does not state whether it is in degrees or radians",
          "name it phase_deg or phase_rad");
   }
 

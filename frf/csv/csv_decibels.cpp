@@ -16,7 +16,7 @@ namespace jointid::frf {
 namespace {
 
 constexpr const char* give_reference =
-    "say what 0 dB is, e.g. [dB re 1 g/N] in the title or # unit = dB re 1 g/N, or export magnitudes";
+    "state what 0 dB is, e.g. [dB re 1 g/N] in the title or # unit = dB re 1 g/N, or export magnitudes";
 
 struct DecibelReference {
   double value = 1.0;
@@ -81,7 +81,7 @@ void resolve_decibels(CsvTable& table, const CsvColumns& columns, bool unit_give
     if (!reference)
       table.fail(table.units_line, column,
                  "unknown unit '" + shown_label(label) + "': a level in decibels whose reference " +
-                     (unit_given ? "the given unit does not say" : "is not understood"),
+                     (unit_given ? "the given unit does not state" : "is not understood"),
                  give_reference);
     to_magnitudes(table, column, *reference);
   }

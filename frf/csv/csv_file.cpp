@@ -68,7 +68,7 @@ CsvTable table_of(LvmFile&& lvm, const CsvGiven& given) {
   table.file = lvm.file, table.header_line = table.units_line = lvm.titles_line;
   if (lower_case(lvm.dimension) != "frequency" && given.frequency_unit.empty())
     fail(table, "X_Dimension", "is over '" + shown_label(lvm.dimension) + "', not over frequencies",
-         "make FRFs of time records by jointid frf, or say what the axis is in: --frequency-unit, in a scene frequency_unit");
+         "make FRFs of time records by jointid frf, or give the unit of the axis: --frequency-unit, in a scene frequency_unit");
   const std::string& axis = given.frequency_unit.empty() ? lvm.x_unit : given.frequency_unit;
   table.hz_per_unit = located(table.file, "X_Unit_Label", [&] { return hertz_per(axis).value_or(1.0); });
   table.columns = {"Frequency"}, table.units = {""}, table.places = {0};
@@ -105,8 +105,8 @@ Quantity read_quantity(const CsvTable& table, const CsvColumns& columns, const O
   const std::string unit = first_unit(table, columns);
   if (const auto quantity = quantity_of_unit(unit)) return *quantity;
   if (!states_no_unit(unit))
-    fail(table, {}, unknown_unit(unit), "correct it, or say what the numbers are: --unit g/N, in a scene unit");
-  fail(table, {}, "does not say which quantity it holds", "begin it with e.g. # quantity = accelerance");
+    fail(table, {}, unknown_unit(unit), "correct it, or give the unit of the numbers: --unit g/N, in a scene unit");
+  fail(table, {}, "does not state which quantity it holds", "begin it with e.g. # quantity = accelerance");
 }
 
 /// Factor to SI of a label; what is wrong with it can be put right by the user, too.
@@ -114,7 +114,7 @@ double factor_of(const CsvTable& table, const std::string& place, const std::str
   try {
     return located(table.file, place, [&] { return si_factor(label, header); });
   } catch (const InputError& error) {
-    fail(table, place, error.parts().problem, error.parts().remedy + "; or say what the numbers are: --unit, in a scene unit");
+    fail(table, place, error.parts().problem, error.parts().remedy + "; or give the unit of the numbers: --unit, in a scene unit");
   }
 }
 

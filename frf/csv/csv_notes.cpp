@@ -14,7 +14,7 @@
 namespace jointid::frf {
 namespace {
 
-constexpr const char* give_unit = "correct it, or say what the numbers are: --unit g/N, in a scene unit";
+constexpr const char* give_unit = "correct it, or give the unit of the numbers: --unit g/N, in a scene unit";
 
 /// Words of a key in lower case, without signs around them.
 std::vector<std::string> words_of(std::string_view key) {

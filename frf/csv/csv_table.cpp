@@ -82,7 +82,7 @@ class CsvReader {
       return;
     }
     if (!first_words_.empty())
-      table_.fail(words_line_, 0, "'" + shown_label(first_words_) + "' stands between lines of numbers",
+      table_.fail(words_line_, 0, "'" + shown_label(first_words_) + "' is between lines of numbers",
                   "begin lines that are no rows of the table with #, or remove what does not belong to it");
     read_row(line);
   }
@@ -91,7 +91,7 @@ class CsvReader {
     notes_.push_back(footer);
     const std::string words = footer.key.empty() ? footer.value : footer.key + ": " + footer.value;
     if (warns_of_data(words))
-      table_.doubts.push_back("line " + std::to_string(footer.line) + " below the table says '" + shown_label(words) + "'");
+      table_.doubts.push_back("line " + std::to_string(footer.line) + " below the table states '" + shown_label(words) + "'");
   }
 
   /// "#DIV/0!", which is no comment, in the first cell of a row.
@@ -248,14 +248,14 @@ class CsvReader {
   void require_clear_angles() const {
     constexpr double surely_degrees = 30.0;
     if (angle_line_ == 0 || largest_angle_ > surely_degrees) return;
-    table_.fail(angle_line_, angle_column_, "an angle does not say whether it is in degrees or radians",
+    table_.fail(angle_line_, angle_column_, "an angle does not state whether it is in degrees or radians",
                 "write its unit behind it: 1.2∠-45° or 1.2∠-0.785rad");
   }
 
   /// 1,000 beside 990 may be one or a thousand; programs that write decimals write them in all numbers.
   void require_clear_commas() const {
     if (comma_line_ == 0 || surely_decimal_ || !whole_numbers_) return;
-    table_.fail(comma_line_, 0, "all commas stand before three digits: they may be decimal signs or marks of thousands",
+    table_.fail(comma_line_, 0, "all commas are before three digits: they may be decimal signs or marks of thousands",
                 "export the numbers without marks of thousands, or with decimal points");
   }
 

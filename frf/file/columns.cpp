@@ -32,7 +32,7 @@ std::size_t Columns::place(std::string_view name_or_number) const {
   const auto alike = [&](const NumberColumn& column) { return lower_case(column.name) == wanted; };
   const auto exact = std::ranges::count_if(columns, same), any = exact > 0 ? exact : std::ranges::count_if(columns, alike);
   if (any > 1) {
-    fail_columns(file, "the name '" + std::string(name_or_number) + "' stands above " + std::to_string(any) + " columns",
+    fail_columns(file, "the name '" + std::string(name_or_number) + "' is above " + std::to_string(any) + " columns",
                  "give the number of the one that is meant; the columns are " + names());
   }
   const auto found = exact > 0 ? std::ranges::find_if(columns, same) : std::ranges::find_if(columns, alike);

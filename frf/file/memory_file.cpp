@@ -32,7 +32,7 @@ void validate(const FrfArrays& arrays) {
   if (arrays.rank > 0 && !arrays.covariance.empty())
     fail(header, "covariance", "there are covariances and a factor of them", "give one of both");
   if (arrays.rank == 0 && !arrays.factor_diagonal.empty())
-    fail(header, "covariance_diagonal", "it stands without a factor", "give the variances in its place");
+    fail(header, "covariance_diagonal", "it is given without a factor", "give the variances in its place");
   require_length(header, "reference_correlation", arrays.reference_correlation.size(), lines * columns * columns, true);
 }
 

@@ -19,7 +19,7 @@ void write(const FrfSet& set, const std::filesystem::path& path, std::string for
       {.kind = ErrorKind::usage,
        .file = path.string(),
        .place = {},
-       .problem = format.empty() ? "has no extension that says the format" : "'" + format + "' is no format of FRF files",
+       .problem = format.empty() ? "has no extension of a format" : "'" + format + "' is no format of FRF files",
        .remedy = "name the file .h5, .uff, .mat or .csv"});
 }
 

@@ -40,7 +40,7 @@ class Reader {
     read_dofs();
     header.quantity = read_quantity();
     if (header.response.empty()) {
-      lookup_.fail({}, "does not say at which DOFs " + frf_.name + " was measured",
+      lookup_.fail({}, "does not state at which DOFs " + frf_.name + " was measured",
                    "give the response and reference DOFs, or add cell arrays response_dof and reference_dof");
     }
     validate(header);
@@ -88,7 +88,7 @@ class Reader {
       return located(file_.file(), place_of("quantity"), [&] { return parse_quantity(text, options_.quantity); });
     if (options_.quantity) return *options_.quantity;
     if (const auto quantity = quantity_of_unit(unit_label())) return *quantity;
-    lookup_.fail({}, "does not say which quantity it holds", "give the quantity, or add a text quantity = 'accelerance'");
+    lookup_.fail({}, "does not state which quantity it holds", "give the quantity, or add a text quantity = 'accelerance'");
   }
 
   /// As the program that wrote the array shows them.

@@ -50,7 +50,7 @@ void validate(const NoiseModel& model) {
   require(model.coherence > 0.0 && model.coherence <= 1.0, "noise coherence", model.coherence,
           "0 < coherence <= 1 is needed");
   require(model.averages >= 2, "noise averages", model.averages,
-          "one average tells nothing of the noise; use 2 or more");
+          "one average gives no noise; use 2 or more");
 }
 
 }  // namespace jointid::frf

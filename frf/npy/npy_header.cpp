@@ -24,7 +24,7 @@ class HeaderText {
     expect('{');
     while (!take('}')) {
       const std::string key = quoted();
-      if (!seen.insert(key).second) fail("the key '" + key + "' stands twice");
+      if (!seen.insert(key).second) fail("the key '" + key + "' is there twice");
       expect(':');
       if (key == "descr")
         type(header);

@@ -60,7 +60,7 @@ Directory directory_of(const Archive& archive, const std::string& file) {
   const bool wide = directory.entries == no_count || directory.begin == no_size;
   if (wide && at >= locator_size && archive.has(at - locator_size, locator_mark)) {
     const std::uint64_t end64 = archive.number(at - locator_size + 8, 8);
-    if (!archive.has(end64, end64_mark)) fail(file, {}, "is damaged: the archive's end is not where it is said to be");
+    if (!archive.has(end64, end64_mark)) fail(file, {}, "is damaged: the archive's end is not where its directory states");
     directory = {archive.number(end64 + 32, 8), archive.number(end64 + 48, 8)};
   }
   if (directory.entries > most_entries) fail(file, {}, "declares " + std::to_string(directory.entries) + " arrays");
@@ -95,7 +95,7 @@ NpzEntry read_entry(const Archive& archive, std::uint64_t at, const std::string&
   if ((flags & 1U) != 0) fail(file, entry.name, "is encrypted", "save it with numpy.savez()");
   if (method != 0 && method != 8)
     fail(file, entry.name, "is packed by method " + std::to_string(method), "save it with numpy.savez()");
-  if (!archive.has(local, local_mark)) fail(file, entry.name, "is damaged: it is not where the archive says");
+  if (!archive.has(local, local_mark)) fail(file, entry.name, "is damaged: it is not where the archive states");
   entry.deflated = method == 8;
   entry.stored = archive.part(local + local_size + archive.number(local + 26, 2) + archive.number(local + 28, 2), packed);
   const bool right = entry.deflated ? entry.size / best_compression <= packed : entry.size == packed;

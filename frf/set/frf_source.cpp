@@ -263,7 +263,7 @@ void FrfSource::read_reference_correlation(std::span<const std::size_t> lines, s
 }
 
 void FrfSource::do_read_reference_correlation(std::span<const std::size_t>, std::span<const std::size_t>, std::span<Complex>) {
-  throw std::logic_error("a source whose references are correlated must say how");
+  throw std::logic_error("a source whose references are correlated must state how");
 }
 
 void FrfSource::do_read_factor(const Block&, std::span<Complex>, std::span<double>) {

@@ -38,9 +38,9 @@ constexpr std::string_view invert =
 
 /// Words that leave it open what is meant, and those of force over motion.
 constexpr std::array<OtherWord, 11> words_left_open = {{
-    {"admittance", "is said of receptances, of mobilities and of accelerances", ask},
-    {"compliance", "is said of static flexibilities and of receptances", ask},
-    {"flexibility", "is said of static flexibilities and of receptances", ask},
+    {"admittance", "may mean receptances, mobilities or accelerances", ask},
+    {"compliance", "may mean static flexibilities or receptances", ask},
+    {"flexibility", "may mean static flexibilities or receptances", ask},
     {"impedance", "is force over velocity, the inverse of a matrix of mobilities", invert},
     {"mechanical impedance", "is force over velocity, the inverse of a matrix of mobilities", invert},
     {"dynamic stiffness", "is force over displacement, the inverse of a matrix of receptances", invert},
@@ -48,7 +48,7 @@ constexpr std::array<OtherWord, 11> words_left_open = {{
     {"apparent mass", "is force over acceleration, the inverse of a matrix of accelerances", invert},
     {"dynamic mass", "is force over acceleration, the inverse of a matrix of accelerances", invert},
     {"effective mass", "is force over acceleration, the inverse of a matrix of accelerances", invert},
-    {"transmissibility", "is motion over motion and tells no force", "export motion over force"},
+    {"transmissibility", "is motion over motion without a force", "export motion over force"},
 }};
 
 /// In lower case, with one blank for blanks, hyphens and underscores.
@@ -72,7 +72,7 @@ std::string name(Quantity quantity) { return quantity_names[static_cast<std::siz
 std::string unit(Quantity quantity) { return units[static_cast<std::size_t>(quantity)]; }
 
 std::string taken_for(Quantity given, Quantity stated) {
-  return "taken for " + name(given) + ", not for the " + name(stated) + " that the file says";
+  return "taken for " + name(given) + ", not for the " + name(stated) + " that the file states";
 }
 
 Quantity parse_quantity(std::string_view text) {

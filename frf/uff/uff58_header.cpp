@@ -99,7 +99,7 @@ class RecordLine {
     place_.fail(record_,
                 std::string(what) + " '" + to_utf8(field) + "' in columns " + std::to_string(begin + 1) +
                     "-" + std::to_string(begin + width) + " is not valid",
-                "the header's fields must stand in the columns of the UFF 58 format");
+                "the header's fields must be in the columns of the UFF 58 format");
   }
 
  private:

@@ -62,7 +62,7 @@ class Attachment {
     find_records();
     if (multiple_ > 0)
       doubts_.push_back("multiple coherences (function type 26, " + std::to_string(multiple_) +
-                        " of them) are not used: they say nothing of one FRF alone");
+                        " of them) are not used: they belong to no single FRF");
     if (found_.empty() || !all_have_one()) return;
     for (auto& [at, record] : catalogue_.grid) {
       record.coherence = found_.at(coordinates(function_of(record))).front();
@@ -110,7 +110,7 @@ class Attachment {
                         std::to_string(catalogue_.grid.size()) + " FRFs have none: " + first_of(without));
     }
     if (differ) doubts_.push_back("coherences are not used, as some FRFs have several that differ: " + first_of(several));
-    if (!differ && !several.empty()) doubts_.push_back("the same coherence stands there several times: " + first_of(several));
+    if (!differ && !several.empty()) doubts_.push_back("the same coherence is there several times: " + first_of(several));
     return without.empty() && !differ;
   }
 

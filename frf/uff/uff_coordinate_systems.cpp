@@ -70,7 +70,7 @@ Vector combined(const Axes& axes, const Vector& local) {
   return out;
 }
 
-/// X towards the second point, Z towards the side of the third; empty where they do not say a plane.
+/// X towards the second point, Z towards the side of the third; empty where they do not define a plane.
 std::optional<Axes> axes_through(const std::array<Vector, 3>& points) {
   Vector x = difference(points[1], points[0]), y = cross(difference(points[2], points[0]), x);
   const double along = std::sqrt(dot(x, x)), across = std::sqrt(dot(y, y));
@@ -136,7 +136,7 @@ void CoordinateSystems::read_points(ByteFile& file, const Dataset& dataset, doub
 bool CoordinateSystems::place(const Points& points) {
   const auto axes = axes_through(points.points);
   if (!axes)
-    fail(*points.dataset, "the three points of coordinate system " + std::to_string(points.label) + " do not say a plane");
+    fail(*points.dataset, "the three points of coordinate system " + std::to_string(points.label) + " do not define a plane");
   System system{points.kind, *axes, points.points[0]};
   const System* reference = points.reference == 0 ? nullptr : find(points.reference);
   if (points.reference != 0 && reference == nullptr) return false;

@@ -91,7 +91,7 @@ void give(std::vector<Dataset>& datasets, const std::vector<std::size_t>& record
     fail(file,
          std::string("its ") + side.what + " are given (" + side.option + ", or " + side.key +
              " in a scene), and its records name their own, " + own + " first",
-         "leave them out; to change names of sensors say rename or rename_reference under [data.files.\"NAME\"]");
+         "leave them out; to change names of sensors use rename or rename_reference under [data.files.\"NAME\"]");
   }
   if (names.size() == given.size()) return give_by_name(datasets, given, names, side);
   if (names.size() == 1 && given.size() == records.size()) return give_in_order(datasets, given, side);
@@ -149,7 +149,7 @@ void give_dofs(std::vector<Dataset>& datasets, const std::vector<std::size_t>& r
     fail(file,
          "its records have one name, and " + std::to_string(response.size()) + " responses and " +
              std::to_string(reference.size()) + " references are given",
-         "nothing says which is which: export the FRFs of each reference to a file of its own");
+         "the records do not state which is which: export the FRFs of each reference to a file of its own");
   }
   if (!response.empty()) give(datasets, records, response, responses, file);
   if (!has_references) return;

@@ -38,7 +38,7 @@ class Scanner {
       if (trim(line_).empty()) continue;
       if (ends || (!datasets_.empty() && only_words_follow())) return false;
       const std::string text = to_utf8(one_byte_per_column(line_.substr(0, 20)));
-      place.fail({}, "a dataset must begin with '    -1' but '" + text + "' stands here",
+      place.fail({}, "a dataset must begin with '    -1' but '" + text + "' is here",
                  datasets_.empty() ? "this is not a UFF file" : damaged);
     }
     return false;
@@ -212,7 +212,7 @@ class Scanner {
                        damaged);
     }
     found.place.fail("data",
-                     "no closing '    -1' stands after the " + std::to_string(bytes) +
+                     "no closing '    -1' is after the " + std::to_string(bytes) +
                          " bytes that record 7 implies (the number line declares " +
                          std::to_string(declared_bytes_) + ")",
                      damaged);
@@ -234,7 +234,7 @@ class Scanner {
     if (!closes_at(found.payload_end)) {
       found.place.fail(
           "data",
-          "no closing '    -1' stands after the declared " + std::to_string(declared_bytes_) + " bytes",
+          "no closing '    -1' is after the declared " + std::to_string(declared_bytes_) + " bytes",
           damaged);
     }
   }

@@ -51,7 +51,7 @@ constexpr const char* give_quantity =
     "--quantity of the command";
 
 constexpr const char* give_unit =
-    "export calibrated channels, or say what its numbers are: unit = \"m/(s^2*N)\" under [data.files.\"NAME\"] in the scene, or "
+    "export calibrated channels, or give the unit of its numbers: unit = \"m/(s^2*N)\" under [data.files.\"NAME\"] in the scene, or "
     "--unit of "
     "the command";
 
@@ -157,7 +157,7 @@ Quantity resolve_quantity(std::optional<Quantity> types, std::optional<Quantity>
   if (!types) {
     place.fail("records 9 and 10",
                "data types " + std::to_string(header.numerator.data_type) + " and " +
-                   std::to_string(header.denominator.data_type) + " do not say which quantity the FRF is",
+                   std::to_string(header.denominator.data_type) + " do not state which quantity the FRF is",
                give_quantity);
   }
   if (label && label != types) {
@@ -175,7 +175,7 @@ void drop_motion(LabelledUnits& labels, const Header58& header, Quantity given, 
     place.fail(
         "record 9",
         "its unit '" + shown_label(header.numerator.unit) + "' is one of " + name(*labels.quantity) + ", and " + name(given) +
-            " is given: nothing says in which unit its numbers are",
+            " is given, and the file does not state the unit of its numbers",
         "give the unit, too: unit = \"" + unit(given) + "\" under [data.files.\"NAME\"] in the scene, or --unit of the command");
   }
   labels.numerator.reset();
@@ -273,7 +273,7 @@ double abscissa_to_hz(const Header58& header, const Place& place) {
     return hertz_per(header.abscissa.unit).value_or(1.0);
   } catch (const InputError& error) {
     place.fail("record 8", error.parts().problem,
-               error.parts().remedy + "; or say what the axis is in: --frequency-unit, in a scene frequency_unit");
+               error.parts().remedy + "; or give the unit of the axis: --frequency-unit, in a scene frequency_unit");
   }
 }
 

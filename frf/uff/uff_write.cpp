@@ -105,7 +105,7 @@ class Writer {
     if (present != 0 && present != lines) {
       fail(file_, pair(r, c),
            std::to_string(lines - present) + " of " + std::to_string(lines) + " lines are NaN (not measured)",
-           "UFF has no way to say so: write HDF5, or leave out those lines or that FRF");
+           "UFF has no mark for them: write HDF5, or leave out those lines or that FRF");
     }
     return present != 0;
   }

@@ -79,7 +79,7 @@ void save_plot(const QString& file, const Saveable& plot, const std::vector<std:
   const QString ending = QFileInfo(file).suffix().toLower();
   if (ending == QLatin1String("csv")) return write_output(file, plot.table(','), inputs);
   if (!QStringList({"png", "svg", "pdf"}).contains(ending)) {
-    throw InputError({ErrorKind::usage, file.toStdString(), "", "the name does not say what to write",
+    throw InputError({ErrorKind::usage, file.toStdString(), "", "the name has no ending of a picture or table",
                       "end it with .png, .svg, .pdf or .csv"});
   }
   const QByteArray bytes = plot.picture(ending);

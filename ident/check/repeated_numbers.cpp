@@ -150,7 +150,7 @@ std::vector<Suspect> find_equal_runs(const Scene& scene) {
                            .file = other,
                            .dofs = {},
                            .evidence = "the two runs " + one + " and " + other +
-                                       " are the same numbers: their scatter, which should say how large the noise is, is zero",
+                                       " are the same numbers: their scatter, which should give the noise, is zero",
                            .confidence = 0.99,
                            .remedy = "# give the file of the other run, or take " + other + " out of the scene"});
           break;

@@ -49,7 +49,7 @@ void require_no_measurement(const DataFile& model) {
                     : !options.frequency_unit.empty()     ? "frequency_unit"
                                                           : nullptr;
   if (key == nullptr) return;
-  refuse(model.path, "[data.files]", std::string(key) + " is given for a model", "remove it; a model's file says what it is");
+  refuse(model.path, "[data.files]", std::string(key) + " is given for a model", "remove it; a model's file states what it is");
 }
 
 /// At the lines that the corrections make `frequency_hz` of.

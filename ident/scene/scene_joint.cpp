@@ -94,8 +94,8 @@ std::vector<JointSpec> read_joints(const scene::Table& scene) {
   const auto joint = scene.find("joint");
   const auto joints = scene.find("joints");
   if (joint && joint->is_list())
-    joint->fail("[[joint]] is a list of tables", "one joint is [joint]; of several each should say [[joints]]");
-  if (joints && joints->is_table()) joints->fail("[joints] is one table", "it should say [[joints]], once for each joint, or [joint]");
+    joint->fail("[[joint]] is a list of tables", "one joint is [joint]; each of several is [[joints]]");
+  if (joints && joints->is_table()) joints->fail("[joints] is one table", "write [[joints]], once for each joint, or [joint]");
   if (joint && joints) joint->fail("both [joint] and [[joints]] are given", "write every joint as [[joints]]");
   if (!joint && !joints) scene.itself().fail("the key 'joint' is missing", "declare [joint] or [[joints]]");
   const auto nodes = scene.find("nodes");

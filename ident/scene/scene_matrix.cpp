@@ -45,7 +45,7 @@ Spring read_spring(const scene::Item& item) {
   std::vector<scene::Item> ends = item.list();
   if (ends.size() != 2) {
     item.fail("a spring has two ends, found " + std::to_string(ends.size()),
-              "write [\"4:+Y\", \"ground\"] for one end; a name stands before it, { k1 = [\"4:+Y\", \"5:+Y\"], … }");
+              "write [\"4:+Y\", \"ground\"] for one end; a name goes before it, { k1 = [\"4:+Y\", \"5:+Y\"], … }");
   }
   if (ends[0].text() == "ground") std::swap(ends[0], ends[1]);
   Spring spring{ends[0].dof(), std::nullopt};

@@ -108,7 +108,7 @@ virtualpoint::VirtualPoint read_point(const scene::Table& table, const std::map<
   for (const auto& [channels, word] : {std::pair(&point.sensors, "sensors"), std::pair(&point.impacts, "impacts")}) {
     if (channels->empty() || channels->size() >= point.modes.size()) continue;
     table.itself().fail(
-        std::to_string(channels->size()) + " " + word + " cannot tell " + std::to_string(point.modes.size()) + " motions",
+        std::to_string(channels->size()) + " " + word + " cannot determine " + std::to_string(point.modes.size()) + " motions",
         std::string("name more ") + word + ", or a plane of three motions");
   }
   return point;
@@ -137,7 +137,7 @@ std::vector<DataFile*> chosen_files(const scene::Table& table, const Path& folde
   for (const scene::Item& item : names->list_not_empty()) {
     const Path path = folder / item.text_not_empty();
     const auto found = std::ranges::find_if(files, [&](const DataFile* file) { return file->path == path; });
-    if (found == files.end()) item.fail("'" + item.text() + "' is no file of [data]", "name a file as it stands there");
+    if (found == files.end()) item.fail("'" + item.text() + "' is no file of [data]", "name a file as it is there");
     chosen.push_back(*found);
   }
   return chosen;

@@ -35,7 +35,7 @@ VarianceOrigin of_file(const frf::FrfHeader& header) {
     refuse(header, "coherences of " + scene::number_text(header.averages) + " average(s) are 1 whatever the noise is",
            otherwise);
   }
-  refuse(header, "the file does not say how many averages are behind its coherences",
+  refuse(header, "the file does not state how many averages are behind its coherences",
          "give their number in the file, or a [noise] section with model and level");
 }
 
@@ -57,7 +57,7 @@ void require_noise_law(const Scene& scene) {
 std::string phrase(VarianceOrigin origin) {
   constexpr std::array phrases = {"variances in the file", "scatter of repeated runs",
                                   "coherences and averages of the file", "the law of [noise]",
-                                  "estimated from the scatter of the data", "a model, as exact as it says"};
+                                  "estimated from the scatter of the data", "a model, as exact as it states"};
   return phrases[static_cast<std::size_t>(origin)];
 }
 

@@ -232,7 +232,7 @@ class LevelReader {
     if (phasors.variances.size() > 0 && phasors.variances(line, r) > 0.0) return factor * std::sqrt(phasors.variances(line, r));
     if (scene_.errors && scene_.errors->of_responses())
       return std::sqrt(0.5 * std::pow(scene_.errors->relative * size, 2) + std::pow(scene_.errors->floor, 2));
-    fail(phasors.file, "responses", "nobody says how exact they are",
+    fail(phasors.file, "responses", "nothing states how exact they are",
          "give [errors] relative = 0.01 (or floor, m), or a file with variances or coherences");
   }
 

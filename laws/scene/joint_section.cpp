@@ -97,11 +97,11 @@ class JointReader {
   void read_assumed() {
     const auto assumed = table_.find("assumed");
     if (!assumed) return;
-    if (leader_) assumed->fail("the joint has the law of " + scene_.joints[*leader_].beside.name, "say it there");
+    if (leader_) assumed->fail("the joint has the law of " + scene_.joints[*leader_].beside.name, "give it there");
     const auto law = assumed->open_table().find("law");
     if (!law && joint_.laws.size() != 1)
       assumed->fail("parameters of which of several laws?",
-                    "name one law, or say which is assumed: { law = \"" + joint_.laws.front() + "\", … }");
+                    "name one law, or the one that is assumed: { law = \"" + joint_.laws.front() + "\", … }");
     joint_.assumed_law = law ? law->word(joint_.laws) : joint_.laws.front();
     std::vector<std::string> names;
     for (const friction::LawParameter& parameter : friction::law(joint_.assumed_law).parameters)
@@ -129,7 +129,7 @@ class JointReader {
     const auto bounds = table_.find("bounds"), priors = table_.find("priors");
     for (const auto& rules : {bounds, priors}) {
       if (!rules) continue;
-      if (leader_) rules->fail("the joint has the law of " + scene_.joints[*leader_].beside.name, "say it there");
+      if (leader_) rules->fail("the joint has the law of " + scene_.joints[*leader_].beside.name, "give it there");
       (void)rules->table(parameter_names());
     }
     if (bounds) {

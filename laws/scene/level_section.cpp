@@ -48,7 +48,7 @@ void read_force(const scene::Table& table, const ident::Path& folder, ForceLevel
   level.force_dofs = dofs.dofs();
   const auto files = table.find("forces"), amplitude = table.find("amplitude");
   if (files.has_value() == amplitude.has_value()) {
-    table.itself().fail(files ? "there are both forces and amplitude" : "the force is not told",
+    table.itself().fail(files ? "there are both forces and amplitude" : "the force is not given",
                         "give forces (files of the measured phasors, N) or amplitude (N, phase 0)");
   }
   if (files) {
@@ -94,7 +94,7 @@ void read_records(const scene::Table& table, const ident::Path& folder, ForceLev
   if (const auto settle = table.find("settle")) records.settle_s = settle->not_negative();
   if (const auto sweep = table.find("sweep")) records.sweep = sweep->boolean();
   if (const auto periods = table.find("periods")) {
-    if (!records.sweep) periods->fail("steady records are one window each", "remove it, or say sweep = true");
+    if (!records.sweep) periods->fail("steady records are one window each", "remove it, or write sweep = true");
     records.periods = periods->whole(8, 10000);
   }
   if (const auto lines = table.find("lines")) read_lines(*lines, records);
@@ -117,7 +117,7 @@ ForceLevel read_level(const scene::Item& item, const ident::Path& folder, std::s
   }
   for (const std::string& key : of_records) {
     if (const auto found = table.find(key))
-      found->fail("there are no records that it could say something of", "name files of time records, or remove it");
+      found->fail("there are no records that it could apply to", "name files of time records, or remove it");
   }
   const auto responses = table.find("responses");
   level.planned = !responses;

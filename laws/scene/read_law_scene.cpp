@@ -37,7 +37,7 @@ void require_range(const scene::Table& table, const LawScene& scene) {
         level.harmonics[0].responses.path != level.harmonics[1].responses.path)
       continue;
     if (scene.frequency.range_hz) return;
-    table.itself().fail(level.name + ": one file holds several harmonics, and nothing tells the lines of the first",
+    table.itself().fail(level.name + ": one file holds several harmonics, and nothing names the lines of the first",
                         "give [frequency] range, the frequencies of the force");
   }
 }

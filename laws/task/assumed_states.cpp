@@ -133,10 +133,10 @@ std::optional<Eigen::MatrixXcd> responses_of(const AssumedStates& assumed, const
 AssumedStates assumed_states(const LawScene& scene) {
   const bool told_errors = scene.errors && scene.errors->of_responses();
   if (!told_errors && std::ranges::any_of(scene.levels, is_planned))
-    fail(scene, "[errors]", "nobody says how exact a planned level will be", "give relative = 0.01, or floor in m");
+    fail(scene, "[errors]", "nothing states how exact a planned level will be", "give relative = 0.01, or floor in m");
   const bool told = tells_laws(scene);
   if (!told && std::ranges::all_of(scene.levels, is_planned)) {
-    fail(scene, "[[joint.friction]]", "nothing says what laws the plan is for",
+    fail(scene, "[[joint.friction]]", "nothing states what laws the plan is for",
          "give each joint one law and assumed = { … } with its parameters, or levels that were measured");
   }
   AssumedStates out;

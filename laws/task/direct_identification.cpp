@@ -35,7 +35,7 @@ double motion_error(const std::vector<response::DirectStep>& steps, Eigen::Index
 void judge_joint(const LawScene& scene, std::size_t j, DirectIdentification& found) {
   if (found.known[j] > 0) return;
   const std::string what =
-      fmt::format("{}: no state tells its stiffness to {:.0f} %; its motion Q₁ is known to {:.0f} % in the middle of all states",
+      fmt::format("{}: no state determines its stiffness to {:.0f} %; its motion Q₁ is known to {:.0f} % in the middle of all states",
                   scene.joints[j].beside.name, 100.0 * known_share, 100.0 * motion_error(found.steps, at(j)));
   const std::string remedy =
       ": Q = b − GF is a difference of like numbers where the parts move far more than the joint, or no response sees its force";

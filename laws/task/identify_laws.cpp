@@ -153,7 +153,7 @@ void require_measured(const LawScene& scene) {
                       .file = scene.file.string(),
                       .place = "[[data.levels]] " + level.name,
                       .problem = "nothing was measured: there are no responses",
-                      .remedy = "give responses; what the level would tell says `jointid plan --bound`"});
+                      .remedy = "give responses; `jointid plan --bound` predicts what the level determines"});
   }
 }
 

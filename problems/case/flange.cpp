@@ -242,7 +242,7 @@ std::string scene_of(const Problem& problem) {
 
 std::vector<ProblemInfo> list_flanges() {
   return {{"flange", "two frames bolted at flanges, each with 12 sensors and 18 impacts round a virtual point, 1 % noise"},
-          {"flange-turned", "flange, one sensor of which pointed another way than its name says"}};
+          {"flange-turned", "flange, one sensor of which pointed another way than its name states"}};
 }
 
 bool is_flange(const std::string& name) {

@@ -227,7 +227,7 @@ std::filesystem::path write(const LineProblem& problem, const std::filesystem::p
   const bool tells_variances = !options.clean && std::string(format.name) == "h5";
   if (!tells_variances) {
     scene +=
-        "\n[noise]  # what the files do not tell\nmodel = \"circular\"\nlevel = " + nlohmann::json(problem.noise).dump() + "\n";
+        "\n[noise]  # what the files do not state\nmodel = \"circular\"\nlevel = " + nlohmann::json(problem.noise).dump() + "\n";
   }
   for (const auto* sets : {&data.substructures, &data.assembly}) {
     for (const frf::FrfSet& set : *sets) {

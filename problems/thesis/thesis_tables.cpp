@@ -13,7 +13,7 @@ using weighting::Weighting;
 const std::vector<Equation> all_four = {Equation::nn, Equation::nj, Equation::jj, Equation::jn};
 
 constexpr const char* basic_choices =
-    "A3 to A7 leave lines, range or coordinates open in Table 6.1; docs/problems.md tells what is taken.";
+    "A3 to A7 leave lines, range or coordinates open in Table 6.1; docs/problems.md states what is taken.";
 constexpr const char* unit_of_mass =
     "WA with mass depends on the unit of M: its weight is set by the largest element of E0'E0. Ours is M times the square of the "
     "highest line's angular frequency; with M in kg the pairs and elements of WA come to lie inside, but for ARVF in Table 6.10.";
@@ -118,7 +118,7 @@ ThesisTable table_6_10() {
     WB  0.25 0.12 0.24 0.12 0.25 0.12 0.18 0.10 0.17 0.09 0.12 0.08 0.09 0.07 0.88? 0.08
     WBG 0.97 1.01 0.97 1.03 0.97 1.05 0.97 1.00 0.97 1.00 0.97 1.01 0.98 0.67 0.98 0.66
     WBS 0.54 0.81 0.55 0.83 0.99 0.93 0.99 0.86 0.99 0.86 0.99 0.84 0.98 0.68 0.94 0.56)");
-  table.notes = {"0.88? stands after 0.12 and 0.09 in its row; 0.08 would fit.", unit_of_mass};
+  table.notes = {"0.88? follows 0.12 and 0.09 in its row; 0.08 would fit.", unit_of_mass};
   return table;
 }
 
@@ -129,7 +129,7 @@ ThesisTable table_6_11() {
     WB  0.52 0.39 0.52 0.38 0.51 0.39 0.54 0.37 0.54 0.37 0.57 0.39 0.56 0.39 0.56 0.40
     WBG 0.71 1.21 0.57 1.08 0.74 1.32 0.72 1.32 0.71 1.31 0.74 1.32 0.30 0.89 0.30 0.89
     WBS 0.04 6.18 0.04 6.59 0.65 0.64 0.55 1.00 0.57 0.99 0.5  0.99 0.23 0.85 0.19 0.74)");
-  table.notes = {"0.61? stands between 0.11 and 0.10 in its row; 0.11 would fit."};
+  table.notes = {"0.61? is between 0.11 and 0.10 in its row; 0.11 would fit."};
   return table;
 }
 
@@ -161,7 +161,7 @@ ThesisTable table_6_12() {
     h(2,4)  0.35   0.36 1.84 -0.36)");
   table.notes = {"0.545? has a digit too many; with 0.45 the column gives the pair 0.76, 0.64 of Table 6.10, with 0.545 it does not.",
                  "The h column of WB gives the pair 0.56, 0.43, not 0.52, 0.39 as in Table 6.11: one of its numbers is wrong, "
-                 "which one cannot be told.",
+                 "which one is open.",
                  unit_of_mass};
   return table;
 }
@@ -255,7 +255,7 @@ ThesisTable table_6_19() {
                     {},
                     {},
                     {"Errors of 5 %, 1 % and 1 % on mode shapes, natural frequencies and damping; H2 leaves out +-1 % around "
-                     "natural frequencies, which the print does not say."}};
+                     "natural frequencies, which the print does not state."}};
   add_cases(table, Kind::stiffness, upper_triangle(), R"(
     H1 6.178 -1.16 -0.39 1.41 1.73 1.80 6.87 2.70 0.43 1.10
     H2 2.66 0.38 0.88 1.03 1.18 1.12 0.88 1.79 0.68 1.02)");

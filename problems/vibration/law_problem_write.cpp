@@ -65,7 +65,7 @@ std::filesystem::path write(const LawProblem& problem, const std::filesystem::pa
   }
   for (const LawProblemJoint& joint : problem.joints) scene += joint_text(joint);
   scene += "[frequency]\nrange = [" + number(problem.frequency_hz.front()) + ", " + number(problem.frequency_hz.back()) +
-           "]  # Hz, of the force\n\n[errors]\nrelative = " + number(problem.noise) + "  # of phasors whose files tell none\n";
+           "]  # Hz, of the force\n\n[errors]\nrelative = " + number(problem.noise) + "  # of phasors whose files have none\n";
   write_text(directory / "truth.json", truth_of(problem).dump(1) + "\n");
   const std::filesystem::path path = directory / (problem.name + ".toml");
   write_text(path, scene);

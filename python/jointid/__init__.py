@@ -12,8 +12,9 @@
 from __future__ import annotations
 
 from ._coupling import couple, decouple, virtual_points
-from ._joint import bound, check, compare, identify, plan, study
+from ._joint import bound, check, compare, identify, identify_lines, plan, study
 from ._jointid import __version__
+from ._lines import DecoupledResult, LineSolution, LineValues
 from ._phasors import phasors
 from ._tasks import (
     equivalent,
@@ -35,12 +36,15 @@ from .results import Finding, Result, Solution, Unknown
 
 __all__ = [
     "DataWarning",
+    "DecoupledResult",
     "Dof",
     "DoubtfulWarning",
     "Finding",
     "FrfSet",
     "InputError",
     "JointidWarning",
+    "LineSolution",
+    "LineValues",
     "Result",
     "Solution",
     "Unknown",
@@ -55,6 +59,7 @@ __all__ = [
     "frf",
     "friction_laws",
     "identify",
+    "identify_lines",
     "loading_curve",
     "modalfit",
     "oscillate",

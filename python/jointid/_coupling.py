@@ -8,6 +8,7 @@ from typing import Any
 
 from . import _jointid
 from ._joint import frequency_table, is_scene
+from ._lines import DecoupledResult
 from ._run import run_scene
 from ._scene import Scene, as_list, paths_of
 from .dof import Dof
@@ -80,21 +81,35 @@ def couple(parts: Any, *, join: Any = None, ground: Any = None, keep: Any = None
     return run_scene(scene, "couple", _jointid.couple, path, bool(bounds), threads=threads, progress=progress, kind=FrfResult)
 
 
-def decouple(assembly: PathOrSet, part: PathOrSet, interface: Sequence[str], **options: Any) -> FrfResult:
-    """FRFs of an assembly without one of its substructures: dual decoupling, ``jointid couple`` with ``remove``.
+def decouple(assembly: Any, part: Any = None, interface: Sequence[str] | str | None = None, *, way: Any = None,
+             noise: Mapping[str, Any] | None = None, out: str | os.PathLike | None = None, threads: int = 0, progress: Any = None,
+             **options: Any) -> Any:
+    """FRFs of an assembly without one of its substructures (decoupling, B from AB and A).
+
+    There are two ways to call it:
+
+    - ``decouple(scene)``, or with a `way`: ``jointid decouple``. FRFs of B with variances, and the dynamic stiffness of B with 95 %
+      bands. FRFs need variances: their own, or a law in `noise`.
+    - Without `way`: dual decoupling of exact FRFs, LM-FBS, ``jointid couple`` with ``remove``.
 
     Parameters
     ----------
-    assembly, part : FrfSet or path
+    assembly, part : FrfSet or path, or a list of them
+        AB and A. The first may be a scene with ``[decouple]``.
     interface : sequence of DOFs that both have
-        The interface DOFs. Internal DOFs of the part can join them (extended interface). The compatibility conditions are then
-        redundant: give ``threshold="fixed"`` or another of couple().
-    options : as of couple()
+        Without `way`, internal DOFs of the part can join them (extended interface). The compatibility conditions are then redundant:
+        give ``threshold="fixed"`` or another of couple().
+    way : "likelihood", "standard", "extended", "both", or a list of them
+        How B is found. The first is the result.
+    noise : dict with the keys of ``[noise]``
+    out : path, optional
+        File for the FRFs of B. None keeps them in memory.
+    options : with a `way` tables of a scene (frequency, identify, data, nodes, title, virtual_points); else those of couple()
 
     Returns
     -------
-    FrfResult
-        ``result.frfs()`` has the DOFs of the assembly.
+    DecoupledResult with a `way`, else FrfResult
+        ``result.frfs()`` has the DOFs of B, or without `way` those of the assembly.
 
     Raises
     ------
@@ -103,11 +118,11 @@ def decouple(assembly: PathOrSet, part: PathOrSet, interface: Sequence[str], **o
 
     Warns
     -----
-    UnusableWarning
-        If the compatibility conditions are redundant.
+    DoubtfulWarning, UnusableWarning
+        If errors are large, or if the compatibility conditions are redundant.
 
     The result includes a joint between the parts; identify() separates it. Errors grow if the part hardly moves on its own, or if it
-    outweighs the rest. ``uncertainty=True`` with variances in the sets gives their size.
+    outweighs the rest.
 
     >>> import numpy as np, jointid
     >>> f = np.linspace(10.0, 20.0, 3)
@@ -116,6 +131,42 @@ def decouple(assembly: PathOrSet, part: PathOrSet, interface: Sequence[str], **o
     >>> bool(np.allclose(left["1:+X", "1:+X"], mass(1.0, "alone")["1:+X", "1:+X"]))
     True
     """
+    if way is None and not (part is None and interface is None and is_scene(assembly)):
+        if noise is not None:
+            raise InputError("noise needs a way: decoupling without one has no variances of its own", place="noise",
+                             remedy='add way="likelihood", or give variances in the sets and uncertainty=True')
+        if part is None or interface is None:
+            raise InputError("the part or the interface is missing", place="decouple", remedy="give assembly, part and interface")
+        return _dual_decoupling(assembly, part, interface, out=out, threads=threads, progress=progress, **options)
+    scene = _decoupling_scene(assembly, part, interface, way, noise, options)
+    path = "" if out is None else os.fspath(out)
+    return run_scene(scene, "decouple", _jointid.decouple, path, threads=threads, progress=progress, kind=DecoupledResult)
+
+
+def _decoupling_scene(assembly: Any, part: Any, interface: Any, way: Any, noise: Any, sections: dict[str, Any]) -> Scene:
+    valid = ("frequency", "identify", "data", "nodes", "title", "virtual_points")
+    wrong = next((name for name in sections if name not in valid), None)
+    if wrong is not None:
+        raise InputError(f"there is no option {wrong!r}", place=wrong, remedy="with a way there are " + ", ".join(valid))
+    made = {key: value for key, value in {**sections, "noise": noise}.items() if value is not None}
+    if "frequency" in made:
+        made["frequency"] = frequency_table(made["frequency"])
+    table = {key: value for key, value in (("interface", [interface] if isinstance(interface, str) else interface), ("way", way))
+             if value is not None}
+    if part is None and is_scene(assembly):
+        if not made and not table:
+            return Scene(assembly)
+        own = dict(assembly) if isinstance(assembly, Mapping) else Scene.table_of(assembly)
+        own.update({**made, "data": {**own.get("data", {}), **made.get("data", {})}, "decouple": {**own.get("decouple", {}), **table}})
+        return Scene(own, file=None if isinstance(assembly, Mapping) else os.fspath(assembly))
+    if part is None or interface is None:
+        raise InputError("the part or the interface is missing", place="decouple", remedy="give assembly, part and interface")
+    data = {**made.pop("data", {}), "assembly": as_list(assembly), "substructures": as_list(part)}
+    return Scene({"data": data, "decouple": table, **made})
+
+
+def _dual_decoupling(assembly: PathOrSet, part: PathOrSet, interface: Sequence[str] | str, **options: Any) -> FrfResult:
+    """Of exact FRFs, by couple()."""
     whole, taken = (each if isinstance(each, FrfSet) else read(each) for each in (assembly, part))
     if whole.name == taken.name:
         taken = taken._like(name=f"{taken.name} (part)")

@@ -15,6 +15,7 @@ from ._run import run_scene, with_options
 from ._scene import Scene, as_list, pair_of, whole_number
 from .dof import Dof
 from .errors import InputError
+from ._lines import LineSolution
 from .results import Result, Solution
 
 
@@ -131,6 +132,7 @@ def identify(substructures: Any = None, assembly: Any = None, joint: Any = None,
     Returns
     -------
     Solution
+        For a scene with ``[joint] lines`` a LineSolution, as of identify_lines().
 
     Raises
     ------
@@ -156,7 +158,62 @@ def identify(substructures: Any = None, assembly: Any = None, joint: Any = None,
     ('ok', 20)
     """
     scene = _joint_scene(substructures, assembly, joint, method, equations, weighting, delta, identify, sections)
-    return run_scene(scene, "identify", _jointid.solve, threads=threads, progress=progress, kind=Solution)
+    kind = LineSolution if _jointid.is_line_scene(scene.text, scene.file) else Solution
+    return run_scene(scene, "identify", _jointid.solve, threads=threads, progress=progress, kind=kind)
+
+
+def identify_lines(substructures: Any = None, assembly: Any = None, joint: Any = None, *, lines: Any = None, way: Any = None,
+                   laws: Any = None, threads: int = 0, progress: Any = None, **sections: Any) -> LineSolution:
+    """Dynamic stiffness Z_J(ω) of a joint at every line, with 95 % bands: ``jointid solve`` of a scene with ``[joint] lines``.
+
+    The joint is called an isolator or a rubber mount where nobody knows its law. The field calls this inverse substructuring.
+
+    Parameters
+    ----------
+    substructures, assembly : FrfSet or path, or a list of them, as in identify()
+        The first may be a scene, too.
+    joint : dict, or list of DOFs
+        The keys of ``[joint]``, ``{"dofs": [...], "smooth": "gcv"}``, or the DOFs alone: those of one part, then those that face them.
+    lines : "symmetric", "massless" (default), "masses", "diagonal", or a dict with "matrix" or "springs"
+        The structure of Z_J at a line.
+    way : str or list of str
+        "likelihood" (default), "primal", "dual", "relative" …; the first is the result.
+    laws : str or list of str
+        Laws fitted to the lines: "all", "zener", "kelvin-voigt" …
+    sections : identify, frequency, noise, nodes, data, virtual_points, title, scene
+        The tables of a scene with these names. FRFs need variances: their own, or a law in `noise`.
+
+    Returns
+    -------
+    LineSolution
+        ``solution.z`` [line, element], ``solution.band``, ``solution.laws``, ``solution.dynamic_stiffness()``, ``solution.plot()``.
+
+    Raises
+    ------
+    InputError
+        For wrong input, with place, value and remedy.
+
+    >>> import jointid, tempfile
+    >>> solution = jointid.identify_lines(jointid.write_problem("isolator", tempfile.mkdtemp()))
+    >>> solution.elements[0], solution.z.shape == (len(solution.frequency), len(solution.elements)), next(iter(solution.laws))
+    ELEMENTS
+    """
+    if joint is not None and not isinstance(joint, Mapping):
+        joint = {"dofs": [joint] if isinstance(joint, str) else list(joint)}
+    chosen = {key: value for key, value in (("lines", lines), ("way", way), ("laws", laws)) if value is not None}
+    if joint is not None:
+        joint = {"lines": "massless", **joint, **chosen}
+    scene = _joint_scene(substructures, assembly, joint, None, None, None, None, sections.pop("identify", None), sections)
+    if joint is None and chosen:
+        table = Scene.table_of(scene.file) if scene.is_file else None
+        if table is None or not isinstance(table.get("joint"), Mapping):
+            raise InputError("lines, way and laws change the [joint] of a scene file", place="identify_lines",
+                             remedy="give them in the dict of the joint")
+        scene = Scene({**table, "joint": {**table["joint"], **chosen}}, file=scene.file)
+    if not _jointid.is_line_scene(scene.text, scene.file):
+        raise InputError("its joint has no `lines`", file=scene.file, place="[joint]",
+                         remedy='add lines = "massless" or another structure, or call identify()')
+    return run_scene(scene, "identify_lines", _jointid.solve, threads=threads, progress=progress, kind=LineSolution)
 
 
 def check(substructures: Any = None, assembly: Any = None, joint: Any = None, *, threads: int = 0, progress: Any = None,

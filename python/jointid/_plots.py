@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from .dof import Dof
 from .errors import InputError
 
 _MOST = 16  # curves in one picture
@@ -81,4 +82,37 @@ def plot_matrix(solution: Any, kind: str, axes: Any) -> Any:
     axes.set_yticks(range(len(names)), names)
     axes.set_title(kind.replace("_", " "))
     axes.figure.colorbar(image, ax=axes, shrink=0.8)
+    return axes
+
+
+def plot_lines(ways: Any, element: str, unit: str, law: Any, axes: Any) -> Any:
+    """Real part above, imaginary part below, each way with its 95 % band."""
+    if axes is None:
+        _, axes = _pyplot().subplots(2, 1, sharex=True, layout="constrained")
+    for values in [*ways, *([] if law is None else [law])]:
+        if element not in values.elements:
+            raise InputError(f"{values.name!r} has no element {element!r}", place="plot", remedy="it has " + ", ".join(values.elements))
+        at = values.elements.index(element)
+        for part, axis in enumerate(axes):
+            numbers = values.z[:, at].imag if part else values.z[:, at].real
+            line, = axis.plot(values.frequency, numbers, label=values.name, linewidth=1, linestyle="--" if values is law else "-")
+            axis.fill_between(values.frequency, *values.band[:, at, part].T, color=line.get_color(), alpha=0.2, linewidth=0)
+    for axis, part in zip(axes, ("Re", "Im")):
+        axis.set_ylabel(f"{part} {element}, {unit}")
+        axis.grid(alpha=0.3)
+    axes[1].set_xlabel("frequency, Hz")
+    axes[0].legend(fontsize="small")
+    return axes
+
+
+def plot_with_band(frfs: Any, response: str, reference: str, axes: Any) -> Any:
+    """An FRF, and its magnitude ± 1.96 standard errors."""
+    axes = plot_frfs(frfs, response, reference, axes, {"linewidth": 1})
+    size = np.abs(frfs[response, reference])
+    row, column = (next(k for k, dof in enumerate(of) if dof.coordinate == Dof(name).coordinate)
+                   for of, name in ((frfs.responses, response), (frfs.references, reference)))
+    variance = frfs.variance
+    if variance is not None:
+        half = 1.96 * np.sqrt(0.5 * np.abs(variance[:, row, column]))
+        axes[0].fill_between(frfs.frequency, np.maximum(size - half, 1e-3 * size), size + half, alpha=0.2, linewidth=0)
     return axes

@@ -22,7 +22,7 @@ namespace {
 
 GivenChannel parse_channel(const std::string& text) {
   const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0) refuse(text, "says no column before =");
+  if (equals == std::string::npos || equals == 0) refuse(text, "has no column before =");
   const std::vector<std::string_view> words = frf::split(std::string_view(text).substr(equals + 1), ' ');
   if (words.size() < 2 || words.size() > 3)
     refuse(text, "has " + std::to_string(words.size()) + " words after =, not DOF and unit");

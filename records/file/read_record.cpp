@@ -37,11 +37,11 @@ double rate_of_table(const frf::Columns& table, const RecordOptions& options) {
                       return &table.column(given.column) == times;
                     });
   if (used && !options.rate_hz)
-    fail(table.file, "column " + times->name + " holds the times, and --channel says a signal",
+    fail(table.file, "column " + times->name + " holds the times, and --channel names it as a signal",
          "name the column of times by --time");
   if (times != nullptr && !used) return stated_or_given_rate(*times, table.file, options.rate_hz);
   if (options.rate_hz) return *options.rate_hz;
-  fail(table.file, "does not say when its samples were taken",
+  fail(table.file, "does not state when its samples were taken",
        "give --rate HZ, or --time COLUMN; in a scene rate = HZ, or time = \"COLUMN\"");
 }
 
@@ -76,7 +76,7 @@ void require_different(const frf::Columns& table, const std::vector<GivenChannel
 
 Record record_of(const frf::Columns& table, const RecordOptions& options) {
   if (options.channels.empty()) {
-    fail(table.file, "has columns " + table.names() + " and does not say what they measured",
+    fail(table.file, "has columns " + table.names() + " and does not state what they measured",
          "name each, e.g. --channel '2=1:+Z N' --channel '3=4:+Z m/s^2'");
   }
   require_different(table, options.channels);

@@ -40,7 +40,7 @@ double rate_of_file(SampleStream& stream, const std::filesystem::path& path, con
   }
   if (const auto rate = stream.rate_hz(options.rate_hz)) return *rate;
   throw InputError(
-      {ErrorKind::data, stream.file(), "", "does not say when its samples were taken", "give --rate HZ, or a column named time"});
+      {ErrorKind::data, stream.file(), "", "does not state when its samples were taken", "give --rate HZ, or a column named time"});
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ void interpret(const Header58& header, const frf::uff::UnitFactors& factors, boo
     return;
   }
   if (typed && says_nothing && !factors.contradiction.empty()) {
-    out.problem = "no unit stands at it, and " + factors.contradiction;
+    out.problem = "it has no unit, and " + factors.contradiction;
     return;
   }
   if (typed && says_nothing) {

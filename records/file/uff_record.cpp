@@ -46,7 +46,7 @@ frf::Dof dof_of(const Chosen& chosen, bool any_dof) {
   if (!channel->dof) {
     channel->dataset.place.fail("record 6",
                                 "response node " + std::to_string(channel->dataset.function->response.node) + " has no direction",
-                                "say where it stood and its unit, e.g. --channel '1=4:+Z m/s^2' (in a scene: channels)");
+                                "give its place and unit, e.g. --channel '1=4:+Z m/s^2' (in a scene: channels)");
   }
   if (given != nullptr && given->dof != *channel->dof) {
     channel->dataset.place.fail(

@@ -67,11 +67,13 @@ Json stiffness_of(const impedance::IdentifiedLines& lines) {
     }
     Json one = {{"z", Json::array()},
                 {"variance", Json::array()},
+                {"std_error", Json::array()},
                 {"chi_square", value(line->chi_square)},
                 {"degrees_of_freedom", value(line->freedom)}};
     for (Eigen::Index t = 0; t < line->z.size(); ++t) {
       one["z"].push_back({value(line->z(t).real()), value(line->z(t).imag())});
       one["variance"].push_back(value(line->variance(t)));
+      one["std_error"].push_back({value(line->re_error(t)), value(line->im_error(t))});
     }
     out["lines"].push_back(one);
   }

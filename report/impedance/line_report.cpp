@@ -47,13 +47,30 @@ Json rows_of(const Eigen::MatrixXd& matrix) {
   return out;
 }
 
+/// The part of Z that an element multiplies: row, column, factor of each number that is not zero.
+Json basis_json(const Eigen::MatrixXd& matrix) {
+  Json out = Json::array();
+  for (Eigen::Index r = 0; r < matrix.rows(); ++r) {
+    for (Eigen::Index c = 0; c < matrix.cols(); ++c) {
+      if (matrix(r, c) != 0.0) out.push_back({r, c, matrix(r, c)});
+    }
+  }
+  return out;
+}
+
+Json elements_of(const LineValue& line) {
+  Json out = {{"z", Json::array()}, {"variance", Json::array()}, {"std_error", Json::array()}};
+  for (Eigen::Index t = 0; t < line.z.size(); ++t) {
+    out["z"].push_back(pair(line.z(t)));
+    out["variance"].push_back(value(line.variance(t)));
+    out["std_error"].push_back({value(line.re_error(t)), value(line.im_error(t))});
+  }
+  return out;
+}
+
 Json line_json(const std::optional<LineValue>& line) {
   if (!line) return nullptr;
-  Json out = {{"z", Json::array()}, {"variance", Json::array()}};
-  for (Eigen::Index t = 0; t < line->z.size(); ++t) {
-    out["z"].push_back(pair(line->z(t)));
-    out["variance"].push_back(value(line->variance(t)));
-  }
+  Json out = elements_of(*line);
   out["covariance"] = rows_of(line->covariance);
   out["chi_square"] = value(line->chi_square);
   out["degrees_of_freedom"] = value(line->freedom);
@@ -65,8 +82,10 @@ Json way_json(const WayResult& way) {
               {"structure", impedance::name(way.structure)},
               {"elements", Json::array()},
               {"lines", Json::array()}};
-  for (const impedance::ElementName& element : way.elements)
-    out["elements"].push_back({{"name", element.name}, {"unit", element.unit}});
+  for (std::size_t t = 0; t < way.elements.size(); ++t) {
+    out["elements"].push_back(
+        {{"name", way.elements[t].name}, {"unit", way.elements[t].unit}, {"basis", basis_json(way.basis[t])}});
+  }
   for (const auto& line : way.lines) out["lines"].push_back(line_json(line));
   return out;
 }
@@ -88,11 +107,8 @@ Json law_json(const impedance::LawFit& law) {
       out["lines"].push_back(nullptr);
       continue;
     }
-    Json line = {{"z", Json::array()}, {"variance", Json::array()}, {"chi_square", value(law.by_line[i])}};
-    for (Eigen::Index t = 0; t < law.lines[i]->z.size(); ++t) {
-      line["z"].push_back(pair(law.lines[i]->z(t)));
-      line["variance"].push_back(value(law.lines[i]->variance(t)));
-    }
+    Json line = elements_of(*law.lines[i]);
+    line["chi_square"] = value(law.by_line[i]);
     out["lines"].push_back(line);
   }
   return out;

@@ -36,8 +36,8 @@ Inverse inverse_of(const Eigen::MatrixXcd& to_joints, const Eigen::VectorXd& dev
       {.kind = ErrorKind::data,
        .file = "",
        .place = "harmonic " + std::to_string(harmonic) + " of " + std::to_string(state.omega) + " rad/s",
-       .problem = std::to_string(state.response.cols()) + " responses do not tell the forces of " + std::to_string(joints) +
-                  " joints apart: rank H_mW < " + std::to_string(joints),
+       .problem = std::to_string(state.response.cols()) + " responses do not separate the forces of " + std::to_string(joints) +
+                  " joints: rank H_mW < " + std::to_string(joints),
        .remedy = "measure as many responses as there are joints at least, at places that the joints move differently"});
 }
 

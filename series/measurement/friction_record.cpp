@@ -85,7 +85,7 @@ void fit(FrictionLaw& law, const Slip& slip, const FrictionRecordOptions& option
   law.kinetic_error = law.scatter / std::sqrt(n);
   const auto [slowest, fastest] = std::ranges::minmax(slip.speed);
   if (slip.mu.size() < 6 || fastest < 1.5 * slowest) {
-    law.remark = "the slipping speeds are too few or too alike to tell a falling law";
+    law.remark = "the slipping speeds are too few or too alike to show a falling law";
     return;
   }
   const double most = options.most_decay > 0.0 ? options.most_decay : 30.0 / median(slip.speed);

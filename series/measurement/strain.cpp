@@ -17,7 +17,7 @@ void check(const GaugedBeam& beam, const std::vector<Shape>& basis, const std::v
   if (!(beam.length > 0.0)) throw wrong_gauges("length", digits(beam.length) + " m is not above 0", "");
   if (!(beam.thickness > 0.0)) throw wrong_gauges("thickness", digits(beam.thickness) + " m is not above 0", "");
   if (beam.gauges.size() < basis.size() || basis.empty()) {
-    throw wrong_gauges("gauges", std::to_string(beam.gauges.size()) + " cannot tell " + std::to_string(basis.size()) + " shapes",
+    throw wrong_gauges("gauges", std::to_string(beam.gauges.size()) + " cannot determine " + std::to_string(basis.size()) + " shapes",
                        "take at most as many shapes as gauges");
   }
   for (const auto* places : {&beam.gauges, &points}) {

@@ -68,7 +68,7 @@ SceneCurve read_curve(const scene::Item& item, const ResponseScene& scene) {
   curve.frequency_hz = table.require("frequency").positive();
   const auto force = table.find("force");
   if (curve.along == "force") {
-    if (force) force->fail("the curve is along the force", "remove it: range says from where to where");
+    if (force) force->fail("the curve is along the force", "remove it: range gives from where to where");
     if (const auto joint = table.find("joint")) joint->fail("the curve is along the force", "remove it");
     if (std::min(curve.range[0], curve.range[1]) <= 0.0) range.fail("forces are above 0");
     return curve;

@@ -58,7 +58,7 @@ void read_frequencies(const scene::Item& item, ResponseScene& scene) {
   }
   if (points) {
     if ((coordinates(scene) == 0 && !scene.modal_model) || !range)
-      points->fail("points stand in a range of a structure with matrices, or of modal models",
+      points->fail("points belong to a range of a structure with matrices, or of modal models",
                    "remove it: the lines of the files count");
     scene.points = static_cast<std::size_t>(points->whole(2, 1000000));
   }

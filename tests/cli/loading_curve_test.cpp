@@ -254,7 +254,7 @@ TEST_F(LoadingCurveCommand, UnitsThatContradictTheTitlesAndColumnsUsedTwice) {
   wanted.force.clear(), wanted.time_unit = "ms";
   EXPECT_THAT(error(wanted), HasSubstr("--time-unit: no time is needed without --velocity"));
   LoadingCurveArguments twice = arguments({table("b.csv", "u,F,F", {{1, 2, 3}, {2, 3, 4}})});
-  EXPECT_THAT(error(twice), HasSubstr("the name 'F' stands above 2 columns"));
+  EXPECT_THAT(error(twice), HasSubstr("the name 'F' is above 2 columns"));
   LoadingCurveArguments volts = arguments({table("c.csv", "u [mm],F [V]", rows)});
   EXPECT_THAT(error(volts), HasSubstr("'V' is no unit of it (V is a voltage)"));
 }

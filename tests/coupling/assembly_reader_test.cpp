@@ -183,7 +183,7 @@ TEST(AssemblyReader, SaysWhatIsWrong) {
     }
     return out;
   };
-  EXPECT_THAT(error_of(parts, joined({{"3:+Y", "4:+Y"}})), HasSubstr("it is in a.h5 and in b.h5; say which: \"a.h5/3:+Y\""));
+  EXPECT_THAT(error_of(parts, joined({{"3:+Y", "4:+Y"}})), HasSubstr("it is in a.h5 and in b.h5; name the one that is meant: \"a.h5/3:+Y\""));
   EXPECT_THAT(error_of(parts, joined({{"2:+Z", "4:+Y"}})), HasSubstr("did you mean 2:+Y?"));
   EXPECT_THAT(error_of(parts, joined({{"c.h5/2:+Y", "4:+Y"}})), HasSubstr("there is no part c.h5"));
   EXPECT_THAT(error_of(parts, joined({{"2:+Y", "4:+Y"}})), HasSubstr("the result would have it twice"));

@@ -62,7 +62,7 @@ TEST_F(AnalyserFile, TheUnitTellsTheQuantityAndTheFactor) {
   const FrfSet in_g = read(exported("1+Z:4Z", "(g)(N)", row)), in_si = read(exported("1+Z:4Z", "(m/s^2)(N)", row));
   EXPECT_NEAR(in_g.values[0].real() / in_si.values[0].real(), 9.80665, 1e-12);
   EXPECT_EQ(read(exported("1+Z:4Z", "", row), of_quantity(Quantity::mobility)).header.quantity, Quantity::mobility);
-  EXPECT_THAT(error(exported("1+Z:4Z", "", row)), HasSubstr("does not say which quantity it holds"));
+  EXPECT_THAT(error(exported("1+Z:4Z", "", row)), HasSubstr("does not state which quantity it holds"));
   EXPECT_THAT(error(exported("1+Z:4Z", "(V)(N)", row)), HasSubstr("unknown unit '(V)/(N)'"));
 }
 

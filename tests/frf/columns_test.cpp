@@ -126,7 +126,7 @@ TEST_F(ColumnsFile, SaysWhatIsWrongAndWhere) {
 
 TEST_F(ColumnsFile, ANameThatStandsTwiceIsNobody) {
   const Columns read = read_columns(write_file("a.csv", "u,F,f,F\n1,2,3,4\n"));
-  EXPECT_THAT(message_of([&] { (void)read.column("F"); }), HasSubstr("the name 'F' stands above 2 columns; give the number"));
+  EXPECT_THAT(message_of([&] { (void)read.column("F"); }), HasSubstr("the name 'F' is above 2 columns; give the number"));
   EXPECT_EQ(read.column("f").values[0], 3.0);
   EXPECT_EQ(read.column("U").values[0], 1.0);
   EXPECT_EQ(read.place("4"), 3u);

@@ -117,7 +117,7 @@ TEST_F(CsvFile, WhatIsWrongIsNamedByLineAndColumn) {
   EXPECT_THAT(error(q + "frequency_hz,1:X re\n"), HasSubstr("column 2: '1:X' is not response/reference"));
   EXPECT_THAT(error(q + "frequency_hz,1:X/1:Q re\n"), HasSubstr("line 2, column 2: '1:Q' is not a DOF"));
   EXPECT_THAT(error(q + "frequency_hz,1:X/1:X re,1:X/1:X re\n"),
-              HasSubstr("column 3: '1:X/1:X re' stands there twice"));
+              HasSubstr("column 3: '1:X/1:X re' is there twice"));
   EXPECT_THAT(error(q + "frequency_hz,1:X/1:X re,im\n"),
               HasSubstr("column 3: columns with and without DOFs"));
   EXPECT_THAT(error(q + "frequency_hz,1:X/1:X re\n"),
@@ -170,7 +170,7 @@ TEST_F(CsvFile, RadiansThatAreCalledDegreesAreNotTakenForThem) {
 
 TEST_F(CsvFile, WhatTheCommentsSayIsChecked) {
   const std::string h = "frequency_hz,1:X/1:X re,1:X/1:X im";
-  EXPECT_THAT(error(h + "\n1,2,3\n"), HasSubstr("does not say which quantity it holds"));
+  EXPECT_THAT(error(h + "\n1,2,3\n"), HasSubstr("does not state which quantity it holds"));
   EXPECT_THAT(error("# quantity = compliance\n" + h + "\n1,2,3\n"),
               HasSubstr("# quantity: unknown FRF quantity 'compliance'"));
   EXPECT_THAT(error("# quantity = receptance\n# unit = m/s\n" + h + "\n1,2,3\n"),

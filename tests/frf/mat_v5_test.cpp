@@ -209,9 +209,9 @@ TEST_F(MatV5File, WhatIsMissingOrDoubtfulIsNamed) {
     m.counting("H", {3, 1});
   };
   OpenOptions none;
-  EXPECT_THAT(error(one, none), HasSubstr("does not say which quantity it holds"));
+  EXPECT_THAT(error(one, none), HasSubstr("does not state which quantity it holds"));
   none.quantity = Quantity::receptance;
-  EXPECT_THAT(error(one, none), HasSubstr("does not say at which DOFs H was measured"));
+  EXPECT_THAT(error(one, none), HasSubstr("does not state at which DOFs H was measured"));
   EXPECT_THAT(error(one, given({"1:X", "2:X"}, {})),
               HasSubstr("variable H: is [3x1] where 3 lines, 2 responses and 2 references are expected"));
   const auto with = [&](const std::function<void(Maker&)>& more) {

@@ -178,9 +178,9 @@ TEST(UffOfOthers, EndOfFileBytesAndMarks) {
   EXPECT_EQ(read(text + "\x1A" + at_node(accelerance(), 2).str()).header.response.size(), 2U);  // joined by the system
   EXPECT_EQ(read(text + "\xEF\xBB\xBF" + at_node(accelerance(), 2).str()).header.response.size(), 2U);
   for (const char* below : {"End of file\n", "\nEnd of export\nfile: a.uff\n\n", "Notes: none"}) expect_right(read(text + below));
-  EXPECT_THAT(refusal_of(text + "End\n1.0 2.0\n"), HasSubstr("'End' stands here"));
+  EXPECT_THAT(refusal_of(text + "End\n1.0 2.0\n"), HasSubstr("'End' is here"));
   const std::string message = refusal_of(text + "junk\n\x1B[31m\x01");
-  EXPECT_THAT(message, AllOf(HasSubstr("'junk' stands here"), HasSubstr("export it again")));
+  EXPECT_THAT(message, AllOf(HasSubstr("'junk' is here"), HasSubstr("export it again")));
   EXPECT_EQ(refusal_of(text + "\x1B[31m\x01\n").find_first_of("\x1B\x01\n"), std::string::npos);
 }
 
@@ -247,7 +247,7 @@ TEST(UffOfOthers, CoherencesThatAreNotUsedAreNamed) {
               ElementsAre(HasSubstr("multiple coherences (function type 26, 1 of them)")));
   const FrfHeader twice = read(accelerance().str() + coherence(1).str() + coherence(1).str()).header;
   EXPECT_EQ(twice.noise, NoiseRecord::coherence);
-  EXPECT_THAT(twice.doubts, ElementsAre(HasSubstr("the same coherence stands there several times: 1:+Z/1:+Z")));
+  EXPECT_THAT(twice.doubts, ElementsAre(HasSubstr("the same coherence is there several times: 1:+Z/1:+Z")));
   const FrfHeader differ = read(accelerance().str() + coherence(1).str() + coherence(1, 0.8).str()).header;
   EXPECT_EQ(differ.noise, NoiseRecord::none);
   EXPECT_THAT(differ.doubts, ElementsAre(HasSubstr("several that differ: 1:+Z/1:+Z")));
@@ -430,7 +430,7 @@ TEST(UffOfOthers, AUnitOfTheAxisThatIsGivenStandsInPlaceOfItsLabel) {
   record.abscissa_unit = "Bogus";
   EXPECT_THAT(refusal_of(record.str()),
               AllOf(HasSubstr("record 8"), HasSubstr("'Bogus'"),
-                    HasSubstr("or say what the axis is in: --frequency-unit, in a scene frequency_unit")));
+                    HasSubstr("or give the unit of the axis: --frequency-unit, in a scene frequency_unit")));
   record.abscissa_type = 17;
   EXPECT_THAT(refusal_of(record.str(), given), HasSubstr("abscissa of data type 17 is not a frequency (18)"));
 }

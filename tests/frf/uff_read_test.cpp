@@ -518,7 +518,7 @@ TEST(UffRead, QuantityIsAskedFor) {
   EXPECT_THAT(load_error(record.str()), HasSubstr("data type 13 over 12"));
   const FrfHeader overridden = load_text(simple_record().str(), as(Quantity::mobility)).header;
   EXPECT_EQ(overridden.quantity, Quantity::mobility);
-  EXPECT_THAT(overridden.changes, ::testing::ElementsAre("taken for mobility, not for the receptance that the file says"));
+  EXPECT_THAT(overridden.changes, ::testing::ElementsAre("taken for mobility, not for the receptance that the file states"));
 }
 
 TEST(UffRead, Factors164Divide) {
@@ -670,7 +670,7 @@ TEST(UffRead, UnitsOfSpectra) {
               return options;
             }()).header.quantity,
             Quantity::mobility);
-  EXPECT_THAT(load_error(spectrum(0, "NONE").str(), spectra(motions)), HasSubstr("do not say which quantity"));
+  EXPECT_THAT(load_error(spectrum(0, "NONE").str(), spectra(motions)), HasSubstr("do not state which quantity"));
 }
 
 TEST(UffRead, SpectraThatAreNotPhasorsOfOneState) {

@@ -43,7 +43,7 @@ TEST(VirtualPointScene, SaysWhatIsWrong) {
   EXPECT_THAT(error_of("[[virtual_points]]\nname = \"VP1\"\nposition = [0, 0, 0]\n"), HasSubstr("neither sensors nor impacts"));
   EXPECT_THAT(error_of(point("directions = { \"1:+X\" = [3, 0, 4] }\n")), HasSubstr("the length 5, not 1; write [0.6, 0, 0.8]"));
   EXPECT_THAT(error_of(point("directions = { \"3:+X\" = [1, 0, 0] }\n")), HasSubstr("3:+X is not among the sensors"));
-  EXPECT_THAT(error_of(point("impacts = [\"1:+X\"]\n")), HasSubstr("1 impacts cannot tell 3 motions"));
+  EXPECT_THAT(error_of(point("impacts = [\"1:+X\"]\n")), HasSubstr("1 impacts cannot determine 3 motions"));
   EXPECT_THAT(error_of(point("flexible = [\"ex\", \"ex\"]\n")), HasSubstr("'ex' is there twice"));
   EXPECT_THAT(error_of(point("files = [\"d.h5\"]\n")), HasSubstr("'d.h5' is no file of [data]"));
   EXPECT_THAT(error_of(point("") + point("")), HasSubstr("VP1 is here twice"));

@@ -125,7 +125,7 @@ TEST_F(LawBoundScene, RanksLevelsAndSaysWhatTheyDoNotShow) {
 TEST_F(LawBoundScene, SaysWhatIsMissing) {
   const std::string joint = std::string(iwan_joint) + "law = \"bilinear\"\n";
   const std::string text = planned_text(part(), {1.0}, joint);
-  EXPECT_THAT(error_of([&] { predict_law_bound(scene(text)); }), HasSubstr("nothing says what laws the plan is for"));
+  EXPECT_THAT(error_of([&] { predict_law_bound(scene(text)); }), HasSubstr("nothing states what laws the plan is for"));
   EXPECT_THAT(error_of([&] { identify_laws(scene(text)); }), HasSubstr("nothing was measured"));
   const std::string assumed = planned_text(part(), {1.0}, joint + "assumed = { a = 1e-5, k = 4e5 }\n");
   EXPECT_THAT(error_of([&] {
@@ -133,7 +133,7 @@ TEST_F(LawBoundScene, SaysWhatIsMissing) {
                 without.errors.reset();
                 predict_law_bound(without);
               }),
-              HasSubstr("nobody says how exact a planned level will be"));
+              HasSubstr("nothing states how exact a planned level will be"));
   EXPECT_THAT(error_of([&] { scene(planned_text(part(), {1.0}, joint + "assumed = { a = 1e-5 }\n")); }), HasSubstr("k"));
   EXPECT_THAT(error_of([&] { scene(planned_text(part(), {1.0}, std::string(iwan_joint) + "assumed = { a = 1e-5 }\n")); }),
               HasSubstr("which of several laws"));

@@ -102,7 +102,7 @@ TEST(LawScene, SaysInOneLineWhatIsWrong) {
       {"harmonics = [1, 3]", "harmonics = [1, 3]\namplitudes = \"RMS\"", "rms"},
       {"harmonics = [1, 3]", "harmonics = [1, 3, 5]", "2 files for 3 harmonics"},
       {"harmonics = [1, 3]", "harmonics = [1.5, 3]", "1.5 is not a whole number"},
-      {"amplitude = 12.5\n", "", "the force is not told"},
+      {"amplitude = 12.5\n", "", "the force is not given"},
       {"amplitude = 12.5", "amplitude = 12.5\nforces = \"f2.h5\"", "both forces and amplitude"},
       {"amplitude = 12.5\nforce_dofs = [\"1:+Y\"]", "amplitude = 12.5\nforce_dofs = [\"1:+Y\", \"2:+Y\"]", "several force DOFs"},
       {"relative = 0.01", "relative = 0.0", "no phasor has an error"},

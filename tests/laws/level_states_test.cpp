@@ -147,7 +147,7 @@ TEST(LevelStates, SayWhatIsNotThere) {
     }
     return "none";
   };
-  EXPECT_THAT(error_with("[errors]\nrelative = 0.01", ""), HasSubstr("nobody says how exact they are"));
+  EXPECT_THAT(error_with("[errors]\nrelative = 0.01", ""), HasSubstr("nothing states how exact they are"));
   EXPECT_THAT(error_with("[80.0, 135.0]", "[1.0, 2.0]"), HasSubstr("no line of any level can be used"));
   EXPECT_THAT(error_with("dofs = [\"1:+Y\"]\nlaw", "dofs = [\"7:+Y\"]\nlaw"), HasSubstr("7:+Y"));
   EXPECT_THAT(error_with("level_2.h5", "level_9.h5"), HasSubstr("level_9.h5"));

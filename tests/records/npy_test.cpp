@@ -96,7 +96,7 @@ TEST_F(Npy, WhatItIsNotIsSaid) {
   EXPECT_THAT(message(npy("<f8", "False", "(0, 6)", "")), HasSubstr("the array is empty"));
   EXPECT_THAT(message(npy("<f8", "False", "(4294967296, 4294967296)", numbers)), HasSubstr("more than 268 million numbers"));
   EXPECT_THAT(message(npy("<f8", "False", "(5,)", numbers)), HasSubstr("declares 40 bytes of numbers and the file holds 48"));
-  EXPECT_THAT(message(npy("<f8", "False, 'descr': '<f8'", "(6,)", numbers)), HasSubstr("the key 'descr' stands twice"));
+  EXPECT_THAT(message(npy("<f8", "False, 'descr': '<f8'", "(6,)", numbers)), HasSubstr("the key 'descr' is there twice"));
   EXPECT_THAT(message(npy("<f8", "False, 'more': 3", "(6,)", numbers)), HasSubstr("the key 'more' is none of"));
   std::string other = npy("<f8", "False", "(6,)", numbers);
   other[6] = 9;

@@ -64,10 +64,10 @@ TEST_F(RecordFile, ColumnsOfTextBecomeChannelsInSiUnits) {
 TEST_F(RecordFile, WhatIsMissingOrWrongIsSaidWithWhatToDo) {
   const auto path = write("a.csv", "time,F,a\n0,0,0\n0.001,5,1\n0.002,1,-2\n");
   EXPECT_THAT(message(path, {}),
-              HasSubstr("has columns time, F, a and does not say what they measured; name each, e.g. --channel"));
+              HasSubstr("has columns time, F, a and does not state what they measured; name each, e.g. --channel"));
   EXPECT_THAT(message(path, force_and_g("2", "x")), HasSubstr("there is no column 'x'; the columns are time, F, a"));
   EXPECT_THAT(message(write("b.csv", "s,F,a\n0,0,0\n1,5,1\n"), force_and_g()),
-              HasSubstr("does not say when its samples were taken; give --rate"));
+              HasSubstr("does not state when its samples were taken; give --rate"));
   EXPECT_THAT(message(write("c.csv", "t,F,a\n0,0,0\n1,5,1\n3,5,1\n"), force_and_g()),
               HasSubstr("column t: the times are not even: sample 2"));
   EXPECT_THAT(message(write("d.csv", "t,F,a\n1,0,0\n0,5,1\n"), force_and_g()), HasSubstr("the times do not rise"));
@@ -94,7 +94,7 @@ TEST(GivenChannel, IsColumnDofFactorAndUnit) {
     }
     return std::string("nothing was thrown");
   };
-  EXPECT_THAT(message("4:+Z N"), HasSubstr("says no column before ="));
+  EXPECT_THAT(message("4:+Z N"), HasSubstr("has no column before ="));
   EXPECT_THAT(message("2=4:+Z"), HasSubstr("has 1 words after =, not DOF and unit"));
   EXPECT_THAT(message("2=4:+Z V"), HasSubstr("'V' is no unit of a force or a motion at 4:+Z"));
   EXPECT_THAT(message("2=4:+RZ m/s^2"), HasSubstr("'m/s^2' is no unit of a force or a motion at 4:+RZ"));

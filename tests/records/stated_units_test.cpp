@@ -191,7 +191,7 @@ TEST_F(StatedUnits, OneColumnIsNotTwoChannels) {
   std::filesystem::rename(table("time,ch,ch"), same);
   const auto differs = table("time,a,b");
   EXPECT_THAT(message(same, channels({"ch=1:+Z N", "ch=2:+Z m/s^2"})),
-              HasSubstr("the name 'ch' stands above 2 columns; give the number"));
+              HasSubstr("the name 'ch' is above 2 columns; give the number"));
   EXPECT_THAT(message(differs, channels({"2=1:+Z N", "2=2:+Z m/s^2"})), HasSubstr("'2=' and '2=' are one column, a"));
   EXPECT_THAT(message(differs, channels({"a=1:+Z N", "2=2:+Z m/s^2"})), HasSubstr("'a=' and '2=' are one column, a"));
   EXPECT_THAT(message(differs, channels({"A=1:+Z N", "a=2:+Z m/s^2"})), HasSubstr("are one column, a"));
@@ -279,7 +279,7 @@ TEST_F(StatedUnits, OptionsApplyToUffThatDoesNotStateAsMuch) {
   // Without directions.
   const auto scalar = write("scalar.uff", Uff{.node = 1, .direction = 0, .type = 13, .unit = "N", .title = "hammer"}.text(force) +
                                               Uff{.node = 2, .direction = 0, .title = "acc"}.text(motion));
-  EXPECT_THAT(message(scalar, {}), HasSubstr("has no direction; say where it stood and its unit, e.g. --channel"));
+  EXPECT_THAT(message(scalar, {}), HasSubstr("has no direction; give its place and unit, e.g. --channel"));
   expect_lines(read_records(scalar, channels({"1=1:+Z N", "2=2:+Z m/s^2"})));
   expect_lines(read_records(scalar, channels({"Hammer=1:+Z N", "acc=2:+Z m/s^2"})));
   EXPECT_THAT(message(scalar, channels({"1=1:+Z N", "2=2:+Z g"})), HasSubstr("states acceleration in m/s^2, and g is given"));

@@ -47,8 +47,8 @@ const Wrong mat_files[] = {
     {"NoFrfs", mat({}), convert_mat(), 3, {"a.mat: ", "no complex array with an axis of 3 lines", "f [3x1]", "add one named frf"}},
     {"SeveralMatrices", mat({"H", "G"}), convert_mat(), 3, {"a.mat: ", "several variables", "H", "G", "name one of them"}},
     {"NoFrequencies", mat({"H"}, false), convert_mat(), 3, {"a.mat: ", "no vector of frequencies", "H"}},
-    {"NoQuantity", mat({"H"}), convert_mat("--quantity"), 3, {"a.mat: ", "does not say which quantity", "quantity"}},
-    {"NoDofs", mat({"H"}), convert_mat("--response"), 3, {"a.mat: ", "does not say at which DOFs H was measured"}},
+    {"NoQuantity", mat({"H"}), convert_mat("--quantity"), 3, {"a.mat: ", "does not state which quantity", "quantity"}},
+    {"NoDofs", mat({"H"}), convert_mat("--response"), 3, {"a.mat: ", "does not state at which DOFs H was measured"}},
     {"Truncated", both(mat({"H"}), cut("a.mat", 300)), convert_mat(), 3, {"a.mat: ", "damaged or truncated"}},
 };
 INSTANTIATE_TEST_SUITE_P(Mat, WrongInput, testing::ValuesIn(mat_files), name_of);

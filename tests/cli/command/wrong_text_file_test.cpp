@@ -90,7 +90,7 @@ const Wrong csv_files[] = {
      edit("a.csv", "# quantity = receptance\n# unit = m/N\n", ""),
      convert("a.csv"),
      3,
-     {"a.csv: ", "does not say which quantity it holds", "# quantity = accelerance"}},
+     {"a.csv: ", "does not state which quantity it holds", "# quantity = accelerance"}},
     {"QuantityWord",
      edit("a.csv", "receptance", "receptence"),
      convert("a.csv"),

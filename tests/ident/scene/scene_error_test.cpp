@@ -249,15 +249,15 @@ TEST(SceneErrors, NoiseAndTruth) {
 TEST(SceneErrors, TablesAndListsOfTables) {
   expect_error("data.substructures = ['a.h5']\ndata.assembly = ['b.h5']\n[[joint]]\ndofs = ['4:+Y']\nstiffness.pattern = 'full'\n",
                "line 3, joint",
-               "[[joint]] is a list of tables; one joint is [joint]; of several each should say [[joints]]");
+               "[[joint]] is a list of tables; one joint is [joint]; each of several is [[joints]]");
   expect_error("data.substructures = ['a.h5']\ndata.assembly = ['b.h5']\n[joints]\ndofs = ['4:+Y']\nstiffness.pattern = 'full'\n",
                "line 3, [joints]", "it should say [[joints]], once for each joint");
-  expect_error("[[data]]\nsubstructures = ['a.h5']\n", "line 1, data", "expected a table, found an array of 1; [[data]] should say [data]");
+  expect_error("[[data]]\nsubstructures = ['a.h5']\n", "line 1, data", "expected a table, found an array of 1; [[data]] should be [data]");
   expect_error(right_data + right_joint + "[virtual_points]\nname = 'VP1'\n", "line 5, [virtual_points]",
-               "[virtual_points] should say [[virtual_points]]");
+               "[virtual_points] should be [[virtual_points]]");
   expect_error(right_data + right_joint + "[data.gains]\ndof = '4:+Y'\n", "line 5, [data.gains]",
-               "[data.gains] should say [[data.gains]]");
-  expect_error(right_data + right_joint + "[data.masses]\ndof = '4:+Y'\n", "line 5", "[data.masses] should say [[data.masses]]");
+               "[data.gains] should be [[data.gains]]");
+  expect_error(right_data + right_joint + "[data.masses]\ndof = '4:+Y'\n", "line 5", "[data.masses] should be [[data.masses]]");
 }
 
 TEST(SceneErrors, StartsByNumbers) {
@@ -282,7 +282,7 @@ TEST(SceneErrors, NamesOfSprings) {
                "several springs of one name are a list: k1 = [[");
   expect_error(begin + "[{ k = ['4:+Y', '5:+Y'] }]", "line 4, [joint.stiffness.springs[1]]", "or with names { k1 = [");
   expect_error(begin + "['4:+Y', '5:+Y']", "line 4, [joint.stiffness] springs[1]", "write [[\"4:+Y\", \"5:+Y\"], …]");
-  expect_error(begin + "[['k', '4:+Y', '5:+Y']]", "line 4, [joint.stiffness] springs[1]", "a name stands before it, { k1 = [");
+  expect_error(begin + "[['k', '4:+Y', '5:+Y']]", "line 4, [joint.stiffness] springs[1]", "a name goes before it, { k1 = [");
 }
 
 /// GCC 12 destroyed the file's name of such a level twice.

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "python/outcome.hpp"
+#include "python/scene_text.hpp"
+
+namespace jointid::python {
+
+/// `jointid solve` of a scene whose [joint] has `lines`. Throws InputError and Interrupted, as decouple() does.
+Outcome solve_lines(const SceneText& scene, const ident::Control& control);
+
+/// `jointid decouple`. `out`: where the FRFs of B are written; empty: they stay in memory.
+Outcome decouple(const SceneText& scene, const std::filesystem::path& out, const ident::Control& control);
+
+}  // namespace jointid::python
