@@ -8,6 +8,8 @@
 #include <string>
 #include <thread>
 
+#include "base/stop_scope.hpp"
+
 namespace jointid::python {
 namespace {
 
@@ -124,7 +126,10 @@ void run_watched(const py::object& progress, std::function<void(const ident::Con
   std::thread thread([run, work = std::move(work)]() mutable {
     std::exception_ptr error;
     try {
-      work(run->control());
+      const ident::Control control = run->control();
+      const StopScope::Ask ask = lasting(control.interrupted, 600ms);  // work that keeps something looks at `control` before
+      const StopScope scope(&ask);
+      work(control);
     } catch (...) {
       error = std::current_exception();
     }

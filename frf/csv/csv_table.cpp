@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/stop_scope.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/text/complex_text.hpp"
 #include "frf/text/footer.hpp"
@@ -30,6 +31,7 @@ class CsvReader {
     take_separator(rest.substr(0, rest.find('\n')));
     header_ = find_csv_header(rest, separator_);
     for (line_ = 1; !rest.empty(); ++line_) {
+      stop_point();
       const std::string_view line = take_until(rest, '\n'), text = trimmed(line);
       if (!text.empty() && !(line_ == 1 && separator_ != '\0')) take(line, text);
     }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/stop_scope.hpp"
 #include "base/temporary_file.hpp"
 #include "frf/csv/csv_columns.hpp"
 #include "frf/csv/csv_file.hpp"
@@ -68,7 +69,10 @@ std::string header_text(const FrfHeader& header) {
 void write_csv(const FrfSet& set, const std::filesystem::path& path) {
   validate(set.header);
   std::string text = header_text(set.header);
-  for (std::size_t line = 0; line < set.header.lines(); ++line) append_line(text, set, line);
+  for (std::size_t line = 0; line < set.header.lines(); ++line) {
+    stop_point();
+    append_line(text, set, line);
+  }
   write_text(path, text);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/stop_scope.hpp"
 #include "base/temporary_file.hpp"
 #include "frf/mat_module/files.hpp"
 #include "frf/mat_module/mat_v5_check.hpp"
@@ -79,6 +80,7 @@ std::vector<T> first_index_fastest(const FrfSet& set, const std::function<T(std:
   std::vector<T> out;
   for (std::size_t c = 0; c < set.header.reference.size(); ++c) {
     for (std::size_t r = 0; r < set.header.response.size(); ++r) {
+      stop_point();
       for (std::size_t line = 0; line < set.header.lines(); ++line)
         out.push_back(of(line, set.index(line, r, c)));
     }

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <limits>
 
 #include "base/error.hpp"
+#include "base/stop_scope.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -58,7 +58,15 @@ bool parse_plain(const std::string& text, double& value) {
 
 std::string read_text(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
+  constexpr std::size_t piece = 1U << 22U;
+  std::string text;
+  while (in) {
+    stop_point();
+    const std::size_t before = text.size();
+    text.resize(before + piece);
+    in.read(text.data() + before, static_cast<std::streamsize>(piece));
+    text.resize(before + static_cast<std::size_t>(in.gcount()));
+  }
   if (in.bad() || !in.is_open()) {
     throw InputError({.kind = ErrorKind::data,
                       .file = path.string(),

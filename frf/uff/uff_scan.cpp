@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 
+#include "base/stop_scope.hpp"
 #include "frf/text/footer.hpp"
 #include "frf/uff/uff_text.hpp"
 
@@ -166,6 +167,7 @@ class Scanner {
   void text(Dataset& found) {
     found.payload_end = file_.position();
     while (file_.next_line(line_)) {
+      stop_point();
       if (is_delimiter(line_)) return;
       found.payload_end = file_.position();
       if (!trim(line_).empty()) ++found.payload_lines;

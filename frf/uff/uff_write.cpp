@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "base/error.hpp"
+#include "base/stop_scope.hpp"
 #include "base/temporary_file.hpp"
 #include "frf/set/virtual_node.hpp"
 #include "frf/uff/uff58_header.hpp"
@@ -51,6 +52,7 @@ class Writer {
     bool any = false;
     for (std::size_t r = 0; r < set_.header.response.size(); ++r) {
       for (std::size_t c = 0; c < set_.header.reference.size(); ++c) {
+        stop_point();
         if (!measured(r, c)) continue;
         any = true;
         record({.r = r, .c = c, .coherence = false});

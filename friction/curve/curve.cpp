@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "base/stop_scope.hpp"
 #include "friction/curve/equivalent.hpp"
 
 namespace jointid::friction {
@@ -99,6 +100,7 @@ void validate(const Curve& curve) {
 }
 
 std::vector<double> predicted(const Element& element, const Curve& curve) {
+  stop_point();
   std::vector<double> out(curve.rows());
   if (is_series(curve)) {
     const std::size_t amplitudes = curve.u.size();
@@ -117,6 +119,7 @@ std::vector<double> predicted(const Element& element, const Curve& curve) {
 }
 
 std::vector<double> predicted_derivative(const Element& element, const Curve& curve) {
+  stop_point();
   const std::size_t parameters = element.parameters().size();
   std::vector<double> out(curve.rows() * parameters);
   if (is_series(curve)) {

@@ -4,6 +4,7 @@
 
 #include "base/complex.hpp"
 #include "base/error.hpp"
+#include "base/stop_scope.hpp"
 #include "minimise/linear/eigen_view.hpp"
 
 namespace jointid::ident {
@@ -65,6 +66,7 @@ std::vector<ResponseLine> NewtonPlan::read_responses(const Plan& plan, std::size
   const std::size_t joint = plan.coordinates.joint.size();
   std::vector<ResponseLine> lines;
   for (std::size_t i = 0; i < count; ++i) {
+    stop_point();
     const minimise::View h = substructures->line(i);
     ReachableFrfs frfs = {map(h.block(0, 0, rows, columns)), map(h.block(0, columns, rows, joint)), map(h.block(rows, 0, joint, columns)),
                           map(h.block(rows, columns, joint, joint)), map(assembly->line(i))};

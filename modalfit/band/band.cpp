@@ -7,6 +7,7 @@
 #include <span>
 
 #include "base/complex.hpp"
+#include "base/stop_scope.hpp"
 #include "frf/set/frf_set.hpp"
 #include "frf/set/recorded_variance.hpp"
 
@@ -84,6 +85,7 @@ void drop_tiny(Band& band) {
 void take_values(const frf::FrfSet& set, const std::vector<std::size_t>& lines, Band& band) {
   band.values.resize(band.entries() * lines.size());
   for (std::size_t entry = 0; entry < band.entries(); ++entry) {
+    stop_point();
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const Complex value = set.values[lines[i] * set.header.entries() + entry];
       band.values[entry * lines.size() + i] = std::isfinite(value.real()) && std::isfinite(value.imag()) ? value : 0.0;
@@ -117,6 +119,7 @@ Band make_band(const frf::FrfSet& set, const std::optional<std::array<double, 2>
   band.weight.resize(band.values.size() * 2);
   const double unit = unit_of(band);
   for (std::size_t entry = 0; entry < band.entries(); ++entry) {
+    stop_point();
     band.known_noise ? weigh_as_recorded(set, lines, entry, band) : weigh_evenly(band, entry, 1.0 / unit);
   }
   if (std::ranges::all_of(band.weight, [](double weight) { return weight == 0.0; })) {

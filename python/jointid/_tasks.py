@@ -212,8 +212,17 @@ def _record_files(records: Any) -> Iterator[tuple[list[str], dict[str, str]]]:
         for path, array in zip(paths, arrays):
             if array.ndim != 2:
                 raise InputError(f"its shape is {array.shape}", place="files", remedy="the axes are [sample, channel]", kind="data")
-            np.save(path, real_numbers(array, f"record {path[-5]}"))
+            _save(path, array, f"record {path[-5]}")
         yield paths, {path: f"record {k + 1}" for k, path in enumerate(paths)}
+
+
+def _save(path: str, array: np.ndarray, place: str) -> None:
+    """As np.save() does, piece by piece: Python looks for Ctrl-C between."""
+    rows = max(1, 2**21 // max(1, array.shape[1]))
+    with open(path, "wb") as stream:
+        np.lib.format.write_array_header_1_0(stream, {"descr": "<f8", "fortran_order": False, "shape": array.shape})
+        for first in np.arange(0, len(array), rows):
+            stream.write(memoryview(real_numbers(array[first:first + rows], place).astype("<f8", copy=False)).cast("B"))
 
 
 def pod(record: Any, *, names: Sequence[str] | None = None, units: Sequence[str] | None = None, threads: int = 0,

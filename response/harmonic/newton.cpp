@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/stop_scope.hpp"
 #include "dense/real_lu.hpp"
 
 namespace jointid::response {
@@ -35,6 +36,7 @@ NewtonResult newton(const CondensedEquations& equations, const HarmonicLine& lin
   result.motion = std::move(start);
   CondensedEquations::Value value = equations.evaluate(line, level, result.motion);
   for (; result.steps < options.most_steps; ++result.steps) {
+    stop_point();
     const Eigen::ArrayXd weight = weights(equations, line, level, result.motion).array();
     const double size = (weight * value.residual.array()).matrix().norm();
     result.residual = size;

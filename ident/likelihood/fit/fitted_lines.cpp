@@ -8,7 +8,9 @@
 #include <cmath>
 #include <utility>
 
+#include "base/control.hpp"
 #include "base/eigen.hpp"
+#include "base/stop_scope.hpp"
 #include "ident/likelihood/model/corrected_line.hpp"
 #include "ident/likelihood/model/line_gradient.hpp"
 #include "ident/likelihood/line/robust_loss.hpp"
@@ -49,8 +51,10 @@ const LineData& FittedLines::data_at(std::size_t line, const std::vector<double>
 
 void FittedLines::for_all(const std::function<void(std::size_t, LineModel&)>& work) {
   std::atomic<std::size_t> begun = 0;
+  const StopScope::Ask* const asked = StopScope::current();
   const auto work_on = [&](std::size_t i, LineModel& model) {
     if (!is_looked_at(i)) return;
+    if (asked != nullptr) stop_if(*asked);
     if (watch_) watch_(begun++, own_.size());
     work(i, model);
   };
