@@ -9,8 +9,6 @@
 #include <thread>
 #include <vector>
 
-#include "base/stop_scope.hpp"
-
 namespace jointid {
 
 /// The threads that were asked for; for 0 all cores of the machine, or the part of them of each of so many processes.
@@ -23,19 +21,13 @@ template <class Work>
 std::vector<std::jthread> threads_of(std::size_t count, const Work& work) {
   std::vector<std::jthread> threads;
   try {
-    for (std::size_t t = 0; t < count; ++t) {
-      threads.emplace_back([work, asked = StopScope::current()] {
-        const StopScope scope(asked);
-        work();
-      });
-    }
+    for (std::size_t t = 0; t < count; ++t) threads.emplace_back(work);
   } catch (const std::system_error&) {
   }
   return threads;
 }
 
-/// each(i) for i = 0 … count − 1 on as many threads, in any order. The first exception ends it and is thrown here; so is
-/// Interrupted, of stop_point().
+/// each(i) for i = 0 … count − 1 on as many threads, in any order. The first exception ends it and is thrown here.
 template <class Each>
 void for_each_index(std::size_t count, std::size_t threads, const Each& each) {
   std::atomic<std::size_t> next = 0;
@@ -43,10 +35,7 @@ void for_each_index(std::size_t count, std::size_t threads, const Each& each) {
   std::mutex mutex;
   const auto work = [&] {
     try {
-      for (std::size_t i; (i = next++) < count;) {
-        stop_point();
-        each(i);
-      }
+      for (std::size_t i; (i = next++) < count;) each(i);
     } catch (...) {
       next = count;
       const std::scoped_lock lock(mutex);

@@ -4,9 +4,9 @@
 
 namespace jointid {
 
-/// Lets loops far below a caller end early: while one is alive, stop_point() of this thread asks its function. Threads of
-/// for_each_index() and threads_of() ask that of the thread that began them. Commands that hand an interruption through their
-/// arguments (Control::interrupted) keep what they have so far; this is for the work between two of their looks.
+/// Lets loops far below a caller end early: while one is alive, stop_point() of this thread asks its function. Other threads do not
+/// ask, unless whoever begins them hands them current(). Commands that hand an interruption through their arguments
+/// (Control::interrupted) keep what they have so far; this is for the work between two of their looks.
 class StopScope {
  public:
   using Ask = std::function<bool()>;

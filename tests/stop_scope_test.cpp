@@ -2,11 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <thread>
 
 #include "base/control.hpp"
-#include "base/parallel.hpp"
 
 namespace jointid {
 namespace {
@@ -29,30 +27,6 @@ TEST(StopScope, StopsItsThreadAloneUntilItsEnd) {
     EXPECT_THROW(stop_point(), Interrupted);
   }
   EXPECT_NO_THROW(stop_point());
-}
-
-TEST(StopScope, EndsLoopsOnSeveralThreads) {
-  std::atomic<int> begun = 0;
-  const StopScope::Ask after_ten = [&] { return begun > 10; };
-  const StopScope scope(&after_ten);
-  EXPECT_THROW(for_each_index(100000, 4, [&](std::size_t) { ++begun; }), Interrupted);
-  EXPECT_LT(begun, 100);
-}
-
-TEST(StopScope, ThreadsAskAsTheOneThatBeganThem) {
-  const StopScope::Ask stop = [] { return true; };
-  std::atomic<int> stopped = 0;
-  {
-    const StopScope scope(&stop);
-    const auto threads = threads_of(3, [&] {
-      try {
-        stop_point();
-      } catch (const Interrupted&) {
-        ++stopped;
-      }
-    });
-  }
-  EXPECT_EQ(stopped, 3);
 }
 
 }  // namespace
