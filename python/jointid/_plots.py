@@ -97,8 +97,8 @@ def plot_lines(ways: Any, element: str, unit: str, law: Any, axes: Any) -> Any:
             numbers = values.z[:, at].imag if part else values.z[:, at].real
             line, = axis.plot(values.frequency, numbers, label=values.name, linewidth=1, linestyle="--" if values is law else "-")
             axis.fill_between(values.frequency, *values.band[:, at, part].T, color=line.get_color(), alpha=0.2, linewidth=0)
-    for axis, part in zip(axes, ("Re", "Im")):
-        axis.set_ylabel(f"{part} {element}, {unit}")
+    for axis, word in zip(axes, ("Re", "Im")):
+        axis.set_ylabel(f"{word} {element}, {unit}")
         axis.grid(alpha=0.3)
     axes[1].set_xlabel("frequency, Hz")
     axes[0].legend(fontsize="small")

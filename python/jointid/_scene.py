@@ -7,6 +7,7 @@ import functools
 import math
 import os
 import re
+import tempfile
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
@@ -118,6 +119,7 @@ class Scene:
         self._names: dict[str, str] = {}  # path of a file in memory → name of its set
         self._sets: dict[int, tuple[Any, str]] = {}  # id of a set → the set, which stays alive, and its path
         self._files: list[Any] = []
+        self._folder: tempfile.TemporaryDirectory | None = None  # of time histories
         self.is_file = isinstance(scene, (str, os.PathLike))
         self.file = os.fspath(scene) if self.is_file else file or _IN_MEMORY
         if not self.is_file and not isinstance(scene, Mapping):
@@ -142,6 +144,8 @@ class Scene:
             return value
         if isinstance(value, _frf_set()):
             return self._path_of(value)
+        if key == "records" and getattr(value, "ndim", None) == 2:
+            return self._path_of_record(value)
         if isinstance(value, Mapping):
             first = sorted(value.items(), key=lambda item: item[0] not in ("data", "parts", "substructures", "assembly"))
             made = {each: self._with_paths(item, each) for each, item in first}
@@ -170,6 +174,18 @@ class Scene:
             self._sets[id(frfs)] = (frfs, file.path)
             self._names[file.path] = frfs.name
         return self._sets[id(frfs)][1]
+
+    def _path_of_record(self, array: Any) -> str:
+        """Of time histories in memory: a file for as long as the scene."""
+        from ._records import save_record
+
+        if self._folder is None:
+            self._folder = tempfile.TemporaryDirectory(prefix="jointid-")
+        number = 1 + len(os.listdir(self._folder.name))
+        path = os.path.join(self._folder.name, f"record_{number}.npy")
+        save_record(path, array, f"record {number}")
+        self._names[path] = f"record {number}"
+        return path
 
     def add(self, frfs: Any) -> str:
         """The path that stands for a set outside of the scene's text."""

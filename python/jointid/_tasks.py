@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from . import _jointid
+from ._records import save_record
 from ._run import NoScene, run_scene, run_task, with_options
 from ._scene import Scene, as_list, paths_of, whole_number
 from .errors import InputError
@@ -34,7 +35,7 @@ def friction_laws(scene: Any, *, threads: int = 0, progress: Any = None) -> Resu
     """Friction laws of joints from vibration at several force levels: ``jointid solve`` of scenes with ``[[joint.friction]]``.
 
     Takes a path, or a dict in which sets replace files: FrfSets for ``data.parts``, phasors() for responses and forces of
-    ``data.levels``.
+    ``data.levels``, or arrays [sample, channel] of time histories for ``records``, with ``channels`` and ``rate``.
 
     >>> import jointid, numpy as np
     >>> f, omega = np.array([95.0, 100.0, 105.0]), 2 * np.pi * np.array([95.0, 100.0, 105.0])
@@ -210,19 +211,8 @@ def _record_files(records: Any) -> Iterator[tuple[list[str], dict[str, str]]]:
     with tempfile.TemporaryDirectory(prefix="jointid-") as folder:
         paths = [os.path.join(folder, f"record_{k + 1}.npy") for k in np.arange(len(arrays))]
         for path, array in zip(paths, arrays):
-            if array.ndim != 2:
-                raise InputError(f"its shape is {array.shape}", place="files", remedy="the axes are [sample, channel]", kind="data")
-            _save(path, array, f"record {path[-5]}")
+            save_record(path, array, f"record {paths.index(path) + 1}")
         yield paths, {path: f"record {k + 1}" for k, path in enumerate(paths)}
-
-
-def _save(path: str, array: np.ndarray, place: str) -> None:
-    """As np.save() does, piece by piece: Python looks for Ctrl-C between."""
-    rows = max(1, 2**21 // max(1, array.shape[1]))
-    with open(path, "wb") as stream:
-        np.lib.format.write_array_header_1_0(stream, {"descr": "<f8", "fortran_order": False, "shape": array.shape})
-        for first in np.arange(0, len(array), rows):
-            stream.write(memoryview(real_numbers(array[first:first + rows], place).astype("<f8", copy=False)).cast("B"))
 
 
 def pod(record: Any, *, names: Sequence[str] | None = None, units: Sequence[str] | None = None, threads: int = 0,

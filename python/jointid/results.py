@@ -228,6 +228,19 @@ class Solution(Result):
         return out
 
     @property
+    def joints(self) -> dict[str, dict[str, Unknown]]:
+        """The unknowns of each joint of a scene with ``[[joints]]``, by its name and without it: ``joints["left"]["K(1,2)"]``.
+
+        Empty for one ``[joint]``, whose unknowns have no joint's name.
+        """
+        out: dict[str, dict[str, Unknown]] = {}
+        for name, unknown in self.unknowns.items():
+            joint, dot, own = name.partition(".")
+            if dot and joint not in ("K", "M", "C", "D"):
+                out.setdefault(joint, {})[own] = unknown
+        return out
+
+    @property
     def values(self) -> np.ndarray:
         """Values of the unknowns, [unknown], SI units."""
         return np.array([each.value for each in self.unknowns.values()])

@@ -216,3 +216,28 @@ def test_problems(tmp_path):
     assert "A1" in jointid.problems()
     with pytest.raises(jointid.InputError, match="A1"):
         jointid.write_problem("A1x", tmp_path / "none")
+
+
+def level_of_records(newton, hertz, random, stiffness, mass):
+    """Steady vibration of a mass on a spring, a record [sample, (force, displacement)] for each line."""
+    t = np.arange(0.0, 1.0, 1 / 2000)
+    records = []
+    for f in hertz:
+        motion = newton / (stiffness - mass * (2 * np.pi * f) ** 2)
+        both = np.column_stack([newton * np.cos(2 * np.pi * f * t), motion * np.cos(2 * np.pi * f * t)])
+        records.append(both + 1e-3 * np.abs(both).max(axis=0) * random.normal(size=both.shape))
+    return {"name": f"{newton} N", "records": records, "channels": ["1=1:+Y N", "2=1:+Y m"], "rate": 2000.0, "force_dofs": ["1:+Y"],
+            "harmonics": [1]}
+
+
+@pytest.mark.filterwarnings("ignore::jointid.JointidWarning")
+def test_friction_laws_of_records_in_memory():
+    hertz, mass, random = np.array([95.0, 100.0, 105.0]), 0.5, np.random.default_rng(2)
+    part = jointid.FrfSet(-1 / (mass * (2 * np.pi * hertz) ** 2).reshape(-1, 1, 1), hertz, ["1:+Y"], name="mass")
+    scene = {"data": {"parts": [part], "levels": [level_of_records(newton, hertz, random, 2.5e5, mass) for newton in (1.0, 2.0)]},
+             "frequency": {"range": [94.0, 106.0]}, "joint": {"friction": [{"name": "joint", "dofs": ["1:+Y"], "law": "spring"}]}}
+    found = jointid.friction_laws(scene)["joints"][0]["stiffness"]
+    assert abs(found["value"] - 2.5e5) < 4 * found["std_error"] < 2.5e3
+    scene["data"]["levels"][0]["records"] = [np.zeros((5, 2, 2))]
+    with pytest.raises(jointid.InputError):
+        jointid.friction_laws(scene)

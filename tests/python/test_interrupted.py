@@ -1,7 +1,10 @@
 """What Ctrl-C leaves: the best values so far, and no work that goes on."""
 
 import pickle
+import signal
+import threading
 import time
+from contextlib import contextmanager
 
 import jointid
 import numpy as np
@@ -25,6 +28,17 @@ def stopped(work, when):
         work(Stop(when))
     assert type(caught.value) is KeyboardInterrupt  # of another class Python would not end by SIGINT
     return caught.value
+
+
+@contextmanager
+def interrupted_after(seconds):
+    """A signal of Ctrl-C so much later."""
+    timer = threading.Timer(seconds, signal.raise_signal, [signal.SIGINT])
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
 
 
 def beams(lines, dofs, modes):
@@ -55,6 +69,39 @@ def test_the_ways_that_were_finished(a1):
     work = lambda progress: jointid.compare(a1, trials=400, methods=["one", "two"], weightings=["none", "WA"], progress=progress)
     partial = stopped(work, lambda stage, done, total: done > 0.6 * total).partial
     assert 1 <= len(partial["combinations"]) < 4 and partial["interrupted"] and "finished" in partial.message
+
+
+def test_the_bound_that_was_predicted(noisy_a1):
+    """The bound of the data as planned is there, and what a candidate is worth goes on."""
+    work = lambda progress: jointid.bound(noisy_a1, progress=progress)
+    partial = stopped(work, lambda stage, done, total: "data set" in stage and "data set 1 " not in stage).partial
+    whole = jointid.bound(noisy_a1)
+    assert not partial.usable and "Interrupted" in partial.message
+    assert partial["bound"]["unknowns"] == whole["bound"]["unknowns"]
+    assert len(partial["bound"]["without_coordinate"]) < len(whole["bound"]["without_coordinate"])
+
+
+def test_the_motion_that_was_found(tmp_path):
+    """The motion is there, and its exponents go on."""
+    scene = jointid._joint.Scene.table_of(jointid.write_problem("chain-3", tmp_path))
+    scene["exponents"] = {"count": 2, "length": 1e7}
+    work = lambda progress: jointid.oscillate(scene, progress=progress)
+    partial = stopped(work, lambda stage, done, total: stage == "exponents").partial
+    scene.pop("exponents")
+    assert "Interrupted" in partial.message and not partial.usable
+    assert partial.csv() == jointid.oscillate(scene).csv() and "INTERRUPTED" in partial.text()
+
+
+def test_work_that_hands_on_no_interruption_ends(tmp_path):
+    """Reading and writing of large text look for themselves."""
+    frfs = beams(2000, 20, 10)
+    path = tmp_path / "large.csv"
+    frfs.save(path)
+    for work in (lambda: jointid.read(path), lambda: frfs.save(tmp_path / "again.csv")):
+        with interrupted_after(0.1), pytest.raises(KeyboardInterrupt):
+            work()
+        assert _jointid.runs_left() == 0
+    assert not (tmp_path / "again.csv").exists()
 
 
 def test_the_laws_that_were_fitted():
