@@ -9,6 +9,7 @@
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "study/shared_trials.hpp"
+#include "study/study_part.hpp"
 #include "study/study_records.hpp"
 #include "study/study_row.hpp"
 #include "study/trial_threads.hpp"
@@ -36,7 +37,7 @@ bool has_intervals(const std::shared_ptr<const TrialData>& data, std::uint64_t s
 class Study {
  public:
   Study(const std::shared_ptr<const TrialData>& data, const StudyOptions& options, ident::Team& team, const StudyControl& control)
-      : data_(data), options_(options), team_(team), control_(control) {}
+      : data_(data), options_(options), range_(trials_of(options.part, options.trials)), team_(team), control_(control) {}
 
   StudyRun lead() {
     std::optional<StudyRecords> opened;
@@ -48,11 +49,11 @@ class Study {
     });
     StudyRecords& records = *opened;
     StudyRun run;
-    const std::size_t done_before = options_.trials - count(missing);
+    const std::size_t all = range_.end - range_.first, done_before = all - count(missing);
     run.computed = share_trials(std::move(missing), team_, leading(records, done_before));
     run.done = done_before + run.computed;
     if (solved_ > 0) run.solve_s = 1e-9 * static_cast<double>(solve_ns_) / static_cast<double>(solved_);
-    run.complete = run.done == options_.trials;
+    run.complete = run.done == all;
     if (run.complete) records.finish();
     return run;
   }
@@ -70,6 +71,7 @@ class Study {
   frf::TableHeader header() const {
     frf::TableHeader header = header_of(*data_, columns_);
     header.texts.insert(options_.texts.begin(), options_.texts.end());
+    header.texts.merge(texts_of(options_.part, options_.trials, data_->scene.title, data_->notes));
     header.texts["seed"] = std::to_string(options_.seed);
     header.texts["data_hash"] = hash_of(*data_);
     return header;
@@ -77,7 +79,8 @@ class Study {
 
   TrialSharing sharing() {
     const auto maker = [this]() -> MakeTrialRow {
-      return [this, runner = std::make_shared<TrialRunner>(data_)](std::size_t number, std::vector<double>& row) {
+      return [this, runner = std::make_shared<TrialRunner>(data_)](std::size_t index, std::vector<double>& row) {
+        const std::size_t number = range_.first + index;
         const Trial trial = runner->run(options_.seed, number);
         solve_ns_ += static_cast<std::uint64_t>(1e9 * trial.solve_s);
         ++solved_;
@@ -94,7 +97,7 @@ class Study {
     TrialSharing out = sharing();
     out.keep = [&records](std::size_t trial, std::span<const double> row) { records.put(trial, row); };
     out.watch = [this, &records, done_before, synced = Clock::now()](std::size_t made) mutable {
-      if (control_.progress) control_.progress(done_before + made, options_.trials);
+      if (control_.progress) control_.progress(done_before + made, range_.end - range_.first);
       if (made == 0 || seconds_since(synced) <= between_syncs_s) return;
       records.sync();
       synced = Clock::now();
@@ -104,6 +107,7 @@ class Study {
 
   std::shared_ptr<const TrialData> data_;
   const StudyOptions& options_;
+  frf::IndexRange range_;  ///< of the trials; those of the records begin with 0
   ident::Team& team_;
   const StudyControl& control_;
   StudyColumns columns_;

@@ -25,8 +25,8 @@ struct StudyRun {
   double solve_s = 0.0;  ///< mean time of one solution in this process, without drawing the noise; 0 when it solved none
 };
 
-/// Runs the missing trials of OUT on all threads of all processes of the team. Each trial is a row of OUT (frf/table_file.hpp):
-/// status, unknowns, per judged matrix RJCF, ARVF and rms relative error, and both ends of the 95 % intervals if the method has
+/// Runs the missing trials of OUT, those of options.part, on all threads of all processes of the team. Each trial is a row of OUT
+/// (frf/table_file.hpp): status, unknowns, per judged matrix RJCF, ARVF and rms relative error, and both ends of the 95 % intervals if the method has
 /// them (trial 0 decides). The file has the same bytes for any number of threads, processes and interruptions. Only the leader of
 /// a team writes, and only its StudyRun is complete. Throws InputError, and ToldElsewhere if another process of the team throws
 /// it.

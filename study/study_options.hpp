@@ -8,8 +8,14 @@
 
 namespace jointid::study {
 
+/// Which of the parts of a study that run one by one, on machines of a cluster for example.
+struct StudyPart {
+  std::size_t number = 1, count = 1;  ///< 1 ≤ number ≤ count
+};
+
 struct StudyOptions {
   std::size_t trials = 1000;  ///< ≥ 1; trial numbers 0 … trials−1
+  StudyPart part = {};        ///< the trials of this part alone (study_part.hpp); OUT then has these
   std::uint64_t seed = 1;
   std::size_t threads = 0;  ///< per process; 0: all cores. The result does not depend on it.
   bool resume = false;      ///< take up what a run of the same study left, interrupted or of fewer trials

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "study/study_options.hpp"
+#include "study/study_part.hpp"
 
 namespace jointid::study {
 namespace {
@@ -29,10 +30,11 @@ frf::JournalKey key_of(const frf::TableHeader& header) {
   std::string others;
   for (const auto& text : header.texts) {
     const bool named = std::ranges::any_of(named_texts, [&](const auto& of) { return text.first == of.first; });
-    if (!named) others += text.first + "=" + text.second + "\n";
+    if (!named && text.first != "part") others += text.first + "=" + text.second + "\n";
   }
   for (const frf::TableColumn& column : header.columns) others += column.name + "\n";
   key.push_back({"set of unknowns", others});
+  if (header.texts.contains("part")) key.push_back({"part", text_of(header, "part")});
   return key;
 }
 
@@ -40,7 +42,7 @@ frf::JournalKey key_of(const frf::TableHeader& header) {
 std::vector<std::string> differences(const frf::TableHeader& one, const frf::TableHeader& other) {
   const frf::JournalKey a = key_of(one), b = key_of(other);
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < a.size(); ++i) {
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
     if (a[i].text != b[i].text) names.push_back(a[i].name);
   }
   return names;
@@ -49,9 +51,11 @@ std::vector<std::string> differences(const frf::TableHeader& one, const frf::Tab
 }  // namespace
 
 StudyRecords::StudyRecords(const StudyOptions& options, frf::TableHeader header) : options_(options), header_(std::move(header)) {
+  const frf::IndexRange range = trials_of(options.part, options.trials);
+  rows_ = range.end - range.first;
   const bool left = std::filesystem::exists(journal_path(options.out));
   const std::size_t finished = options.resume && !left ? finished_trials() : 0;
-  if (finished == options.trials) return;
+  if (finished == rows_) return;
   using Start = frf::RecordJournal::Start;
   journal_.emplace(journal_path(options.out), key_of(header_), header_.columns.size(), options.resume ? Start::resume : Start::fresh);
   if (finished > 0) take_over(finished);
@@ -73,7 +77,7 @@ void StudyRecords::take_over(std::size_t finished) {
 }
 
 std::vector<frf::IndexRange> StudyRecords::missing() const {
-  return journal_ ? journal_->missing(options_.trials) : std::vector<frf::IndexRange>();
+  return journal_ ? journal_->missing(rows_) : std::vector<frf::IndexRange>();
 }
 
 void StudyRecords::put(std::size_t trial, std::span<const double> row) { journal_->put(trial, row); }
@@ -82,9 +86,9 @@ void StudyRecords::sync() const { journal_->sync(); }
 
 void StudyRecords::finish() {
   if (!journal_) return;
-  frf::TableWriter table(options_.out, header_, options_.trials);
-  for (std::size_t first = 0; first < options_.trials; first += block) {
-    table.append(journal_->read(first, std::min(block, options_.trials - first)));
+  frf::TableWriter table(options_.out, header_, rows_);
+  for (std::size_t first = 0; first < rows_; first += block) {
+    table.append(journal_->read(first, std::min(block, rows_ - first)));
   }
   table.finish();
   journal_->remove();
@@ -96,7 +100,7 @@ std::size_t StudyRecords::finished_trials() const {
   const frf::TableReader table(options_.out);
   const std::vector<std::string> others = differences(table.header(), header_);
   if (!others.empty()) refuse("it is complete and belongs to " + frf::named_others(others));
-  if (table.rows() > options_.trials) refuse(fmt::format("it has {} trials already", table.rows()));
+  if (table.rows() > rows_) refuse(fmt::format("it has {} trials already", table.rows()));
   return table.rows();
 }
 

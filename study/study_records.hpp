@@ -32,6 +32,7 @@ class StudyRecords {
 
   const StudyOptions& options_;
   frf::TableHeader header_;
+  std::size_t rows_ = 0;                       ///< of OUT: the trials of options_.part
   std::optional<frf::RecordJournal> journal_;  ///< none when OUT is complete
 };
 

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/display_options.hpp"
 #include "cli/options/output.hpp"
@@ -24,6 +25,7 @@
 #include "report/text/display_of_tasks.hpp"
 #include "scene/kind.hpp"
 #include "scene/text.hpp"
+#include "study/study_part.hpp"
 #include "study/trial_data.hpp"
 #include "tasks/study/run_law_study.hpp"
 
@@ -31,7 +33,13 @@ namespace jointid::cli {
 namespace {
 
 std::filesystem::path result_file(const StudyArguments& arguments) {
-  return arguments.out.empty() ? std::filesystem::path(arguments.scene.stem().string() + ".study.h5") : arguments.out;
+  if (!arguments.out.empty()) return arguments.out;
+  std::string name = arguments.scene.empty() ? "merged" : arguments.scene.stem().string();
+  if (!arguments.part.empty()) {
+    const study::StudyPart part = study::parse_part(arguments.part);
+    name += fmt::format(".part-{}-of-{}", part.number, part.count);
+  }
+  return name + ".study.h5";
 }
 
 /// The trials of a study of laws: text, as few numbers as they are.
@@ -41,7 +49,19 @@ std::filesystem::path law_trials_file(const StudyArguments& arguments) {
 
 void check(const StudyArguments& arguments) {
   display_of(arguments.units);
-  if (arguments.trials == 0) throw InputError({ErrorKind::usage, "", "--trials", "it is 0", "give 1 or more"});
+  const auto refuse = [](const char* place, const std::string& problem, const char* remedy) {
+    throw InputError({ErrorKind::usage, "", place, problem, remedy});
+  };
+  if (arguments.trials == 0) refuse("--trials", "it is 0", "give 1 or more");
+  if (arguments.scene.empty() && arguments.merge.empty())
+    refuse("SCENE", "it is missing", "give a scene file, or the files of all parts by --merge");
+  if (arguments.stop_before && !(*arguments.stop_before > 0.0)) refuse("--stop-before", "it is not above 0", "give seconds");
+  if (!arguments.part.empty() && study::parse_part(arguments.part).count > arguments.trials)
+    refuse("--part", fmt::format("there are more parts than {} trials", arguments.trials), "give fewer parts");
+  if (arguments.merge.empty()) return;
+  if (!arguments.part.empty() || arguments.resume) refuse("--merge", "it runs no trials", "leave --part and --resume out");
+  if (arguments.scene.empty() && arguments.report)
+    refuse("--report", "the page shows the scene, which is missing", "give it: jointid study SCENE --merge PARTS --report FILE");
 }
 
 void check_outputs(const StudyArguments& arguments, const std::vector<ident::NamedFile>& inputs, const std::filesystem::path& trials) {
@@ -65,6 +85,7 @@ std::size_t threads_of(const StudyArguments& arguments) {
 study::StudyOptions options_of(const StudyArguments& arguments, const std::string& scene_text) {
   study::StudyOptions options;
   options.trials = arguments.trials;
+  if (!arguments.part.empty()) options.part = study::parse_part(arguments.part);
   options.seed = arguments.seed;
   options.threads = threads_of(arguments);
   options.resume = arguments.resume;
@@ -100,6 +121,12 @@ struct Start {
   std::shared_ptr<const study::TrialData> data;
 };
 
+void refuse_parts(const StudyArguments& arguments) {
+  if (arguments.part.empty() && !arguments.stop_before) return;
+  throw InputError({ErrorKind::usage, arguments.scene.string(), arguments.part.empty() ? "--stop-before" : "--part",
+                    "studies of friction laws have no parts", "leave it out; --resume continues an interrupted study"});
+}
+
 /// The same in every process of the team; a failure is told once.
 Start start_in(ident::Team& team, const StudyArguments& arguments) {
   Start start;
@@ -107,6 +134,7 @@ Start start_in(ident::Team& team, const StudyArguments& arguments) {
     check(arguments);
     const std::string text = scene::read_text(arguments.scene);
     if (scene::is_law_scene(text, arguments.scene)) {
+      refuse_parts(arguments);
       refuse_units(arguments.units);
       start.text = text;
       start.laws = laws::parse_law_scene(text, arguments.scene);
@@ -123,16 +151,20 @@ Start start_in(ident::Team& team, const StudyArguments& arguments) {
 
 std::string to_go_on(const study::StudyOptions& options, std::size_t done) {
   if (!std::filesystem::exists(study::journal_path(options.out))) return "interrupted";
+  const auto [first, end] = study::trials_of(options.part, options.trials);
   return fmt::format("interrupted; {} keeps {} of {} trials, the same command with --resume continues",
-                     study::journal_path(options.out).string(), done, options.trials);
+                     study::journal_path(options.out).string(), done, end - first);
 }
 
 /// Trials that take longer than an interrupted process has are dropped; what was done before is in the journal.
-tasks::StudyResult run_watched(const Start& start, ident::Team& team) {
+tasks::StudyResult run_watched(const Start& start, ident::Team& team, std::optional<double> stop_before) {
   StudyProgress progress;
   std::atomic<std::size_t> trials_done = 0;
   const LastWords words([&] { return to_go_on(start.options, trials_done); });
-  study::StudyControl control{.progress = {}, .interrupted = interrupted, .row = {}};
+  const auto is_over = [stop_before, begun = Clock::now()] {
+    return interrupted() || (stop_before && seconds_since(begun) > *stop_before);
+  };
+  study::StudyControl control{.progress = {}, .interrupted = is_over, .row = {}};
   if (team.rank() == 0) {
     control.progress = [&](std::size_t done, std::size_t total) {
       trials_done = done;
@@ -198,9 +230,12 @@ std::string page_of(const tasks::StudyResult& result, const ident::Scene& scene,
 void add_study(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<StudyArguments>(
       app, chosen, "study", "Monte-Carlo study: identify many times with simulated noise, for bias and scatter of every unknown");
-  command->add_option("SCENE", arguments->scene, "Scene file (TOML) on noise-free or measured FRFs, with [noise]")->required();
+  command->add_option("SCENE", arguments->scene, "Scene file (TOML) on noise-free or measured FRFs, with [noise]");
   add_trial_options(command, *arguments);
   command->add_flag("--resume", arguments->resume, "Continue an interrupted study");
+  command->add_option("--part", arguments->part, "Run the trials of one part alone, e.g. 3/16 for the third of 16");
+  command->add_option("--merge", arguments->merge, "Put the files of all parts together, in place of trials");
+  command->add_option("--stop-before", arguments->stop_before, "Stop after so many seconds; --resume continues");
   command->add_option("--out", arguments->out,
                       "All trials (HDF5; CSV of friction laws); default: SCENE's name with .study.h5 or .study.csv, here");
   add_outputs(command, *arguments, "the statistics", "the unknowns' statistics", "tables and histograms");
@@ -208,23 +243,47 @@ void add_study(CLI::App& app, Chosen& chosen) {
   command->footer(
       "Examples:\n  jointid problem write A1 a1 --clean && jointid study a1/A1.toml --trials 10000\n"
       "  jointid study a1/A1.toml --trials 10000 --report a1.html\n"
-      "  mpirun -n 4 jointid study a1/A1.toml --trials 1000000 --threads 1");
+      "  mpirun -n 4 jointid study a1/A1.toml --trials 1000000 --threads 1\n"
+      "  jointid study a1/A1.toml --trials 10000 --part 3/16 --out part3.h5\n"
+      "  jointid study --merge part*.h5 --out a1.h5");
 }
 
-ExitCode execute(const StudyArguments& arguments, std::ostream& out) {
-  const auto team = ident::join_team();
-  const Start start = start_in(*team, arguments);
-  if (start.laws) return study_law_scene(arguments, start, *team, out);
-  const tasks::StudyResult result = run_watched(start, *team);
-  if (team->rank() != 0) return ExitCode::done;
-  if (!result.run.complete) throw Interrupted(to_go_on(start.options, result.run.done));
+namespace {
+
+/// `scene`: for the page alone.
+ExitCode write(const StudyArguments& arguments, const tasks::StudyResult& result, const ident::Scene& scene, std::ostream& out) {
   if (arguments.json) write_target(*arguments.json, report::study_json(result), out);
   const report::Display display = display_of(arguments.units);
   const tasks::StudyResult shown = report::in_units_of(display, result);
   if (arguments.csv) write_target(*arguments.csv, report::study_csv(shown), out);
-  if (arguments.report) write_target(*arguments.report, page_of(result, start.data->scene, display), out);
+  if (arguments.report) write_target(*arguments.report, page_of(result, scene, display), out);
   if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::study_text(shown);
   return result.statistics.usable > 0 ? ExitCode::done : ExitCode::unusable;
+}
+
+ExitCode merge(const StudyArguments& arguments, std::ostream& out) {
+  check(arguments);
+  const std::filesystem::path file = result_file(arguments);
+  std::vector<ident::NamedFile> inputs;
+  for (const auto& part : arguments.merge) inputs.push_back({part, "--merge"});
+  if (!arguments.scene.empty()) inputs.push_back({arguments.scene, "the scene"});
+  check_outputs(arguments, inputs, file);
+  const std::string text = arguments.scene.empty() ? std::string() : scene::read_text(arguments.scene);
+  const ident::Scene scene = text.empty() ? ident::Scene() : ident::parse_scene(text, arguments.scene);
+  return write(arguments, tasks::merge_study(arguments.merge, file, text), scene, out);
+}
+
+}  // namespace
+
+ExitCode execute(const StudyArguments& arguments, std::ostream& out) {
+  const auto team = ident::join_team();
+  if (!arguments.merge.empty()) return team->rank() == 0 ? merge(arguments, out) : ExitCode::done;
+  const Start start = start_in(*team, arguments);
+  if (start.laws) return study_law_scene(arguments, start, *team, out);
+  const tasks::StudyResult result = run_watched(start, *team, arguments.stop_before);
+  if (team->rank() != 0) return ExitCode::done;
+  if (!result.run.complete) throw Interrupted(to_go_on(start.options, result.run.done));
+  return write(arguments, result, start.data->scene, out);
 }
 
 }  // namespace jointid::cli

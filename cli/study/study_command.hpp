@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "cli/options/chosen_command.hpp"
 #include "cli/options/target.hpp"
@@ -22,6 +24,9 @@ struct StudyArguments {
   std::uint64_t seed = 1;
   std::size_t threads = 0;  ///< 0: all cores
   bool resume = false;
+  std::string part;                          ///< "3/16": of this part alone
+  std::vector<std::filesystem::path> merge;  ///< files of all parts, in place of trials
+  std::optional<double> stop_before;         ///< s of wall time
   Target json, csv, report;
   std::string units = "SI";  ///< of text, CSV and page: SI or mm
 };

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
+#include "base/error.hpp"
 #include "frf/hdf5/record_journal.hpp"
 #include "scene/kind.hpp"
+#include "study/study_part.hpp"
 
 namespace jointid::tasks {
 
@@ -27,7 +30,23 @@ StudyResult run_study(const std::shared_ptr<const study::TrialData>& data, const
                       const study::StudyControl& control) {
   StudyResult result{data->scene.title, options.out.string(), options.seed, study::run_study(data, options, team, control), {},
                      data->notes};
+  if (const auto& [number, count] = options.part; count > 1) {
+    result.notes.push_back(fmt::format("part {} of {}: {} of {} trials; `jointid study --merge` puts all parts together", number, count,
+                                       result.run.done, options.trials));
+  }
   if (team.rank() == 0 && result.run.complete) result.statistics = study::study_statistics(options.out);
+  return result;
+}
+
+StudyResult merge_study(const std::vector<ident::Path>& files, const ident::Path& out, const std::string& scene_text) {
+  study::MergedStudy merged = study::merge_parts(files, out);
+  if (!scene_text.empty() && study_texts(scene_text).at("scene_hash") != merged.scene_hash) {
+    throw InputError({ErrorKind::usage, files.front().string(), "--merge", "its study is of another scene",
+                      "give the scene that the parts were run with"});
+  }
+  StudyResult result{std::move(merged.title), out.string(), merged.seed, {}, study::study_statistics(out), std::move(merged.notes)};
+  result.run.complete = true;
+  result.run.done = merged.trials;
   return result;
 }
 

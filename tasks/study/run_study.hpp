@@ -35,6 +35,10 @@ StudyResult run_study(const std::shared_ptr<const study::TrialData>& data, const
 StudyResult run_study(const std::shared_ptr<const study::TrialData>& data, const study::StudyOptions& options, ident::Team& team,
                       const study::StudyControl& control = {});
 
+/// The study of which `files` are the parts (StudyOptions::part), written to `out`: the statistics of a study in one run, to the last
+/// bit. Throws InputError as study::merge_parts(), and where `scene_text` is there and of another scene.
+StudyResult merge_study(const std::vector<ident::Path>& files, const ident::Path& out, const std::string& scene_text = {});
+
 /// "hysteretic damping is off by 300 % rms over the trials": a matrix that one solution does not determine. With a truth,
 /// its error is larger than itself; without one, most of its unknowns scatter by more than their mean. Empty if there is
 /// none.
