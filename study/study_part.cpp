@@ -36,7 +36,7 @@ struct PartFile {
   std::size_t trials = 0;  ///< of the whole study
 };
 
-std::string text_of(const frf::TableHeader& header, const std::string& name) {
+std::string part_text(const frf::TableHeader& header, const std::string& name) {
   const auto found = header.texts.find(name);
   return found == header.texts.end() ? std::string() : found->second;
 }
@@ -44,9 +44,9 @@ std::string text_of(const frf::TableHeader& header, const std::string& name) {
 PartFile read_part(const ident::Path& path) {
   PartFile out{.path = path, .table = std::make_unique<frf::TableReader>(path), .part = {}, .trials = 0};
   const frf::TableHeader& header = out.table->header();
-  const auto trials = whole(text_of(header, "part_trials"));
+  const auto trials = whole(part_text(header, "part_trials"));
   if (!trials) fail(path.string(), "", "it is no part of a study", "give files of `jointid study --part`");
-  out.part = parse_part(text_of(header, "part"));
+  out.part = parse_part(part_text(header, "part"));
   out.trials = *trials;
   const frf::IndexRange range = trials_of(out.part, out.trials);
   if (out.table->rows() != range.end - range.first)
@@ -69,7 +69,7 @@ std::string difference(const PartFile& one, const PartFile& other) {
   const frf::TableHeader a = whole_header(one.table->header()), b = whole_header(other.table->header());
   for (const auto& [name, called] : {std::pair("scene_hash", "scene"), {"data_hash", "set of data"}, {"seed", "seed"},
                                      {"jointid_version", "version of jointid"}}) {
-    if (text_of(a, name) != text_of(b, name)) return called;
+    if (part_text(a, name) != part_text(b, name)) return called;
   }
   if (one.part.count != other.part.count) return "number of parts";
   if (one.trials != other.trials) return "number of trials";
@@ -166,10 +166,10 @@ MergedStudy merge_parts(std::span<const ident::Path> files, const ident::Path& o
   frf::TableWriter table(out, whole_header(first), parts.front().trials);
   for (const PartFile& part : parts) append(part, table);
   table.finish();
-  return {.title = text_of(first, "part_title"),
-          .scene_hash = text_of(first, "scene_hash"),
-          .notes = lines_of(text_of(first, "part_notes")),
-          .seed = std::stoull(text_of(first, "seed")),
+  return {.title = part_text(first, "part_title"),
+          .scene_hash = part_text(first, "scene_hash"),
+          .notes = lines_of(part_text(first, "part_notes")),
+          .seed = std::stoull(part_text(first, "seed")),
           .trials = parts.front().trials};
 }
 

@@ -196,7 +196,7 @@ def identify_lines(substructures: Any = None, assembly: Any = None, joint: Any =
     >>> import jointid, tempfile
     >>> solution = jointid.identify_lines(jointid.write_problem("isolator", tempfile.mkdtemp()))
     >>> solution.elements[0], solution.z.shape == (len(solution.frequency), len(solution.elements)), next(iter(solution.laws))
-    ELEMENTS
+    ('z(1,1)', True, 'fractional-zener')
     """
     if joint is not None and not isinstance(joint, Mapping):
         joint = {"dofs": [joint] if isinstance(joint, str) else list(joint)}
