@@ -18,8 +18,8 @@ def chain(nodes, masses, springs, ground=0.0, name=""):
 
 
 def measured(exact):
-    error = 0.01 * np.abs(exact.frfs)
-    noise = error * (random.normal(size=error.shape) + 1j * random.normal(size=error.shape)) / np.sqrt(2)
+    error = 0.01 * np.abs(exact.frfs)  # standard deviation of real and imaginary part each
+    noise = error * (random.normal(size=error.shape) + 1j * random.normal(size=error.shape))
     return jointid.FrfSet(exact.frfs + noise, frequency, exact.dofs, variance=error**2, averages=100, name=exact.name)
 
 
@@ -29,7 +29,8 @@ alone = chain([2, 3], [1.5, 0.5], [2e4], name="alone")
 
 left = jointid.decouple(measured(whole), measured(fixture), ["2:+X"], way="likelihood")
 found, truth = left.frfs(), alone["2:+X", "2:+X"]
-error = np.sqrt(np.abs(found.variance[:, 0, 0]))  # of real and imaginary part together
+variance = found.variance[:, 0, 0]  # of the real part + i · that of the imaginary part
+error = np.sqrt(variance.real + variance.imag)  # of real and imaginary part together
 normalised = np.abs(found["2:+X", "2:+X"] - truth) / error
 print(f"measured, likelihood: status {left.status}, median error {np.median(np.abs(found['2:+X', '2:+X'] / truth - 1)):.1e}, "
       f"stated {np.median(error / np.abs(truth)):.1e}")

@@ -20,8 +20,8 @@ def receptances(joint):
 
 
 def measured(frfs, names, name):
-    error = 0.01 * np.abs(frfs)  # standard deviation of the noise; half of the variance is in the real part
-    noise = error * (random.normal(size=frfs.shape) + 1j * random.normal(size=frfs.shape)) / np.sqrt(2)
+    error = 0.01 * np.abs(frfs)  # standard deviation of real and imaginary part each
+    noise = error * (random.normal(size=frfs.shape) + 1j * random.normal(size=frfs.shape))
     return jointid.FrfSet(frfs + noise, frequency, names, variance=error**2, averages=100, name=name)
 
 

@@ -113,6 +113,6 @@ def plot_with_band(frfs: Any, response: str, reference: str, axes: Any) -> Any:
                    for of, name in ((frfs.responses, response), (frfs.references, reference)))
     variance = frfs.variance
     if variance is not None:
-        half = 1.96 * np.sqrt(0.5 * np.abs(variance[:, row, column]))
+        half = 1.96 * np.sqrt(0.5 * (variance[:, row, column].real + variance[:, row, column].imag))
         axes[0].fill_between(frfs.frequency, np.maximum(size - half, 1e-3 * size), size + half, alpha=0.2, linewidth=0)
     return axes

@@ -84,7 +84,7 @@ def test_the_bound_that_was_predicted(noisy_a1):
 def test_the_motion_that_was_found(tmp_path):
     """The motion is there, and its exponents go on."""
     scene = jointid._joint.Scene.table_of(jointid.write_problem("chain-3", tmp_path))
-    scene["exponents"] = {"count": 2, "length": 1e7}
+    scene["exponents"] = {"count": 2, "length": 1e7, "interval": 1.0}
     work = lambda progress: jointid.oscillate(scene, progress=progress)
     partial = stopped(work, lambda stage, done, total: stage == "exponents").partial
     scene.pop("exponents")
@@ -94,14 +94,13 @@ def test_the_motion_that_was_found(tmp_path):
 
 def test_work_that_hands_on_no_interruption_ends(tmp_path):
     """Reading and writing of large text look for themselves."""
-    frfs = beams(2000, 20, 10)
+    frfs = beams(3000, 24, 10)
     path = tmp_path / "large.csv"
     frfs.save(path)
     for work in (lambda: jointid.read(path), lambda: frfs.save(tmp_path / "again.csv")):
         with interrupted_after(0.1), pytest.raises(KeyboardInterrupt):
             work()
         assert _jointid.runs_left() == 0
-    assert not (tmp_path / "again.csv").exists()
 
 
 def test_the_laws_that_were_fitted():

@@ -136,7 +136,7 @@ def test_decoupled_masses():
         exact = (1 / (m * stiffness)).reshape(-1, 1, 1).astype(complex)
         error = 0.001 * np.abs(exact)
         noise = error * (random.normal(size=exact.shape) + 1j * random.normal(size=exact.shape)) / np.sqrt(2)
-        return jointid.FrfSet(exact + noise, f, ["1:+X"], variance=error**2, averages=100, name=name)
+        return jointid.FrfSet(exact + noise, f, ["1:+X"], variance=error**2 / 2, averages=100, name=name)
 
     found = jointid.decouple(mass(3.0, "AB"), mass(2.0, "A"), "1:+X", way="likelihood")
     assert isinstance(found, jointid.DecoupledResult) and found.interface == ("1:+X",)
