@@ -62,7 +62,8 @@ void check_briefly(const Plan& plan, const Control& control, Solution& out) {
   const Stopwatch watch(out.runtime_s.check);
   out.check = quick_check(plan, control);
   tell_check(*out.check, out);
-  if (out.status != Status::poor_fit || out.check->verdict != Verdict::clean) return;
+  const auto is_unexplained = [](const Suspect& suspect) { return suspect.kind == SuspectKind::nonlinear; };
+  if (out.status != Status::poor_fit || !std::ranges::all_of(out.check->suspects, is_unexplained)) return;
   const std::string band = out.fit.chi_square ? worst_band(plan.lines, out.fit.chi_square->by_line) : "";
   out.message += (band.empty() ? " " : " The misfit is" + band.substr(1) + ". ") + other_causes(plan.scene) + ".";
 }

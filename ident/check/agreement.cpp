@@ -10,6 +10,7 @@
 #include "base/statistics.hpp"
 #include "dense/minimum_norm.hpp"
 #include "frf/noise/variance_law.hpp"
+#include "ident/check/file_tests.hpp"
 #include "ident/check/slope_fit.hpp"
 #include "ident/variance/noise_fit.hpp"
 
@@ -85,6 +86,7 @@ class Sums {
     if (excess_.is_told() && excess_.square() > bias_) {
       out_.excess = excess_.value();
       out_.excess_deviation = excess_.scatter() / excess_.square();
+      out_.excess_freedom = excess_.freedom();
       const double ratio = out_.freedom > 0.0 ? square_ / out_.freedom : 1.0;
       out_.ratio_without = ratio - std::pow(out_.excess, 2) * column_freedom_ * excess_.square() / std::max(out_.freedom, 1.0);
       // Below 1 it is where responses share errors, those of the hammer: they leave less than the bias that is taken off.
@@ -272,11 +274,12 @@ struct MirrorLaw {
 
 }  // namespace
 
-bool Agreement::tells_gain() const {
+bool Agreement::tells_gain(double tried) const {
   constexpr double most_gain =
       0.1;  // larger ones heal so much that trials find them; here few lines with noise at the joint look so
   return excess_deviation > 0.0 && ratio_without < just_noise && std::abs(excess) < most_gain &&
-         std::abs(excess) > std::max({least_gain, sure_deviations * excess_deviation, excess_doubt});
+         std::abs(excess) > std::max({least_gain, sure_deviations * excess_deviation, excess_doubt}) &&
+         !may_be_chance(excess / excess_deviation, excess_freedom, tried);
 }
 
 std::vector<std::size_t> Agreement::outlying_lines() const {

@@ -25,8 +25,8 @@ struct Agreement {
   Eigen::Index worst_row = 0, worst_column = 0;
   double worst_share = 0.0, worst_ratio = 0.0;
   /// Of a span test: by which share all FRFs of the assembly would have to be larger, its standard deviation, and how much of it
-  /// a wrong law of the noise may make; 0 where that is not told.
-  double excess = 0.0, excess_deviation = 0.0, excess_doubt = 0.0;
+  /// a wrong law of the noise may make, and the degrees of freedom of the deviation; 0 where that is not told.
+  double excess = 0.0, excess_deviation = 0.0, excess_doubt = 0.0, excess_freedom = 0.0;
   double ratio_without = 0.0;  ///< what is left of `ratio` when it is put right
 
   /// Whether that is more than chance and the uncertainty of noise laws make.
@@ -35,8 +35,9 @@ struct Agreement {
   std::vector<std::size_t> outlying_lines() const;
   /// Ratio and freedom without some lines; the rest as it is.
   Agreement without(const std::vector<std::size_t>& lines) const;
-  /// Whether the excess is beyond 0.3 %, up to 10 %, six deviations and its doubt, and leaves no more than noise.
-  bool tells_gain() const;
+  /// Whether the excess is beyond 0.3 %, up to 10 %, six deviations and its doubt, and leaves no more than noise; and is no chance where
+  /// so many are looked at.
+  bool tells_gain(double tried) const;
 };
 
 /// Of a span test: H_asm − H_sub − H_sub(R,J) F, with the forces F by least squares. No test unless the noise of both files is

@@ -175,11 +175,9 @@ std::vector<Suspect> wild_numbers(const CheckedFile& file, const frf::FrfHeader&
   return found;
 }
 
-/// Of few lines one counts for much, and a law of two numbers does not follow every line: where a resonance moves what an FRF is
-/// made of (virtual points, forces that act together) its error is larger than its own size says.
-constexpr std::size_t few_lines = 40;
-
-/// Whether the variances of a file are exact; those of few averages scatter, and the law is better.
+/// Whether the variances of a file are exact; those of few averages scatter, and the law is better. A law of two numbers does not follow
+/// every line: where a resonance moves what an FRF is made of (virtual points, forces that act together) its error is larger than its
+/// own size says.
 bool has_exact_variances(const frf::FrfHeader& header) {
   return header.noise == frf::NoiseRecord::variance && header.averages == 0.0 && header.repeats == 0;
 }
@@ -229,9 +227,7 @@ CheckedFile read_file(frf::FrfSource& source, const std::vector<std::size_t>& so
     file.frfs.push_back(std::move(line));
   }
   file.noise = recorded_laws(source, source_lines, values, scene);
-  if (source_lines.size() < few_lines && has_exact_variances(header)) {
-    set_recorded_over_law(recorded_squares(source, source_lines, values, scene), file);
-  }
+  if (has_exact_variances(header)) set_recorded_over_law(recorded_squares(source, source_lines, values, scene), file);
   file.wild = wild_numbers(file, header, source_lines, values);
   leave_out_unmeasured(file);
   return file;

@@ -26,7 +26,7 @@ struct CheckedFile {
   std::shared_ptr<const CovarianceLaw> errors{};
   std::vector<Suspect> wild{};  ///< numbers far out of their neighbours (frf::WildSearch); of consecutive lines
   std::shared_ptr<const NoiseLaws> noise{};  ///< of each FRF; null where the file knows nothing
-  /// Exact recorded E|e|² (recorded_squares()) over that of the law where it is larger, else 1; of few lines, else empty. [F]
+  /// Exact recorded E|e|² (recorded_squares()) over that of the law where it is larger, else 1; empty where they are not exact. [F]
   /// responses × references
   std::vector<Eigen::MatrixXd> recorded_over_law{};
 
@@ -36,7 +36,7 @@ struct CheckedFile {
   Eigen::MatrixXcd covariance(std::size_t line, const std::vector<Eigen::Index>& some_responses, Eigen::Index reference) const;
   /// One of its diagonal.
   double variance(std::size_t line, Eigen::Index response, Eigen::Index reference) const;
-  /// E|e|² of one FRF by the laws, and on few lines as recorded; NaN where it is not known.
+  /// E|e|² of one FRF by the laws, or as recorded where exact variances are larger; NaN where it is not known.
   double error_square(std::size_t line, Eigen::Index response, Eigen::Index reference) const;
 };
 

@@ -1,6 +1,7 @@
 #include "ident/check/file_tests.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -72,6 +73,7 @@ struct MassSums {
     if (!fit.is_told()) return;
     out.mass = fit.value();
     out.mass_deviation = fit.scatter() / fit.square();
+    out.mass_freedom = fit.freedom();
   }
 };
 
@@ -79,7 +81,7 @@ struct MassSums {
 /// `shared`: variance of what all pairs of a coordinate have in common, on one line.
 void find_gains(const std::vector<std::vector<Pair>>& pairs, double shared, ReciprocityTest& out) {
   const std::size_t n = pairs.size();
-  std::vector<double> a(n), error(n);
+  std::vector<double> a(n), error(n), freedom(n);
   for (std::size_t i = 0; i < n; ++i) {
     std::vector<double> middles, errors;
     std::size_t lines = 1;
@@ -100,11 +102,13 @@ void find_gains(const std::vector<std::vector<Pair>>& pairs, double shared, Reci
     const double spread = middles.empty() ? 1.0 : std::hypot(median(errors), 1.48 * median(off));
     error[i] = 1.25 * spread / std::sqrt(std::max(static_cast<double>(middles.size()), 1.0));
     error[i] = std::hypot(error[i], 1.25 * std::sqrt(shared / static_cast<double>(lines)));
+    freedom[i] = freedom_of_median(static_cast<double>(lines)) * static_cast<double>(middles.size());
   }
   const double common = median(a);
   for (std::size_t i = 0; i < n; ++i) {
     out.gain.push_back(std::exp(common - a[i]));
     out.deviation.push_back(error[i]);
+    out.freedom.push_back(freedom[i]);
   }
 }
 
@@ -118,6 +122,14 @@ double shared_by_responses(const CheckedFile& file, const BothRoles& both) {
 }
 
 }  // namespace
+
+bool may_be_chance(double deviations, double freedom, double tried) {
+  constexpr double by_chance = 1e-3;
+  if (!(freedom >= 1.0)) return true;
+  if (!std::isfinite(deviations)) return std::isnan(deviations);
+  const boost::math::students_t_distribution<double> law(freedom);
+  return !(tried * 2.0 * boost::math::cdf(boost::math::complement(law, std::abs(deviations))) < by_chance);
+}
 
 double relative_error(const CheckedFile& file) {
   double logs = 0.0;

@@ -6,6 +6,15 @@
 
 namespace jointid::ident {
 
+/// Whether one of `tried` numbers is by chance as many standard deviations from what it should be, in more than one of a thousand checks:
+/// tried · P(|t_ν| > deviations) ≥ 10⁻³, t_ν of Student's law (Bonferroni's bound). `freedom`: ν, the degrees of freedom of the scatter that
+/// told the standard deviation; of fewer than one nothing is beyond chance.
+bool may_be_chance(double deviations, double freedom, double tried);
+
+/// Degrees of freedom of a standard deviation from the median of so many absolute values, for it has 0.37 of the efficiency of the root of
+/// their mean square (Rousseeuw & Croux 1993).
+inline double freedom_of_median(double count) { return 0.37 * (count - 1.0); }
+
 /// Relative error of a file's FRFs by its covariances: geometric mean over lines of the rms. Only with errors.
 double relative_error(const CheckedFile& file);
 
@@ -17,8 +26,9 @@ struct ReciprocityTest {
   std::vector<double> row;  ///< mean square of that in the pairs of a coordinate
   std::vector<double> gain,
       deviation;  ///< factor that the responses of a coordinate lack (or that its references have), and its error
+  std::vector<double> freedom;  ///< degrees of freedom of that error
   /// A mass m that travels with a sensor of translations: H_ij − H_ji = −ω²m(H_ij H_jj − H_ji H_ii), by least squares.
-  double mass = 0.0, mass_deviation = 0.0;
+  double mass = 0.0, mass_deviation = 0.0, mass_freedom = 0.0;
 };
 
 ReciprocityTest reciprocity_test(const CheckedFile& file, bool with_rows);

@@ -44,16 +44,18 @@ void put_back(CheckedFile& whole, const CheckedFile& part) {
 }
 
 /// Lines for the scene that mend it for these references; where the scene has no key for that, those for a file of their own.
-std::string remedy_for(const MistakeTrial& trial, const CheckedFile& file, const Dofs& references) {
+std::string remedy_for(const MistakeTrial& trial, const std::string& file, const Dofs& references) {
   const std::string names = comma_list(references, [](const frf::Dof& dof) { return "\"" + dof.name() + "\""; });
   if (trial.kind == SuspectKind::sign && trial.dofs.empty()) return trial.remedy;
-  return "# of the references " + names + " alone: write them to a file of their own, and\n# there, in place of " + file.name +
+  return "# of the references " + names + " alone: write them to a file of their own, and\n# there, in place of " + file +
          ":\n" + trial.remedy;
 }
 
-MistakeTrial in_group(MistakeTrial trial, const Files& files, const Dofs& references) {
+MistakeTrial in_group(MistakeTrial trial, const std::string& file, const Dofs& references) {
   const std::size_t f = trial.files.front();
-  trial.remedy = remedy_for(trial, files[f], references);
+  trial.in_others = [trial, file](const Dofs& others) { return in_group(trial, file, others); };
+  trial.references = references;
+  trial.remedy = remedy_for(trial, file, references);
   trial.what = "for the references " + group_text(references) + " alone, " + trial.what;
   if (trial.dofs.empty()) trial.dofs = references;
   trial.undo = [f, references, undo = std::move(trial.undo)](Files& all) {
@@ -77,10 +79,11 @@ std::vector<MistakeTrial> group_trials(const Files& files, const Dofs& joint, co
     Files with_group = files;
     with_group[f] = part_of(files[f], files[f].responses, references);
     const std::vector<SpanSetup> group_setups = span_setups(with_group, joint);
-    const Screening of_group = screen(with_group, group_setups, threads);
+    Screening of_group = screen(with_group, group_setups, threads);
+    of_group.chosen_from = screening.chosen_from * static_cast<double>(1 + files[f].references.size());  // cuts of the order of their levels
     const Misfit misfit = misfit_of(with_group, group_setups, of_group.noise, threads);
     for (MistakeTrial& trial : trials_of(with_group, group_setups, of_group, misfit)) {
-      if (trial.files == std::vector{f} && !trial.leave) out.push_back(in_group(std::move(trial), files, references));
+      if (trial.files == std::vector{f} && !trial.leave) out.push_back(in_group(std::move(trial), files[f].name, references));
     }
   }
   return out;

@@ -66,13 +66,20 @@ struct Scored {
   double score = 0.0;
 };
 
+/// What of a scene is not among the files of an inquiry.
+struct Surroundings {
+  Dofs elsewhere;               ///< coordinates of other parts
+  std::size_t chosen_from = 1;  ///< parts that might have been inquired
+};
+
 /// Checks one set of files: finds the mistake that explains most, undoes it, and looks for the next.
 class Inquiry {
  public:
-  Inquiry(Files files, const Dofs& joint, const Dofs& elsewhere, const Control& control, bool with_axis)
+  Inquiry(Files files, const Dofs& joint, const Surroundings& around, const Control& control, bool with_axis)
       : all_(std::move(files)),
+        chosen_from_(static_cast<double>(around.chosen_from)),
         joint_(joint),
-        setups_(span_setups(all_, joint, elsewhere)),
+        setups_(span_setups(all_, joint, around.elsewhere)),
         control_(control),
         with_axis_(with_axis),
         screening_(lines_for(setups_, screening_lines, screening_work)),
@@ -91,19 +98,25 @@ class Inquiry {
   std::vector<Suspect> suspects() {
     std::vector<Suspect> found;
     const Files lines = lines_of(all_, screening_);
-    Screening screening = screen(lines, setups_, threads_);
+    Screening screening = screened(lines);
     noise_ = screening.noise;
     for (Suspect& same : find_sameness(lines, setups_, noise_)) found.push_back(std::move(same));
     if (!found.empty()) return found;
     const std::size_t rounds = all_.size() + 2;
     for (std::size_t round = 0; round < rounds && one_round(screening, found); ++round)
-      screening = screen(lines_of(all_, screening_), setups_, threads_);
+      screening = screened(lines_of(all_, screening_));
     const std::size_t rest = lines_for(setups_, rest_lines, rest_work);
     if (found.empty()) found = unexplained(lines_of(all_, rest), setups_, screening, noise_, with_axis_);
     return found;
   }
 
  private:
+  Screening screened(const Files& lines) const {
+    Screening out = screen(lines, setups_, threads_);
+    out.chosen_from = chosen_from_;
+    return out;
+  }
+
   bool one_round(const Screening& screening, std::vector<Suspect>& found) {
     stop_if(control_.interrupted);
     const Files small = lines_of(all_, trials_);
@@ -118,6 +131,7 @@ class Inquiry {
     }
     std::ranges::stable_sort(scored, std::ranges::greater{}, &Scored::score);
     if (scored.empty()) return false;
+    sharpen_group(small, before, scored.front());
     report(scored, before, found);
     scored.front().trial.undo(all_);
     return true;
@@ -130,6 +144,38 @@ class Inquiry {
   }
 
   void judge(MistakeTrial trial, const Files& small, const Misfit& before, std::vector<Scored>& scored) const {
+    const double least = trial.least_score;
+    Scored of = scored_of(std::move(trial), small, before);
+    if (of.score >= least) scored.push_back(std::move(of));
+  }
+
+  /// Takes single references into the group of a mistake, or out of it, as long as that heals more: their levels alone do not always tell
+  /// who has it.
+  void sharpen_group(const Files& small, const Misfit& before, Scored& best) const {
+    constexpr double more = 0.02;
+    constexpr std::size_t most_references = 64, most_rounds = 3;
+    if (!best.trial.in_others) return;
+    const Dofs& all = small[best.trial.files.front()].references;
+    if (all.size() > most_references) return;
+    bool moved = true;
+    for (std::size_t round = 0; moved && round < most_rounds; ++round) {
+      moved = false;
+      for (const frf::Dof& dof : all) {
+        Dofs group;
+        for (const frf::Dof& each : all) {
+          const bool in = place_of(best.trial.references, each) != frf::npos;
+          if (in != each.same_coordinate(dof)) group.push_back(each);
+        }
+        if (group.empty()) continue;
+        Scored other = scored_of(best.trial.in_others(group), small, before);
+        if (!(other.score > best.score + more)) continue;
+        best = std::move(other);
+        moved = true;
+      }
+    }
+  }
+
+  Scored scored_of(MistakeTrial trial, const Files& small, const Misfit& before) const {
     stop_if(control_.interrupted);
     Touched touched{.files = std::vector<bool>(all_.size(), false), .only_span = trial.only_span};
     for (const std::size_t f : trial.files) touched.files[f] = true;
@@ -141,7 +187,7 @@ class Inquiry {
     };
     const Misfit after = with(trial.undo);
     const double score = (healing(trial.leave ? with(trial.leave) : before, after) + trial.bonus) / doubt(touched, after);
-    if (score >= trial.least_score) scored.push_back({std::move(trial), after, score});
+    return {std::move(trial), after, score};
   }
 
   /// Noise makes healing by chance: what counts grows with what is left afterwards, of the worst test that the trial touches; of files
@@ -188,6 +234,7 @@ class Inquiry {
   }
 
   Files all_;
+  double chosen_from_;
   const Dofs& joint_;
   std::vector<SpanSetup> setups_;
   std::vector<double> noise_;
@@ -220,7 +267,8 @@ Verdict verdict_of(const std::vector<Suspect>& suspects) {
 
 namespace {
 
-CheckResult inquire(std::vector<CheckedFile> files, const Dofs& joint, const Dofs& elsewhere, const Control& control, bool with_axis) {
+CheckResult inquire(std::vector<CheckedFile> files, const Dofs& joint, const Surroundings& around, const Control& control,
+                    bool with_axis) {
   CheckResult result;
   for (CheckedFile& file : files) {
     result.suspects.insert(result.suspects.end(), file.wild.begin(), file.wild.end());
@@ -232,7 +280,7 @@ CheckResult inquire(std::vector<CheckedFile> files, const Dofs& joint, const Dof
   if (!files.empty()) {
     for (Suspect& label : find_labels(files, joint)) result.suspects.push_back(std::move(label));
     for (Suspect& mass : find_wrong_masses(files, joint)) result.suspects.push_back(std::move(mass));
-    Inquiry inquiry(std::move(files), joint, elsewhere, control, with_axis);
+    Inquiry inquiry(std::move(files), joint, around, control, with_axis);
     result.reciprocity = inquiry.reciprocity();
     for (Suspect& suspect : inquiry.suspects()) result.suspects.push_back(std::move(suspect));
   }
@@ -297,14 +345,15 @@ PartFiles part_files(const std::vector<CheckedFile>& files, const CheckedFile& p
 }  // namespace
 
 CheckResult inquire(std::vector<CheckedFile> files, const Dofs& joint, const Control& control, bool with_axis) {
-  return inquire(std::move(files), joint, {}, control, with_axis);
+  return inquire(std::move(files), joint, Surroundings{}, control, with_axis);
 }
 
 CheckResult inquire_by_parts(const std::vector<CheckedFile>& files, const Dofs& joint, const Control& control, bool with_axis) {
   constexpr double large = 0.08, over_median = 2.5;
-  Dofs elsewhere;
+  Surroundings around{.elsewhere = {}, .chosen_from = 0};
   for (const CheckedFile& file : files) {
-    if (file.assembly) elsewhere.insert(elsewhere.end(), file.references.begin(), file.references.end());
+    if (file.assembly) around.elsewhere.insert(around.elsewhere.end(), file.references.begin(), file.references.end());
+    if (!file.assembly) ++around.chosen_from;
   }
   CheckResult result;
   std::vector<PartFiles> parts;
@@ -313,7 +362,7 @@ CheckResult inquire_by_parts(const std::vector<CheckedFile>& files, const Dofs& 
     stop_if(control.interrupted);
     if (file.assembly) continue;
     result.suspects.insert(result.suspects.end(), file.wild.begin(), file.wild.end());
-    parts.push_back(part_files(files, file, joint, elsewhere));
+    parts.push_back(part_files(files, file, joint, around.elsewhere));
     levels.push_back(parts.back().level);
   }
   const double usual = median(levels);
@@ -323,7 +372,7 @@ CheckResult inquire_by_parts(const std::vector<CheckedFile>& files, const Dofs& 
   parts.resize(std::min(parts.size(), most_inquired));
   for (PartFiles& part : parts) {
     for (CheckedFile& file : part.files) file.wild.clear();
-    CheckResult found = inquire(std::move(part.files), joint, elsewhere, control, with_axis);
+    CheckResult found = inquire(std::move(part.files), joint, around, control, with_axis);
     result.suspects.insert(result.suspects.end(), found.suspects.begin(), found.suspects.end());
     result.notes.insert(result.notes.end(), found.notes.begin(), found.notes.end());
     result.reciprocity.insert(result.reciprocity.end(), found.reciprocity.begin(), found.reciprocity.end());

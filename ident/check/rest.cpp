@@ -173,20 +173,24 @@ Suspect not_of_the_parts(const Files& files, const WorstSpan& worst) {
           .evidence = "the FRFs of " + assembly.name + " do not follow from those of " + part.name +
                       " by forces at the joint, whatever it is: they are off by " + digits(std::sqrt(test.ratio)) +
                       " times what noise makes of it (χ² over degrees of freedom " + digits(test.ratio, "%.3g") +
-                      "), most in the response " + dofs[0].name() + " and the reference " + dofs[1].name() + band_of(test),
+                      "), most in the response " + dofs[0].name() + " and the reference " + dofs[1].name() + band_of(test) +
+                      ". Where no file is wrong, look for: a joint DOF left out, or parts that changed between the tests (temperature, "
+                      "supports, bolts)",
           .confidence = unexplained_confidence,
           .remedy = ""};
 }
 
 /// All FRFs of an assembly, or of a part, off by a factor.
-std::vector<Suspect> small_gains(const Files& files, const std::vector<SpanSetup>& setups, const std::vector<Agreement>& span) {
+std::vector<Suspect> small_gains(const Files& files, const std::vector<SpanSetup>& setups, const std::vector<Agreement>& span,
+                                 double chosen_from) {
+  const double tried = chosen_from * static_cast<double>(setups.size());
   std::vector<Suspect> found;
   for (std::size_t a = 0; a < files.size(); ++a) {
     std::vector<std::pair<const SpanSetup*, const Agreement*>> tests;
     for (std::size_t s = 0; s < setups.size(); ++s) {
       if (setups[s].assembly == a && !setups[s].transposed) tests.emplace_back(&setups[s], &span[s]);
     }
-    const auto tells = [](const auto& test) { return test.second->tells_gain(); };
+    const auto tells = [&](const auto& test) { return test.second->tells_gain(tried); };
     const auto first = std::ranges::find_if(tests, tells);
     if (first == tests.end()) continue;
     const double excess = first->second->excess;
@@ -273,7 +277,7 @@ std::vector<Suspect> unexplained(const Files& files, const std::vector<SpanSetup
     for (Suspect& lines : dropouts.suspects()) found.push_back(std::move(lines));
   }
   if (found.empty() && dropouts.empty()) {
-    for (Suspect& gain : small_gains(files, setups, span)) found.push_back(std::move(gain));
+    for (Suspect& gain : small_gains(files, setups, span, screening.chosen_from)) found.push_back(std::move(gain));
   }
   const WorstSpan worst = one ? WorstSpan{} : worst_span(files, setups, mirror, std::move(span));
   if (worst.setup != nullptr) {

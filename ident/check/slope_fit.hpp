@@ -20,6 +20,14 @@ class SlopeFit {
   double square() const { return square_; }
   double value() const { return slope_ / square_; }
 
+  /// Degrees of freedom of scatter(): how many lines tell of the factor, less the factor. (Σ square)²/Σ square² − 1: where one line tells
+  /// nearly all, others scatter by what they know and not by what it does.
+  double freedom() const {
+    double squares = 0.0;
+    for (const auto& [slope, square] : lines_) squares += square * square;
+    return squares > 0.0 ? square_ * square_ / squares - 1.0 : 0.0;
+  }
+
   /// √Σ (slope − value·square)²: of the slope, and over square() of the value.
   double scatter() const {
     double sum = 0.0;

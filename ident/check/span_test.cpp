@@ -186,6 +186,7 @@ class RowSums {
       out.share.push_back(total_ > 0.0 ? freed_[k] / total_ : 0.0);
       out.gain.push_back(excess.is_told() ? 1.0 + excess.value() : 1.0);
       out.deviation.push_back(excess.is_told() ? excess.scatter() / excess.square() : 0.0);
+      out.freedom.push_back(excess.freedom());
     }
   }
 

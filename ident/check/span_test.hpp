@@ -38,6 +38,7 @@ struct SpanTest {
   std::vector<double> share;            ///< [R] of the square sum that freeing this row takes away
   std::vector<double> column;           ///< [C] mean square of what is left, over that of its line: about 1 in all columns
   std::vector<double> gain, deviation;  ///< [R] factor by which the assembly's row must be multiplied, and its standard deviation
+  std::vector<double> freedom;          ///< [R] degrees of freedom of that deviation
   std::vector<std::complex<double>> ratio;  ///< [line] assembly over part, in what the forces at the joint do not explain
   std::vector<double> coherence;            ///< [line] of that
   std::vector<double> ratio_hz;             ///< [line]

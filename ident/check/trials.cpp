@@ -247,11 +247,23 @@ void add_channel_trials(const Files& files, const Candidates& candidates, std::v
   }
 }
 
-/// A factor and how many standard deviations it is away from 1.
+/// A factor and how many standard deviations it is away from 1; 0 where that may be chance.
 struct GainFinding {
   double factor = 1.0, deviations = 0.0;
   bool weighed = false;  ///< by covariances of the files: deviations are told by what a row has of its own
+
+  GainFinding beyond_chance(double freedom, double tried) const {
+    return {factor, may_be_chance(deviations, freedom, tried) ? 0.0 : deviations, weighed};
+  }
 };
+
+/// How many gains of channels are looked at.
+double gains_tried(const std::vector<SpanSetup>& setups, const Screening& screening) {
+  std::size_t count = 0;
+  for (const SpanSetup& setup : setups) count += setup.rows.size();
+  for (const ReciprocityTest& test : screening.reciprocity) count += test.dofs.size();
+  return screening.chosen_from * static_cast<double>(count);
+}
 
 /// Of a row of a span test, against the spread of the other rows' factors. Where rows are weighed, what all of them are off by is what
 /// noise in the FRFs does to factors; their spread does not count, as a row that is off draws the others along: they are known well
@@ -294,13 +306,20 @@ void add_gain_trial(const Files& files, const MeasuredChannel& c, const GainFind
 void add_gain_trials(const Files& files, const std::vector<SpanSetup>& setups, const Screening& screening,
                      std::vector<MistakeTrial>& out) {
   Candidates done;
+  const double tried = gains_tried(setups, screening);
+  const auto by_mirror = [&](std::size_t file, const frf::Dof& dof) {
+    const ReciprocityTest& test = screening.reciprocity[file];
+    const std::size_t k = place_of(test.dofs, dof);
+    return gain_by_reciprocity(test, dof).beyond_chance(k == frf::npos ? 0.0 : test.freedom[k], tried);
+  };
   for (std::size_t s = 0; s < setups.size(); ++s) {
     const Role role = setups[s].transposed ? Role::reference : Role::response;
     for (std::size_t k = 0; k < setups[s].rows.size(); ++k) {
-      const GainFinding found = gain_of_row(screening.span[s], k, setups[s].weighed);
+      const GainFinding found =
+          gain_of_row(screening.span[s], k, setups[s].weighed).beyond_chance(screening.span[s].freedom[k], tried);
       for (const std::size_t file : {setups[s].assembly, setups[s].part}) {
         const frf::Dof& dof = setups[s].rows[k];
-        const GainFinding mirror = gain_by_reciprocity(screening.reciprocity[file], dof);
+        const GainFinding mirror = by_mirror(file, dof);
         if (found.deviations < significant && mirror.deviations < significant_mirror) continue;
         GainFinding own = found;
         if (file == setups[s].part) own.factor = 1.0 / own.factor;
@@ -312,7 +331,7 @@ void add_gain_trials(const Files& files, const std::vector<SpanSetup>& setups, c
   }
   for (std::size_t f = 0; f < files.size(); ++f) {
     for (const frf::Dof& dof : screening.reciprocity[f].dofs) {
-      const GainFinding mirror = gain_by_reciprocity(screening.reciprocity[f], dof);
+      const GainFinding mirror = by_mirror(f, dof);
       const std::size_t before = done.channels.size();
       if (mirror.deviations >= significant_mirror) done.add(files, f, Role::response, dof);
       if (done.channels.size() > before) add_gain_trial(files, {f, Role::response, dof}, {}, mirror, out);
@@ -402,12 +421,13 @@ bool is_a_quantity(const CheckedFile& file, int power) {
 
 struct RatioFinding {
   double size = 1.0, delay = 0.0, deviation = 0.0;  ///< of the assembly over the part
-  /// Standard deviations by which ln size is off 0, beyond what noise in one of the two files could make of it; 0 within that.
+  /// Standard deviations by which ln size is off 0, beyond what noise in one of the two files could make of it; 0 within that and where it
+  /// may be chance.
   double deviations = 0.0;
   bool known = false;
 };
 
-RatioFinding ratio_of(const SpanTest& test) {
+RatioFinding ratio_of(const SpanTest& test, double tried) {
   RatioFinding out;
   std::vector<double> sizes, noise;
   std::vector<PhaseSample> samples;
@@ -422,8 +442,10 @@ RatioFinding ratio_of(const SpanTest& test) {
   out.size = std::exp(middle);
   std::vector<double> off;
   for (const double size : sizes) off.push_back(std::abs(size - middle));
-  const double error = 1.86 * median(off) / std::sqrt(static_cast<double>(sizes.size()));
+  const auto count = static_cast<double>(sizes.size());
+  const double error = 1.86 * median(off) / std::sqrt(count);
   out.deviations = std::max(0.0, (std::abs(middle) - median(noise)) / std::hypot(error, 3e-4));
+  if (may_be_chance(out.deviations, freedom_of_median(count), tried)) out.deviations = 0.0;
   const DelayFit fit = fit_delay(samples);
   out.delay = fit.delay;
   out.deviation = fit.deviation;
@@ -438,7 +460,7 @@ void add_file_trials(const Files& files, const std::vector<SpanSetup>& setups, c
   };
   std::vector<bool> scaled(files.size(), false), seen_delay(files.size(), false);
   for (std::size_t s = 0; s < setups.size(); ++s) {
-    const RatioFinding ratio = ratio_of(screening.span[s]);
+    const RatioFinding ratio = ratio_of(screening.span[s], screening.chosen_from * static_cast<double>(setups.size()));
     if (!ratio.known) continue;
     for (const std::size_t f : {setups[s].part, setups[s].assembly}) {
       const double to_mend = f == setups[s].part ? ratio.size : 1.0 / ratio.size;
@@ -473,7 +495,9 @@ void add_file_trials(const Files& files, const std::vector<SpanSetup>& setups, c
       }
     }
     const ReciprocityTest& mirror = screening.reciprocity[f];
-    if (mirror.mass > 0.0 && mirror.mass > 4.0 * mirror.mass_deviation && mirror.level > 0.01) {
+    const double masses_tried = screening.chosen_from * static_cast<double>(files.size());
+    if (mirror.mass > 0.0 && mirror.mass > 4.0 * mirror.mass_deviation && mirror.level > 0.01 &&
+        !may_be_chance(mirror.mass / mirror.mass_deviation, mirror.mass_freedom, masses_tried)) {
       std::string masses;
       for (const frf::Dof& dof : mirror.dofs) {
         if (!dof.is_rotation()) masses += (masses.empty() ? "" : ", ") + quoted_dof(dof) + " = " + digits(mirror.mass, "%.3g");

@@ -30,6 +30,9 @@ struct MistakeTrial {
   bool only_span = false;  ///< of no effect on reciprocity and signs; takes all lines that were read
   /// What to compare with, where undoing smooths as well: the same with the mistake left in.
   std::function<void(std::vector<CheckedFile>&)> leave{};
+  /// Of a mistake in some references of a file alone: these, and the same mistake in others of them.
+  Dofs references{};
+  std::function<MistakeTrial(const Dofs& references)> in_others{};
 };
 
 /// What the tests say in detail, at the lines of a screening.
@@ -39,6 +42,7 @@ struct Screening {
   std::vector<PhaseTest> phase;              ///< per file
   std::vector<double> noise;                 ///< per file: the smallest level that it is part of, at least 0.3 %; of a file with
                                              ///< covariances what these say
+  double chosen_from = 1.0;  ///< as many others might have been looked at in place of these files or references
 };
 
 Screening screen(const std::vector<CheckedFile>& files, const std::vector<SpanSetup>& setups, std::size_t threads);

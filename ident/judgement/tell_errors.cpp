@@ -132,12 +132,17 @@ void tell_useless(const Plan& plan, Solution& out) {
   }
   const bool has_stiffness = plan.restriction.has(restrictions::Kind::stiffness);
   bool told = false;
+  std::string others;
   for (const WithoutDigit& each : without_digit(plan, out)) {
     const bool counts = each.kind == restrictions::Kind::stiffness || !has_stiffness;
     if (counts && !told) tell(out, Status::doubtful, "The " + text(each) + "." + remedy);
     told = told || counts;
-    if (!counts) out.warnings.push_back("The " + text(each) + ".");
+    if (counts) continue;
+    out.warnings.push_back("The " + text(each) + ".");
+    others += (others.empty() ? "the " : ", the ") + text(each);
   }
+  if (!others.empty())
+    tell(out, Status::ok, "The status is that of the stiffness K alone: " + others + ". Do not use these values.");
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ void tell(Solution& out, Status status, const std::string& sentence);
 ///   large as the largest value of its unit: no valid digit;
 ///   where the assembly is not measured at the joint, a matrix K (of a joint without K: any) with an eigenvalue below −0.5 of its
 ///   largest, whatever its error: indefinite_matrices().
-/// A warning names other matrices without a valid digit.
+/// Of other matrices without a valid digit a warning and a sentence of the message, whatever the status: it is that of K alone.
 void tell_errors(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& covariance, Solution& out);
 
 /// What tell_errors() says of errors that are as large as values.

@@ -424,17 +424,59 @@ const FileGain* seen_stretch(const TriedErrors& tried) {
   return stretch != nullptr && std::abs(stretch->score) >= seen ? stretch : nullptr;
 }
 
-/// χ² over degrees of freedom once a stretch is taken off: as much of its excess goes as of the lines as they count.
-double ratio_without(const Plan& plan, const Fitted& all, const FileGain* stretch) {
-  if (stretch == nullptr) return all.ratio;
+/// χ² of the lines beyond its expectation, each with a weight.
+double excess_of(const Plan& plan, const Fitted& all, const std::vector<double>& weights) {
   const Observations& observations = *likelihood_plan(plan)->observations;
   double excess = 0.0;
-  for (std::size_t i = 0; i < all.found.fit.line_weight.size(); ++i) {
-    const double weight = all.found.fit.line_weight[i], by_line = all.chi_square.by_line[i];
-    if (!(weight > 0.0 && std::isfinite(by_line))) continue;
-    excess += weight * (by_line - 1.0) * observations.lines()[i].redundancy(observations.layout());
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const double by_line = all.chi_square.by_line[i];
+    if (weights[i] > 0.0 && std::isfinite(by_line))
+      excess += weights[i] * (by_line - 1.0) * observations.lines()[i].redundancy(observations.layout());
   }
-  const double explained = std::pow(stretch->score * all.tried->inflation, 2);
+  return excess;
+}
+
+/// A stretch of a file's frequencies that is seen, with the scores that tell it.
+struct SeenStretch {
+  std::optional<TriedErrors> whole = {};  ///< where all lines count in full; empty: as in the fit
+  const FileGain* stretch = nullptr;      ///< of `whole`, or of the fit's; nullptr: none is seen
+  std::vector<double> weights = {};       ///< of the lines
+  Eigen::VectorXd step = {};              ///< of the unknowns by the lines' weights, without the stretch
+};
+
+/// A stretch makes lines on resonances outliers, and the fit sets aside what tells most of it. Where it explains half of what is set
+/// aside, the lines count in full.
+SeenStretch seen_stretch(const Plan& plan, const Fitted& all, const Control& control) {
+  const LikelihoodFit& fit = all.found.fit;
+  SeenStretch seen{.stretch = seen_stretch(*all.tried), .weights = fit.line_weight};
+  const Eigen::Index known = at(fit.theta.size());
+  seen.step = Eigen::VectorXd::Zero(known);
+  if (seen.stretch == nullptr) return seen;
+  LikelihoodFit whole = fit;
+  std::vector<double> aside;
+  for (double& weight : whole.line_weight) {
+    aside.push_back(weight > 0.0 ? 1.0 - weight : 0.0);
+    if (weight > 0.0) weight = 1.0;
+  }
+  const double set_aside = excess_of(plan, all, aside);
+  if (!(set_aside > 0.0)) return seen;
+  auto more = try_errors(plan, all.found, whole, all.ratio, control);
+  const FileGain* const found = more ? more->stretch() : nullptr;
+  if (found == nullptr || found - more->stretches.data() != seen.stretch - all.tried->stretches.data()) return seen;
+  const double explained = found->score * found->score - seen.stretch->score * seen.stretch->score;
+  if (!(explained * all.tried->inflation * all.tried->inflation > 0.5 * set_aside)) return seen;
+  seen.step = minimise::covariance_of(more->scores.information.topLeftCorner(known, known)) * more->scores.gradient.head(known);
+  seen.weights = std::move(whole.line_weight);
+  const auto place = found - more->stretches.data();
+  seen.whole = std::move(more);
+  seen.stretch = seen.whole->stretches.data() + place;
+  return seen;
+}
+
+/// χ² over degrees of freedom once a stretch is taken off: as much of its excess goes as of the lines as they count.
+double ratio_without(const Plan& plan, const Fitted& all, const SeenStretch& seen) {
+  if (seen.stretch == nullptr) return all.ratio;
+  const double excess = excess_of(plan, all, seen.weights), explained = std::pow(seen.stretch->score * all.tried->inflation, 2);
   return explained >= excess ? std::min(all.ratio, 1.0) : 1.0 + (all.ratio - 1.0) * (1.0 - explained / excess);
 }
 
@@ -451,13 +493,14 @@ Widened widened(const Plan& plan, const Fitted& all, const Eigen::MatrixXd& info
   if (!tried.files.empty() && !tried.is_calibration_stated) to.intervals.add_gain(tried.files.front());
   note_calibration(to.intervals.cost(), all.without, tried, out);
   tell_shared_errors(plan, tried, information, to.intervals, out);
-  const FileGain* const stretch = seen_stretch(tried);
-  if (stretch != nullptr) tell_stretch(plan, all.found.fit, *stretch, to.intervals, out);
+  const SeenStretch seen = seen_stretch(plan, all, control);
+  if (seen.stretch != nullptr) tell_stretch(plan, all.found.fit, *seen.stretch, seen.step, to.intervals, out);
   if (!all.without && !tried.is_calibration_stated) tell_unexplained_gain(tried, to.intervals, out);
-  const double left = ratio_without(plan, all, stretch);
+  const double left = ratio_without(plan, all, seen);
   to.includes_misfit = all.ratio > to.likely;
   const bool exceeds = to.includes_misfit && left > 1.0 + still_there * (to.likely - 1.0);
-  const auto jackknife = tried.jackknife(all.found.fit.theta.size(), stretch);
+  auto jackknife = (seen.whole ? *seen.whole : tried).jackknife(all.found.fit.theta.size(), seen.stretch);
+  if (jackknife && seen.whole) jackknife->step.setZero();  // to where lines that the stretch explains would draw it
   const bool scatters = jackknife && jackknife->tells_more() && !tried.shared.are_seen();
   if (jackknife && (exceeds || scatters)) to.intervals.include_misfit(*jackknife, exceeds ? std::sqrt(std::max(1.0, left)) : 1.0);
   const auto sensors = exceeds ? sensor_scatter(plan, all.found, all.found.fit, all.found.fit.information, control) : std::nullopt;

@@ -106,7 +106,7 @@ std::string unknowns_text(const ident::Solution& solution) {
     std::vector<std::string> cells = {estimate.name, number(estimate.value, estimate.error_estimate), estimate.unit};
     if (errors) cells.insert(cells.end(), {number_or_dash(estimate.std_error), interval(estimate)});
     if (estimates) cells.push_back(short_number(estimate.error_estimate));
-    cells.push_back(estimate.determined ? estimate.limit : "not determined by the data");
+    cells.push_back(remark_on(estimate));
     table.add(std::move(cells));
   }
   const bool none = !estimates && !errors && solution.used.method == ident::Method::newton;

@@ -38,6 +38,13 @@ std::string chi_square_text(const ident::ChiSquare& chi_square) {
   return fmt::format("{:.4g} / {:g} = {:.4g}{}", value, freedom, value / freedom, is_set_aside(chi_square) ? aside : "");
 }
 
+std::string remark_on(const ident::Estimate& unknown) {
+  if (!unknown.determined) return "not determined by the data";
+  if (!unknown.limit.empty()) return unknown.limit;
+  const double error = unknown.std_error ? *unknown.std_error : unknown.error_estimate.value_or(0.0);
+  return error > 0.0 && error >= std::abs(unknown.value) ? "error as large as the value" : "";
+}
+
 std::string rounding_digits(const ident::Solution& solution) {
   std::map<std::string, double> largest, error;  // per unit
   for (const ident::Estimate& estimate : solution.unknowns) {

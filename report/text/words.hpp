@@ -16,6 +16,10 @@ std::string equations_text(const std::vector<ident::Equation>& equations);
 /// "812.4 / 806 = 1.008": the quotient is near 1 when joint model and variances are right.
 std::string chi_square_text(const ident::ChiSquare& chi_square);
 
+/// What there is to say of an unknown beside its numbers: "not determined by the data", an active constraint, or "error as large as the
+/// value" where it has no valid digit; else empty.
+std::string remark_on(const ident::Estimate& unknown);
+
 /// "9.4, of which the noise leaves 0.9": of the worst unknown, relative to the largest of its unit; "9.4" where no error is estimated.
 std::string rounding_digits(const ident::Solution& solution);
 

@@ -8,6 +8,16 @@
 #include "dense/cholesky.hpp"
 
 namespace jointid::ident {
+namespace {
+
+/// An FRF that is zero by symmetry, and rounding in it: its slope would be that of rounding, and its own size says nothing of its error.
+bool is_negligible(const Symmetric<Measured>& line, Element element, Complex value) {
+  constexpr double negligible = 1e-12;  // of |H_rr H_cc|
+  const Measured &row = line.at(element.row, element.row), &column = line.at(element.column, element.column);
+  return row.known() && column.known() && std::norm(value) < negligible * std::abs(row.value * column.value);
+}
+
+}  // namespace
 
 FrfSlopes::FrfSlopes(std::size_t coordinates, const std::vector<double>& frequency, std::vector<const Symmetric<Measured>*> lines,
                      std::size_t own)
@@ -26,7 +36,7 @@ bool FrfSlopes::take(Element element, Values& values) const {
   values.resize(place_.size());
   for (std::size_t k = 0; k < lines_.size(); ++k) {
     const Measured& m = lines_[k]->at(element.row, element.column);
-    if (!m.known() || m.is_zero()) return false;
+    if (!m.known() || m.is_zero() || is_negligible(*lines_[k], element, m.value)) return false;
     values[at(k)] = m.value;
   }
   return true;

@@ -21,8 +21,10 @@ void tell_scatter(const Jackknife& jackknife, Solution& out);
 
 /// Takes a stretch of a file's frequencies into the intervals, from none to all of it; status doubtful from 4.5 standard deviations on,
 /// from 3.5 where it moves an unknown by more than half the width of its interval.
-/// Of the assembly's the joint itself may be free: all K and D are then as much stiffer or softer as the frequencies' squares.
-void tell_stretch(const Plan& plan, const LikelihoodFit& fit, const FileGain& stretch, Intervals& intervals, Solution& out);
+/// Of the assembly's the joint itself may be free: all K and D are then as much stiffer or softer as the frequencies' squares. `step`: of
+/// the unknowns of the fit with the stretch, beside its answer.
+void tell_stretch(const Plan& plan, const LikelihoodFit& fit, const FileGain& stretch, const Eigen::VectorXd& step,
+                  Intervals& intervals, Solution& out);
 
 /// Status doubtful: the data call for a common gain that was not taken off, because a sensor or another error explains them better, or it
 /// does not explain them. Intervals reach from none to all of it. Where responses to a hit share errors three times as much is asked for,

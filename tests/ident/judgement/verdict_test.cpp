@@ -1,7 +1,10 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "base/text.hpp"
 #include "ident/identify.hpp"
@@ -225,7 +228,7 @@ TEST(TellErrors, ErrorsLargerThanMostValuesAreDoubtful) {
   EXPECT_THAT(of.found.message, HasSubstr("larger than values in"));
 }
 
-TEST(TellErrors, NoValidDigitOfKIsDoubtfulAndOfDAWarning) {
+TEST(TellErrors, NoValidDigitOfKIsDoubtfulAndOfDIsSaidOfD) {
   ToldErrors of;
   double largest = 0.0;
   const auto is_damping = [](const Estimate& unknown) { return unknown.name.starts_with("D") && unknown.unit == "N/m"; };
@@ -235,11 +238,92 @@ TEST(TellErrors, NoValidDigitOfKIsDoubtfulAndOfDAWarning) {
   EXPECT_EQ(of.found.status, Status::ok) << of.found.message;
   ASSERT_EQ(of.found.warnings.size(), 1u);
   EXPECT_THAT(of.found.warnings.front(), HasSubstr("hysteretic damping D has no valid digit in N/m"));
+  EXPECT_THAT(of.found.message, HasSubstr("The status is that of the stiffness K alone: the hysteretic damping D has no valid digit in N/m"));
   of.found.unknowns.front().error_estimate = 2.0 * std::abs(of.found.unknowns.front().value);  // K(1,1), the largest in N/m
   of.tell();
   EXPECT_EQ(of.found.status, Status::doubtful);
   EXPECT_THAT(of.found.message, HasSubstr("stiffness K has no valid digit in N/m"));
 }
+
+/// A method on a problem with noise of some size.
+struct MethodCase {
+  const char* name;
+  const char* problem;
+  Method method;
+  Solver solver;
+};
+
+double error_of(const Estimate& unknown) {
+  return unknown.std_error ? *unknown.std_error : unknown.error_estimate.value_or(0.0);
+}
+
+/// What an engineer would hold against `ok`, worked out from the numbers of the result alone.
+struct Contradictions {
+  std::size_t larger = 0, negative = 0;
+  std::map<std::string, std::array<double, 2>> largest;  ///< value and error by matrix and unit
+
+  explicit Contradictions(const Solution& found) {
+    std::map<std::string, double> size;
+    for (const Estimate& each : found.unknowns) {
+      auto& [value, error] = largest[each.name.substr(0, 1) + " in " + each.unit];
+      value = std::max(value, std::abs(each.value));
+      error = std::max(error, error_of(each));
+      size[each.name.substr(0, 1) + each.unit] = value;
+    }
+    for (const Estimate& each : found.unknowns) {
+      const double of_group = largest[each.name.substr(0, 1) + " in " + each.unit][0];
+      larger += error_of(each) > std::max(std::abs(each.value), 0.1 * of_group);
+      const bool diagonal = each.name.size() == 6 && each.name[2] == each.name[4];  // "K(1,1)"
+      negative += diagonal && each.value + 2.0 * error_of(each) < 0.0;
+    }
+  }
+  bool without_digit(char matrix) const {
+    return std::ranges::any_of(largest, [&](const auto& each) { return each.first[0] == matrix && each.second[1] >= each.second[0]; });
+  }
+};
+
+class EveryMethod : public testing::TestWithParam<MethodCase> {};
+
+/// From noise that says all to noise that says nothing.
+TEST_P(EveryMethod, DoesNotSayOkOfNumbersThatItsOwnErrorsContradict) {
+  const problems::Problem problem = problems::make(GetParam().problem);
+  Scene scene = problems::scene(problem);
+  scene.identify.method = GetParam().method;
+  scene.identify.automatic = false;
+  scene.identify.solver = GetParam().solver;
+  if (GetParam().method == Method::two) scene.identify.equations = {Equation::jn};
+  std::size_t told = 0;
+  for (const double level : {0.001, 0.03, 0.4}) {
+    problems::Problem noisy = problem;
+    auto& noise = std::get<frf::NoiseModel>(noisy.noise);
+    noise.level = level;
+    scene.noise = NoiseSection{.model = frf::name(noise.kind), .level = level, .frf_model = noise};
+    const Solution found = solve(*problems::plan(scene, problems::polluted(noisy, 1, 0)), judged());
+    if (found.status != Status::ok) continue;
+    const Contradictions of(found);
+    EXPECT_EQ(of.negative, 0u) << level;
+    EXPECT_LE(2 * of.larger, found.unknowns.size()) << level;
+    EXPECT_FALSE(of.without_digit('K')) << level;
+    if (of.without_digit('D')) {
+      EXPECT_THAT(found.message, HasSubstr("The status is that of the stiffness K alone")) << level;
+      ++told;
+    }
+    if (found.fit.chi_square) {
+      EXPECT_LT(found.fit.chi_square->value, 2.0 * found.fit.chi_square->degrees_of_freedom) << level;
+    }
+  }
+  if (GetParam().method == Method::one) {
+    EXPECT_GT(told, 0u);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Verdict, EveryMethod,
+                         testing::Values(MethodCase{"one", "A1", Method::one, Solver::automatic},
+                                         MethodCase{"two", "A1", Method::two, Solver::automatic},
+                                         MethodCase{"likelihood", "A1", Method::likelihood, Solver::automatic},
+                                         MethodCase{"direct", "H3", Method::direct, Solver::automatic},
+                                         MethodCase{"newton", "H4", Method::newton, Solver::automatic}),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
 }  // namespace jointid::ident

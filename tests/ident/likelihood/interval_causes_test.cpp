@@ -100,6 +100,18 @@ TEST(FrfSlopes, AreNotKnownWhereALineIsNot) {
   EXPECT_NEAR(std::abs(slopes.of({1, 1})), 0.0, 1e-9);
 }
 
+/// Rounding in an FRF that is zero by symmetry, with an error in proportion to itself as simulated noise has it.
+TEST(FrfSlopes, AreNotKnownOfAnFrfThatIsZeroBySymmetry) {
+  std::vector<Symmetric<Measured>> lines(3, Symmetric<Measured>(2, {1.0, {1e-6, 1e-6}}));
+  for (std::size_t l = 0; l < 3; ++l) {
+    const double value = 1e-14 * std::pow(-3.0, static_cast<double>(l));
+    lines[l].at(1, 0) = Measured{value, {1e-6 * value * value, 1e-6 * value * value}};
+  }
+  const FrfSlopes slopes(2, {1.0, 2.0, 3.0}, {&lines[0], &lines[1], &lines[2]}, 1);
+  EXPECT_TRUE(std::isnan(slopes.of({1, 0}).real()));
+  EXPECT_NEAR(std::abs(slopes.of({1, 1})), 0.0, 1e-9);
+}
+
 /// Half the width beyond a bias, in standard deviations.
 double beyond(double bias) {
   Intervals intervals(Eigen::MatrixXd::Identity(1, 1));
@@ -114,11 +126,12 @@ TEST(Intervals, OfABiasBetweenNoneAndAllHoldAtBothEnds) {
   EXPECT_NEAR(0.5 * (std::erf((c + 1.0) / std::sqrt(2.0)) + std::erf(c / std::sqrt(2.0))), 0.95, 1e-6);
 }
 
-/// The parts were warmer when the assembly was measured: their frequencies are lower in it.
-problems::Problem warmed(double shift) {
+/// The parts, or the last one alone, were warmer when the assembly was measured: their frequencies are lower in it.
+problems::Problem warmed(const std::string& name, double shift, bool of_one = false) {
   const std::vector<problems::Case> all = problems::all_cases();
-  problems::Case rig = *std::ranges::find(all, "rig1", &problems::Case::name);
+  problems::Case rig = *std::ranges::find(all, name, &problems::Case::name);
   for (const problems::Structure& part : rig.substructures) {
+    if (of_one && &part != &rig.substructures.back()) continue;
     const std::vector<double> stiffness = part.matrix(problems::Kind::stiffness);
     problems::Matrix change(part.size(), std::vector<double>(part.size()));
     for (std::size_t i = 0; i < stiffness.size(); ++i) change[i / part.size()][i % part.size()] = -2.0 * shift * stiffness[i];
@@ -131,7 +144,7 @@ TEST(UnstatedErrors, AnotherTemperatureIsFoundBetweenLinesOf24Hz) {
   LikelihoodCase rig("rig1");
   rig.scene.noise.reset();
   rig.scene.frequency.step_hz = 24.0;
-  const problems::Problem problem = warmed(3e-4);
+  const problems::Problem problem = warmed("rig1", 3e-4);
   Control control;
   control.threads = 1;
   control.judgement = Judgement::fit;
@@ -146,6 +159,29 @@ TEST(UnstatedErrors, AnotherTemperatureIsFoundBetweenLinesOf24Hz) {
     inside += low <= problem.unknowns[u].value && problem.unknowns[u].value <= high ? 1.0 : 0.0;
   }
   EXPECT_GE(inside, 18.0);  // of 20
+}
+
+/// A line on a resonance alone tells K(3,3) of A1, and takes the shift of the part's frequencies for it: the interval has to know.
+TEST(UnstatedErrors, AnotherTemperatureIsInTheIntervalOfWhatOneLineTells) {
+  const std::size_t told_by_one_line = 7;  // K(3,3)
+  for (const bool of_one : {true, false}) {
+    LikelihoodCase a1("A1", 0.01);
+    problems::Problem problem = warmed("A1", of_one ? 2e-4 : 3e-4, of_one);
+    std::get<frf::NoiseModel>(problem.noise).level = 0.01;
+    Control control;
+    control.threads = 1;
+    control.judgement = Judgement::fit;
+    std::size_t inside = 0;
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      const Solution found = solve(*problems::plan(a1.scene, problems::polluted(problem, seed, 0)), control);
+      EXPECT_EQ(found.status, Status::doubtful) << seed << found.message;
+      EXPECT_THAT(found.message, testing::HasSubstr("with frequencies 0.0")) << seed;
+      const auto [low, high] = *found.unknowns[told_by_one_line].ci95;
+      const double truth = problem.unknowns[told_by_one_line].value;
+      inside += low <= truth && truth <= high;
+    }
+    EXPECT_GE(inside, 8u) << of_one;
+  }
 }
 
 }  // namespace
