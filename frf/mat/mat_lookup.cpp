@@ -27,8 +27,8 @@ using Names = std::span<const std::string_view>;
 constexpr std::array<std::string_view, 17> axis_names = {
     "frequency_hz", "frequency", "freq",           "f",         "freq_hz",     "frequencies",      "freq_domain",     "w",
     "omega",        "freqs",     "frequency_axis", "freq_axis", "freq_vector", "frequency_vector", "x_values.values", "abscissa", "x"};
-constexpr std::array<std::string_view, 4> axis_unit_names = {"frequency_unit", "freq_unit", "frequency_units",
-                                                             "x_values.quantity.label"};
+constexpr std::array<std::string_view, 5> axis_unit_names = {"frequency_unit", "freq_unit", "frequency_units",
+                                                             "x_values.quantity.label", "abscissa_axis_units_lab"};
 constexpr double from_rad_per_s = 0.5 / std::numbers::pi;
 constexpr double longest_axis = 1e8;
 
