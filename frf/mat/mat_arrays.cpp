@@ -72,7 +72,7 @@ class FrfFinder {
   Arrays motion_over_force(const Arrays& arrays) const {
     const std::string name(last_part(*arrays.front().values)), plain = lower_case(name);
     constexpr std::array<std::string_view, 7> others = {"conj", "impedance", "stiffness", "_mass", "_inv", "inverse", "transmissib"};
-    if (std::ranges::any_of(others, [&](std::string_view word) { return plain.find(word) != std::string::npos; }))
+    if (plain == "z" || std::ranges::any_of(others, [&](std::string_view word) { return plain.find(word) != std::string::npos; }))
       lookup_.fail(place_of(arrays.front().name), "is no FRF of motion over force by its name",
                    "export motion over force; if it is, name it: --variable " + arrays.front().name + ", in a scene variable");
     return arrays;

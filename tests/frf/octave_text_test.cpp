@@ -126,6 +126,11 @@ TEST_F(OctaveText, NamesAndTextsThatContradictAreRefused) {
   EXPECT_THAT(error(plain + text("meta", "unit: g/N"), at_one_point()), HasSubstr("states the unit 'g/N'"));
   EXPECT_THAT(error(plain + structure("meta", {text("acc_unit", "g"), text("force_unit", "N")}), at_one_point()),
               HasSubstr("variable meta.acc_unit: is not read"));
+  EXPECT_THAT(error(head + "# name: Z\n" + column + f_range, at_one_point()), HasSubstr("is no FRF of motion over force by its name"));
+  EXPECT_THAT(error(plain + text("unitOfFreq", "kHz"), at_one_point()),
+              AllOf(HasSubstr("is 'kHz' and is not read"), HasSubstr("did you mean frequency_unit?")));
+  const std::string khz = "# name: f\n# type: matrix\n# rows: 2\n# columns: 1\n 0.01\n 0.02\n\n\n";
+  expect_column(read(head + "# name: H\n" + column + khz + text("freqUnits", "kHz"), at_one_point()), 1.0);
   expect_column(read(plain + structure("geometry", {text("unit_of_positions", "mm")}), at_one_point()), 1.0);
 }
 
