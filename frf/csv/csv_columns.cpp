@@ -8,7 +8,10 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "frf/csv/csv_functions.hpp"
+#include "frf/csv/csv_numbered.hpp"
 #include "frf/set/unit_label.hpp"
+#include "frf/text/label_text.hpp"
 #include "frf/text/located.hpp"
 #include "frf/text/number_text.hpp"
 #include "frf/text/unit_names.hpp"
@@ -40,9 +43,7 @@ bool is_foreign(std::string_view label) {
 
 constexpr std::size_t most_csv_columns = 100'000;
 
-bool is_degrees(std::string_view unit) {
-  return unit == "°" || unit == "º" || unit == "degrees" || unit == "degree" || unit == "deg";
-}
+bool is_degrees(std::string_view unit) { return unit == "º" || unit == "degrees" || unit == "degree" || unit == "deg"; }
 
 /// Places of DOFs in a list that grows, by coordinate and sign.
 using Places = std::map<std::pair<std::int64_t, int>, std::size_t>;
@@ -76,6 +77,7 @@ class HeaderRow {
            "write the FRFs of each group of references to a file of its own");
     }
     for (const auto& [pair, columns] : pairs_) require_complete(pair, columns);
+    if (!named_) place_by_labels();
     if (named_) require_given(options_.response, header_.response), require_given(options_.reference, header_.reference);
     return std::move(pairs_);
   }
@@ -91,12 +93,22 @@ class HeaderRow {
     const std::string& name = table_.columns[column];
     const auto [label, word] = title_of(name);
     const bool named = !label.empty() && (options_.response.empty() || !is_foreign(label));
+    require_frf_itself(column, label);
     const CsvPart part = parse_part(column, word);
     if (column > 1 && named != named_) fail(column, "columns with and without DOFs", "name all of them or none");
     named_ = named;
+    if (!named) labels_[part].emplace_back(label);
     const Pair pair = named ? named_pair(column, label) : unnamed_pair(column, part);
     if (pairs_[pair].has(part)) fail(column, "'" + name + "' is there twice", "remove one");
     pairs_[pair][part] = column;
+  }
+
+  /// Not its conjugate or inverse, "Im(conj(H11))".
+  void require_frf_itself(std::size_t column, std::string_view label) const {
+    const std::string_view other = other_function(label);
+    if (!other.empty())
+      fail(column, "'" + table_.columns[column] + "' is of " + std::string(other) + " of an FRF",
+           "export the FRF itself, motion over force");
   }
 
   CsvPart parse_part(std::size_t column, std::string_view word) const {
@@ -112,18 +124,26 @@ class HeaderRow {
     return *part;
   }
 
+  /// Grad are gon in other languages.
+  bool is_german_degree(std::string_view plain) const { return plain == "grad" && lower_case(table_.columns[0]) == "frequenz"; }
+
   CsvPart phase_part(std::size_t column, const std::string& unit) const {
-    const std::string plain = lower_case(unit);
-    if (is_degrees(plain)) return phase_deg;
+    const std::string plain = lower_case(plain_label(unit));
+    if (is_degrees(plain) || is_german_degree(plain)) return phase_deg;
     if (plain == "rad" || plain == "radians" || plain == "radian") return phase_rad;
+    if (!states_no_unit(unit))
+      fail(column,
+           "the unit '" + shown_label(unit) + "' of '" + table_.columns[column] + "' is not read" +
+               (plain == "grad" ? ": it may be degrees or gon" : ""),
+           "export degrees [deg] or radians [rad]");
     fail(column, "'" + table_.columns[column] + "' does not state whether it is in degrees or radians",
          "name it phase_deg or phase_rad");
   }
 
   /// What the SI factor of the FRF does not look at.
   void require_unit_of(std::size_t column, CsvPart part, const std::string& unit) const {
-    const std::string plain = lower_case(unit);
-    const bool right = part == phase_deg   ? is_degrees(plain)
+    const std::string plain = lower_case(plain_label(unit));
+    const bool right = part == phase_deg   ? is_degrees(plain) || is_german_degree(plain)
                        : part == phase_rad ? plain.starts_with("rad") && !plain.starts_with("rad/")
                                            : plain == "1";
     const bool scaled = part == re || part == im || part == mag;
@@ -172,6 +192,34 @@ class HeaderRow {
     return {pair / header_.reference.size(), pair % header_.reference.size()};
   }
 
+  /// "Re(H21)", "Re(H12)" are of the FRFs that their numbers say.
+  void place_by_labels() {
+    require_same_order(re, im);
+    require_same_order(mag, labels_[phase_deg].empty() ? phase_rad : phase_deg);
+    const std::vector<std::string>& labels = labels_[re].empty() ? labels_[mag] : labels_[re];
+    const auto places = places_of_labels(labels, header_.response, header_.reference);
+    if (places.size() != labels.size()) return;
+    CsvColumns::Pairs placed;
+    for (const auto& [pair, columns] : pairs_) {
+      const std::size_t k = pair.first * header_.reference.size() + pair.second;
+      if (k >= places.size() || !places[k])
+        fail(columns.has(re) ? columns[re] : columns[mag],
+             "the titles " + labels.front() + " … " + labels.back() + " do not say which FRF is of which of the DOFs that are given",
+             "name the columns by DOFs, e.g. 2:+Z/1:+Z re, or write them response by response");
+      placed[*places[k]] = columns;
+    }
+    pairs_ = std::move(placed);
+  }
+
+  /// Two parts of one FRF stand at the same place of both.
+  void require_same_order(CsvPart first, CsvPart second) {
+    const std::vector<std::string>&a = labels_[first], &b = labels_[second];
+    for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
+      if (a[k] == b[k] || std::ranges::find(b, a[k]) == b.end()) continue;
+      fail(0, "the parts of " + a[k] + " and " + b[k] + " stand in different orders", "write the columns of both parts in one order");
+    }
+  }
+
   void require_complete(const Pair& pair, const CsvColumns::OfPair& columns) const {
     const auto both = [&](CsvPart a, CsvPart b) { return columns.has(a) && columns.has(b); };
     const auto half = [&](CsvPart a, CsvPart b) { return columns.has(a) != columns.has(b); };
@@ -189,6 +237,7 @@ class HeaderRow {
   FrfHeader& header_;
   CsvColumns::Pairs pairs_;
   Places responses_, references_;
+  std::map<CsvPart, std::vector<std::string>> labels_;  ///< of columns without DOFs
   CsvColumns::OfPair unnamed_;  ///< columns without DOFs seen so far, by part
   bool named_ = false;
 };

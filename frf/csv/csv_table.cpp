@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -241,15 +242,17 @@ class CsvReader {
     if (!polar) return std::nullopt;
     if (polar->unit == AngleUnit::unstated) {
       if (angle_line_ == 0) angle_line_ = line_, angle_column_ = column;
+      cis_ = cis_ || polar->cis;
       largest_angle_ = std::max(largest_angle_, std::abs(polar->angle));
     }
     return polar->value();
   }
 
-  /// "1.2∠0.7" without the unit of its angle.
+  /// "1.2∠0.7" without the unit of its angle. That of the function cis is in radians, which reach π near a mode.
   void require_clear_angles() const {
-    constexpr double surely_degrees = 30.0;
-    if (angle_line_ == 0 || largest_angle_ > surely_degrees) return;
+    constexpr double surely_degrees = 30.0, surely_radians = 3.0, half_turn = std::numbers::pi * (1.0 + 1e-6);
+    const bool clear = cis_ ? largest_angle_ >= surely_radians && largest_angle_ <= half_turn : largest_angle_ > surely_degrees;
+    if (angle_line_ == 0 || clear) return;
     table_.fail(angle_line_, angle_column_, "an angle does not state whether it is in degrees or radians",
                 "write its unit behind it: 1.2∠-45° or 1.2∠-0.785rad");
   }
@@ -317,6 +320,7 @@ class CsvReader {
   std::string titles_text_, units_text_, first_words_;
   std::size_t line_ = 0, comma_line_ = 0, point_line_ = 0, words_line_ = 0, angle_line_ = 0, angle_column_ = 0;
   double largest_angle_ = 0.0;
+  bool cis_ = false;             ///< an angle without a unit is that of cis(0.7)
   bool surely_decimal_ = false;  ///< a comma
   bool whole_numbers_ = false;   ///< numbers without comma and point
   char separator_ = '\0';

@@ -1,5 +1,7 @@
 #include "frf/csv/csv_text.hpp"
 
+#include <array>
+#include <cstddef>
 #include <string_view>
 #include <utility>
 
@@ -31,6 +33,20 @@ std::string with_plain_ends(std::string text) {
   return text;
 }
 
+/// Of UTF-16 without a mark, the bytes that are 0 in most characters: 1, the second of each (little-endian), or 0; 2 of other text.
+std::size_t place_of_zeros(std::string_view text) {
+  const std::string_view head = text.substr(0, 1024);
+  const std::size_t last = head.find_last_not_of('\0');  // NULs that fill a block
+  if (last == std::string_view::npos || last < 8) return 2;
+  std::array<std::size_t, 2> zeros = {0, 0};
+  for (std::size_t i = 0; i <= last; ++i) {
+    if (head[i] == '\0') ++zeros[i % 2];
+  }
+  const std::size_t half = (last + 1) / 2;
+  if (zeros[0] == 0 && 10 * zeros[1] > 8 * half) return 1;
+  return zeros[1] == 0 && 10 * zeros[0] > 8 * half ? 0 : 2;
+}
+
 void append_utf8(std::string& out, unsigned code) {
   const auto add = [&](unsigned byte) { out += static_cast<char>(byte); };
   if (code < 0x80) {
@@ -49,10 +65,12 @@ void append_utf8(std::string& out, unsigned code) {
 
 std::string plain_text(std::string text) {
   if (text.starts_with(utf8_mark)) text.erase(0, utf8_mark.size());
-  const bool little = text.starts_with("\xFF\xFE"), big = text.starts_with("\xFE\xFF");
-  if (little || big) {
+  const bool marked = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+  const std::size_t zeros = marked ? (text.front() == '\xFF' ? 1U : 0U) : place_of_zeros(text);
+  if (zeros < 2) {
+    const bool little = zeros == 1;
     std::string out;
-    for (std::size_t i = 2; i + 1 < text.size(); i += 2) {
+    for (std::size_t i = marked ? 2 : 0; i + 1 < text.size(); i += 2) {
       const auto byte = [&](std::size_t at) { return static_cast<unsigned>(static_cast<unsigned char>(text[at])); };
       append_utf8(out, little ? byte(i) + 256U * byte(i + 1) : 256U * byte(i) + byte(i + 1));
     }

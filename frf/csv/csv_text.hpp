@@ -9,8 +9,8 @@ namespace jointid::frf {
 std::string read_csv_text(const std::filesystem::path& path);
 
 /// Text as other programs write it as UTF-8 (or bytes of a code page) with "\n" behind each line: without a byte-order mark,
-/// end-of-file bytes of DOS and NULs at its end; UTF-16 with a mark is converted; "\r\n", "\r\r\n", "\r" alone and a form feed
-/// end a line.
+/// end-of-file bytes of DOS and NULs at its end; UTF-16, with a mark or without, is converted; "\r\n", "\r\r\n", "\r" alone
+/// and a form feed end a line.
 std::string plain_text(std::string text);
 
 }  // namespace jointid::frf

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/error.hpp"
+#include "frf/csv/csv_functions.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/text/number_text.hpp"
 #include "frf/text/special_number.hpp"
@@ -61,18 +63,67 @@ bool is_function(std::string_view title, std::size_t open) {
   return !parse_unit(inside) && unit_hint(inside).empty();
 }
 
+/// By the brackets of a title: "4:+Y/1:+Y re (g/N)".
+CsvTitle bracketed_title(std::string_view cell) {
+  if (function_as_part(cell, false) != cell) return {std::string(cell), {}};
+  const std::size_t open = begin_of_unit(cell);
+  if (open == std::string_view::npos || is_function(cell, open)) return {std::string(cell), {}};
+  std::string_view unit = cell.substr(open);
+  const char close = unit.front() == '[' ? ']' : ')';
+  if (unit.find(close) == unit.size() - 1) unit = unit.substr(1, unit.size() - 2);
+  const std::string title(trimmed(cell.substr(0, open))), inside(trimmed(unit));
+  if (is_csv_part(inside)) return {title + " " + inside, {}};
+  if (says_complex(inside)) return {title, {}};
+  return {title, as_ratio(inside)};
+}
+
 bool is_known_frequency(std::string_view title) {
   return title == csv_frequency_column || std::ranges::find(frequency_titles, title) != frequency_titles.end();
 }
 
-/// "freq_khz" into "freq" and "khz", as the cell writes them.
+/// Empty where it is no unit of frequency.
+std::optional<double> hertz_of_label(std::string_view label) {
+  try {
+    return hertz_per(label);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+/// "f" of "f /" and "f in", what stands before a unit in brackets.
+std::string without_stroke(std::string_view name) {
+  if (name.ends_with('/')) name = trimmed(name.substr(0, name.size() - 1));
+  if (name.ends_with(" in")) name = trimmed(name.substr(0, name.size() - 3));
+  return std::string(name);
+}
+
+/// What parts the name of an axis and its unit.
+constexpr std::string_view before_unit = " _,/.:";
+
+/// "in Hz" as "Hz".
+std::string_view without_in(std::string_view unit) { return unit.starts_with("in ") ? trimmed(unit.substr(3)) : unit; }
+
+/// "freq_khz" into "freq" and "khz", as the cell writes them; "f / Hz", "f in Hz" and "ω/(rad/s)" likewise.
 void split_unit(CsvTitle& title) {
   const std::string plain = lower_case(title.title);
+  const auto rest_behind = [&](std::string_view name) -> std::string_view {
+    const bool longer = plain.size() > name.size() + 1 && plain.starts_with(name);
+    if (!longer || before_unit.find(plain[name.size()]) == std::string_view::npos) return {};
+    const std::size_t begin = plain.find_first_not_of(before_unit, name.size());
+    return begin == std::string::npos ? std::string_view() : without_in(std::string_view(title.title).substr(begin));
+  };
   for (const std::string_view known : frequency_titles) {
-    const bool longer = plain.size() > known.size() + 1 && plain.starts_with(known);
-    if (!longer || std::string_view(" _,/").find(plain[known.size()]) == std::string_view::npos) continue;
-    title.unit = title.title.substr(plain.find_first_not_of(" _,/", known.size()));
-    title.title = known;
+    const std::string_view rest = rest_behind(known);
+    if (rest.empty()) continue;
+    title = {std::string(known), std::string(rest)};
+    return;
+  }
+  for (const std::string_view symbol : {"f", "ν", "w", "ω", "omega"}) {
+    const std::string_view rest = rest_behind(symbol);
+    const auto hertz = rest.empty() ? std::nullopt : hertz_of_label(rest);
+    const bool angular = symbol != "f" && symbol != "ν";
+    if (!hertz || (angular && *hertz == 1.0)) continue;
+    title = {angular ? "omega" : "f", std::string(rest)};
     return;
   }
 }
@@ -171,26 +222,25 @@ std::vector<std::string_view> csv_cells(std::string_view line, char separator) {
 }
 
 CsvTitle csv_title(std::string_view cell) {
-  const std::size_t open = begin_of_unit(cell);
-  if (open == std::string_view::npos || is_function(cell, open)) return {std::string(cell), {}};
-  std::string_view unit = cell.substr(open);
-  const char close = unit.front() == '[' ? ']' : ')';
-  if (unit.find(close) == unit.size() - 1) unit = unit.substr(1, unit.size() - 2);
-  const std::string title(trimmed(cell.substr(0, open))), inside(trimmed(unit));
-  if (is_csv_part(inside)) return {title + " " + inside, {}};
-  return {title, as_ratio(inside)};
+  if (const auto over = quantity_over_unit(cell)) return {joined_part(function_as_part(over->title, true)), as_ratio(over->unit)};
+  CsvTitle title = bracketed_title(cell);
+  if (const std::size_t last = title.title.rfind(' '); last < title.title.size() && says_complex(title.title.substr(last)))
+    title.title.resize(last);
+  title.title = joined_part(function_as_part(title.title, !title.unit.empty()));
+  return title;
 }
 
 std::optional<CsvTitle> frequency_title(std::string_view cell) {
-  CsvTitle title = csv_title(cell);
+  CsvTitle title = bracketed_title(cell);
+  if (!title.unit.empty()) title.title = without_stroke(title.title);
+  if (title.unit.empty()) split_unit(title);
   const std::string plain = lower_case(title.title);
   const bool angular = plain == "omega" || plain == "ω", alone = plain == "hz";
   if (title.unit.empty()) {
-    split_unit(title);
     if (angular) title.unit = "rad/s";
     if (alone) title.unit = title.title;
   }
-  if (angular || alone || (plain == "f" && !title.unit.empty()) || is_known_frequency(lower_case(title.title))) return title;
+  if (angular || alone || ((plain == "f" || plain == "ν") && !title.unit.empty()) || is_known_frequency(lower_case(title.title))) return title;
   return std::nullopt;
 }
 

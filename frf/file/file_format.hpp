@@ -12,7 +12,7 @@
 
 namespace jointid::frf {
 
-enum class FileFormat : std::uint8_t { jointid_hdf5, uff, matlab_v5, matlab_v73, csv, analyser_text, npz, npy };
+enum class FileFormat : std::uint8_t { jointid_hdf5, uff, matlab_v5, matlab_v73, csv, analyser_text, npz, npy, octave_text };
 
 /// A format of files that hold FRFs.
 struct Format {
@@ -34,7 +34,7 @@ const std::vector<Format>& formats();
 /// The format of a file by its first bytes. Throws InputError naming what was found when it is none of them.
 const Format& format_of(const std::filesystem::path& path);
 
-/// "HDF5 jointid-frf", "UFF", "MATLAB v5 to v7", "MATLAB v7.3", "numpy npz", "numpy npy", "CSV", "analyser text".
+/// "HDF5 jointid-frf", "UFF", "MATLAB v5 to v7", "MATLAB v7.3", "numpy npz", "numpy npy", "CSV", "analyser text", "Octave text".
 std::string name(FileFormat format);
 
 /// As format_of().

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <hdf5.h>
 
 #include <algorithm>
@@ -226,7 +227,13 @@ class MatV73 final : public MatFile {
         all.emplace_back(place + "@" + name, hdf5::text_attribute(object, name.c_str()).value_or(""));
     };
     const Place& place = place_of_.at(info.name);
-    add(open(info.name, place), info.name);
+    const Dataset dataset = open(info.name, place);
+    add(dataset, info.name);
+    for (const char* name : {"scale_factor", "add_offset"}) {  // of the climate and forecast conventions
+      if (H5Aexists(dataset.id.get(), name) <= 0) continue;
+      if (const auto number = hdf5::number_attribute(dataset, name))
+        all.emplace_back(info.name + "@" + name, fmt::format("{:g}", *number));
+    }
     for (std::size_t end = place.from ? std::string::npos : place.path.rfind('/'); end != std::string::npos && end > 0;
          end = place.path.rfind('/', end - 1)) {
       hdf5::Object group;

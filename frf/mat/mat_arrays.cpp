@@ -61,13 +61,23 @@ class FrfFinder {
     if (const MatInfo* frf = lookup_.find("frf"); frf != nullptr && (frf->kind == MatKind::complex || frf->kind == MatKind::real))
       return named("frf");
     const Arrays variables = fitting(those([](const ComplexArray& array) { return !is_field(array); }));
-    if (!variables.empty()) return only(variables, {});
+    if (!variables.empty()) return motion_over_force(only(variables, {}));
     const Arrays fields = fitting(those(is_field));
-    if (!fields.empty()) return only(fields, {});
+    if (!fields.empty()) return motion_over_force(only(fields, {}));
     fail_none();
   }
 
  private:
+  /// What nobody named must not be of something else by its own name.
+  Arrays motion_over_force(const Arrays& arrays) const {
+    const std::string name(last_part(*arrays.front().values)), plain = lower_case(name);
+    constexpr std::array<std::string_view, 7> others = {"conj", "impedance", "stiffness", "_mass", "_inv", "inverse", "transmissib"};
+    if (plain == "z" || std::ranges::any_of(others, [&](std::string_view word) { return plain.find(word) != std::string::npos; }))
+      lookup_.fail(place_of(arrays.front().name), "is no FRF of motion over force by its name",
+                   "export motion over force; if it is, name it: --variable " + arrays.front().name + ", in a scene variable");
+    return arrays;
+  }
+
   /// `info` as the real part of an array whose imaginary part is there, too.
   void add_parts(const MatInfo& info) {
     for (const auto& [re, im] : part_endings) {

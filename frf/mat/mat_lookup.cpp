@@ -27,8 +27,9 @@ using Names = std::span<const std::string_view>;
 constexpr std::array<std::string_view, 17> axis_names = {
     "frequency_hz", "frequency", "freq",           "f",         "freq_hz",     "frequencies",      "freq_domain",     "w",
     "omega",        "freqs",     "frequency_axis", "freq_axis", "freq_vector", "frequency_vector", "x_values.values", "abscissa", "x"};
-constexpr std::array<std::string_view, 4> axis_unit_names = {"frequency_unit", "freq_unit", "frequency_units",
-                                                             "x_values.quantity.label"};
+constexpr std::array<std::string_view, 10> axis_unit_names = {
+    "frequency_unit", "freq_unit", "frequency_units", "freq_units", "x_values.quantity.label", "abscissa_axis_units_lab",
+    "freqUnit",       "freqUnits", "frequencyUnit",   "frequencyUnits"};
 constexpr double from_rad_per_s = 0.5 / std::numbers::pi;
 constexpr double longest_axis = 1e8;
 
@@ -164,6 +165,7 @@ double MatLookup::hz_per_unit(const MatInfo& axis) const {
   if (label.empty()) label = text(axis_unit_names);
   const std::string_view own = std::string_view(axis.name).substr(scope_of(axis).size());
   const bool omega = own == "w" || own == "W" || same_name(own, "om") || same_name(own, "omega");
+  if (label.empty()) require_no_other_label(axis);
   if (label.empty()) return omega ? from_rad_per_s : hz_of_name(own);
   const double factor = located(file_.file(), place_of(axis.name), [&] { return hertz_per(label).value_or(1.0); });
   if (omega && factor == 1.0) {
@@ -171,6 +173,19 @@ double MatLookup::hz_per_unit(const MatInfo& axis) const {
          "rename it, or state its unit as rad/s");
   }
   return factor;
+}
+
+/// A text that may be meant as the unit of the axis, under another name.
+void MatLookup::require_no_other_label(const MatInfo& axis) const {
+  for (const MatInfo& info : file_.variables()) {
+    const std::string name = lower_case(info.name);
+    const bool of_axis = name.find("freq") != std::string::npos && name.find("unit") != std::string::npos;
+    if (!of_axis || info.kind != MatKind::text || !info.name.starts_with(scope_of(axis))) continue;
+    const std::vector<std::string> found = texts(info);
+    if (!found.empty() && !states_no_unit(found.front()) && lower_case(found.front()) != "hz")
+      fail(place_of(info.name), "is '" + shown_label(found.front()) + "' and is not read",
+           "did you mean frequency_unit? Rename it, or give --frequency-unit, in a scene frequency_unit");
+  }
 }
 
 /// Of a struct x_values, as Testlab exports it; nothing where there is none.

@@ -61,6 +61,7 @@ class MatLookup {
   const MatInfo* axis_by_name() const;
   const MatInfo& named_axis(const std::string& variable) const;
   double hz_per_unit(const MatInfo& axis) const;
+  void require_no_other_label(const MatInfo& axis) const;
   std::vector<double> stepped_axis(const std::string& unit) const;
   [[noreturn]] void fail_axis(const MatInfo& frf) const;
   std::vector<std::string> texts(const MatInfo& info) const;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "base/error.hpp"
 #include "frf/mat/mat_arrays.hpp"
@@ -44,6 +45,7 @@ class Reader {
                    "give the response and reference DOFs, or add cell arrays response_dof and reference_dof");
     }
     validate(header);
+    require_no_scale();
     set_.values = ordered(*frf_.values);
     if (frf_.imaginary != nullptr) add_imaginary(ordered(*frf_.imaginary));
     read_noise();
@@ -77,8 +79,30 @@ class Reader {
       const std::string plain = lower_case(std::string_view(name).substr(name.rfind('@') + 1));
       if (plain == "unit" || plain == "units") return text;
     }
-    return lookup_.text(unit_names_of_frfs);
+    if (std::string text = lookup_.text(unit_names_of_frfs); !text.empty()) return text;
+    return pyuff_unit();
   }
+
+  /// Of the labels that pyuff names as UFF 58 does; the motion and the force have a unit each, SI where only one is stated.
+  std::string pyuff_unit() const {
+    const std::string motion = text_of("ordinate_axis_units_lab"), force = text_of("orddenom_axis_units_lab");
+    if ((motion.empty() && force.empty()) || quantity_of_unit(motion)) return motion;
+    const auto quantity = options_.quantity ? options_.quantity : pyuff_quantity();
+    if (motion.empty() && !quantity) return "(?)/(" + force + ")";
+    constexpr std::array<const char*, 3> si = {"m", "m/s", "m/s^2"};
+    return "(" + (motion.empty() ? si[static_cast<std::size_t>(*quantity)] : motion) + ")/(" + (force.empty() ? "N" : force) + ")";
+  }
+
+  /// By the data types of records 9 and 10.
+  std::optional<Quantity> pyuff_quantity() const {
+    const double above = lookup_.number("ordinate_spec_data_type"), below = lookup_.number("orddenom_spec_data_type");
+    if (below != 13.0 && below != 9.0) return std::nullopt;
+    if (above == 8.0) return Quantity::receptance;
+    if (above == 11.0) return Quantity::mobility;
+    return above == 12.0 ? std::optional(Quantity::accelerance) : std::nullopt;
+  }
+
+  std::string text_of(std::string_view name) const { return lookup_.text(std::span(&name, 1)); }
 
   Quantity read_quantity() {
     std::string text = file_.note(frf_.values, "quantity");
@@ -88,6 +112,7 @@ class Reader {
       return located(file_.file(), place_of("quantity"), [&] { return parse_quantity(text, options_.quantity); });
     if (options_.quantity) return *options_.quantity;
     if (const auto quantity = quantity_of_unit(unit_label())) return *quantity;
+    if (const auto quantity = pyuff_quantity()) return *quantity;
     lookup_.fail({}, "does not state which quantity it holds", "give the quantity, or add a text quantity = 'accelerance'");
   }
 
@@ -199,17 +224,38 @@ class Reader {
     return value;
   }
 
-  /// A text that may be meant as the unit, under another name.
+  /// A text that may be meant as the unit, under another name; in structs beside the FRFs one of a motion or a force.
   void require_no_other_unit() const {
     const std::string scope = scope_of(*frf_.values);
     for (const MatInfo& info : file_.variables()) {
-      if (info.kind != MatKind::text || scope_of(info) != scope) continue;
+      if (info.kind != MatKind::text || !info.name.starts_with(scope)) continue;
       const std::string name = lower_case(info.name);
-      if (name.find("unit") == std::string::npos) continue;
+      if (name.find("unit") == std::string::npos || name.find("_axis_units_lab") != std::string::npos) continue;
+      if (scope_of(info) != scope && !is_motion_or_force(info)) continue;
       if (name.find("freq") != std::string::npos || name.find("time") != std::string::npos || name.ends_with("ref_unit"))
         continue;
       lookup_.fail(place_of(info.name), "is not read",
                    "did you mean unit? Rename it, or remove it where it is of something else");
+    }
+  }
+
+  /// Not in SI, and no length or time.
+  bool is_motion_or_force(const MatInfo& info) const {
+    constexpr std::size_t longest = 64;
+    const std::vector<std::string> texts = size(info) <= longest ? file_.read(info).texts : std::vector<std::string>();
+    return std::ranges::any_of(texts, [](const std::string& text) {
+      const auto unit = parse_unit(text);
+      return unit && unit->si != 1.0 && (unit->force != 0 || (unit->length == 1 && unit->time < 0));
+    });
+  }
+
+  /// Numbers that other programs multiply the stored ones by.
+  void require_no_scale() const {
+    for (const auto& [name, text] : file_.notes(*frf_.values)) {
+      const std::string plain = lower_case(std::string_view(name).substr(name.rfind('@') + 1));
+      const bool scale = plain == "scale_factor" && text != "1", offset = plain == "add_offset" && text != "0";
+      if (scale || offset)
+        lookup_.fail(place_of(name), "is " + text + " and is not applied", "store the FRFs multiplied, without " + plain);
     }
   }
 
@@ -227,10 +273,16 @@ class Reader {
   }
 
   void require_no_unit(const std::string& name, std::string_view text) const {
-    const std::size_t open = text.find_last_of('[');
-    const bool enclosed = open != std::string_view::npos && text.ends_with(']');
-    const std::string_view unit = enclosed ? text.substr(open + 1, text.size() - open - 2) : text;
-    if (unit.size() > 64 || !quantity_of_unit(unit)) return;
+    const std::size_t open = text.find_last_of('['), bracket = text.find(" ("), colon = text.find_last_of(":=");
+    std::string_view unit;
+    const auto consider = [&](std::string_view label) {
+      if (label.size() <= 64 && quantity_of_unit(label)) unit = label;
+    };
+    consider(text);
+    if (open != std::string_view::npos && text.ends_with(']')) consider(text.substr(open + 1, text.size() - open - 2));
+    if (bracket != std::string_view::npos && text.ends_with(')')) consider(text.substr(bracket + 1));
+    if (colon != std::string_view::npos) consider(text.substr(colon + 1));
+    if (unit.empty()) return;
     lookup_.fail(place_of(name), "states the unit '" + shown_label(unit) + "' and is not read",
                  "did you mean unit? Rename it, or remove it where it is of something else");
   }

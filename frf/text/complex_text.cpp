@@ -13,12 +13,22 @@
 namespace jointid::frf {
 namespace {
 
+/// "complex(1,2)", "np.complex128(1+2j)" as "(1,2)", "1+2j"; "1.2*^-3" of Mathematica as "1.2e-3".
+std::string without_call(std::string text) {
+  for (std::size_t at = text.find("*^"); at != std::string::npos; at = text.find("*^", at)) text.replace(at, 2, "e");
+  for (const std::string_view name : {"np.complex128", "np.complex64", "complex128", "complex", "cmplx"}) {
+    if (text.starts_with(name) && text.size() > name.size() + 2 && text[name.size()] == '(' && text.back() == ')')
+      return text.substr(name.size() + 1, text.size() - name.size() - 2);
+  }
+  return text;
+}
+
 /// In lower case, without blanks and the brackets around it.
 std::string without_frame(std::string_view cell) {
   std::string text = lower_case(cell);
   std::erase_if(text, [](char c) { return c == ' ' || c == '\t' || c == '"'; });
   const auto enclosed = [&](char open, char close) { return text.size() > 2 && text.front() == open && text.back() == close; };
-  return enclosed('(', ')') || enclosed('[', ']') ? text.substr(1, text.size() - 2) : text;
+  return without_call(enclosed('(', ')') || enclosed('[', ']') ? text.substr(1, text.size() - 2) : text);
 }
 
 /// A number, not an empty text.
@@ -99,9 +109,14 @@ std::optional<std::pair<std::string, std::string>> parts_of_polar(std::string te
     return std::pair{before.empty() && at == 0 ? "1" : before,
                      without_imaginary_unit(std::string_view(text).substr(at + sign.size(), text.size() - at - sign.size() - 1))};
   }
-  for (const std::string_view sign : {"∠", "@", "/_"}) {
+  for (const std::string_view sign : {"∠", "@", "/_", "cis", "angle", "arg", "at", "<"}) {
     const std::size_t at = text.find(sign);
-    if (at != std::string::npos) return std::pair{text.substr(0, at), text.substr(at + sign.size())};
+    if (at == std::string::npos || at == 0) continue;
+    std::string angle = text.substr(at + sign.size());
+    if (angle.starts_with('(') && angle.ends_with(')')) angle = angle.substr(1, angle.size() - 2);
+    std::string before = text.substr(0, at);
+    if (sign == "cis" && before.ends_with('*')) before.pop_back();
+    return std::pair{before, angle};
   }
   return std::nullopt;
 }
@@ -109,7 +124,7 @@ std::optional<std::pair<std::string, std::string>> parts_of_polar(std::string te
 }  // namespace
 
 Complex PolarNumber::value() const {
-  const double radians = unit == AngleUnit::radians ? angle : angle * std::numbers::pi / 180.0;
+  const double radians = unit == AngleUnit::radians || (unit == AngleUnit::unstated && cis) ? angle : angle * std::numbers::pi / 180.0;
   return both_or_neither(magnitude * std::cos(radians), magnitude * std::sin(radians));
 }
 
@@ -117,9 +132,10 @@ std::optional<PolarNumber> parse_polar(std::string_view cell, bool decimal_comma
   std::string text = without_frame(cell);
   if (decimal_comma) std::ranges::replace(text, ',', '.');
   bool exponential = false;
+  PolarNumber polar;
+  polar.cis = text.find("cis") != std::string::npos;
   const auto parts = parts_of_polar(std::move(text), exponential);
   if (!parts) return std::nullopt;
-  PolarNumber polar;
   std::string_view angle = parts->second;
   polar.unit = take_angle_unit(angle);
   if (exponential && polar.unit == AngleUnit::unstated) polar.unit = AngleUnit::radians;

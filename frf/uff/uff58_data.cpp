@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
 
 #include "frf/uff/uff58_text.hpp"
@@ -48,16 +49,47 @@ Points gather(const Header58& header, std::uint64_t count, Abscissa abscissa, Or
   return points;
 }
 
-Points read_binary(ByteFile& file, const Dataset& dataset, std::uint64_t first, std::uint64_t count) {
-  require_readable(dataset);
+Points binary_points(ByteFile& file, const Dataset& dataset, std::uint64_t first, std::uint64_t count, int byte_order) {
   const Header58& header = *dataset.function;
   const std::uint64_t width = header.is_double() ? 8 : 4;
   const std::uint64_t point_bytes = (dataset.payload_end - dataset.payload_begin) / header.points;
   const std::string bytes = file.read(dataset.payload_begin + first * point_bytes, count * point_bytes);
-  BinaryNumbers numbers(bytes, dataset.byte_order == 2);
+  BinaryNumbers numbers(bytes, byte_order == 2);
   return gather(
       header, count, [&] { return numbers.next(dataset.abscissa_bytes); },
       [&] { return numbers.next(width); });
+}
+
+Points read_binary(ByteFile& file, const Dataset& dataset, std::uint64_t first, std::uint64_t count) {
+  require_readable(dataset);
+  return binary_points(file, dataset, first, count, dataset.byte_order);
+}
+
+/// The share of numbers that no measurement has, far beyond all powers of ten of units.
+double share_of_absurd(const Points& points) {
+  constexpr double least = 1e-25, most = 1e25;
+  std::size_t absurd = 0;
+  for (const std::complex<double>& value : points.values) {
+    for (const double part : {std::abs(value.real()), std::abs(value.imag())})
+      if (part != 0.0 && !(part >= least && part <= most)) ++absurd;
+  }
+  return static_cast<double>(absurd) / static_cast<double>(2 * points.values.size());
+}
+
+/// Throws where the first numbers make sense in the other byte order alone.
+void require_byte_order(ByteFile& file, const Dataset& dataset) {
+  constexpr std::uint64_t fewest = 4, enough = 64;
+  if (dataset.function->points < fewest || dataset.float_format != 2) return;
+  if (dataset.byte_order != 1 && dataset.byte_order != 2) return;
+  const std::uint64_t count = std::min(dataset.function->points, enough);
+  constexpr double many = 0.25;
+  if (share_of_absurd(binary_points(file, dataset, 0, count, dataset.byte_order)) < many) return;
+  const int other = 3 - dataset.byte_order;
+  if (share_of_absurd(binary_points(file, dataset, 0, count, other)) > 0.0) return;
+  const auto shown = [](int order) { return std::to_string(order) + (order == 1 ? " (little-endian)" : " (big-endian)"); };
+  dataset.place.fail("number line",
+                     "the numbers make no sense in byte order " + shown(dataset.byte_order) + ", and they do in " + shown(other),
+                     "write " + std::to_string(other) + " in column 13 of the number line, or export it again");
 }
 
 Points read_text(ByteFile& file, const Dataset& dataset, std::uint64_t first, std::uint64_t count) {
@@ -98,8 +130,9 @@ Points read_points(ByteFile& file, const Dataset& dataset) {
 
 void require_plausible_size(ByteFile& file, const Dataset& dataset) {
   const Header58& header = *dataset.function;
+  if (dataset.binary) return require_byte_order(file, dataset);
   const std::uint64_t needed = header.points * header.numbers_per_point();
-  if (!dataset.binary && dataset.payload_lines * text_columns(header).size() < needed)
+  if (dataset.payload_lines * text_columns(header).size() < needed)
     read_text_numbers(file, dataset);
 }
 

@@ -24,7 +24,8 @@ Points read_points(ByteFile& file, const Dataset& dataset, std::uint64_t first, 
 /// All points; nothing is allocated for points that the file does not hold.
 Points read_points(ByteFile& file, const Dataset& dataset);
 
-/// Throws what read_points would throw if the text is so short that it cannot hold the declared points.
+/// Throws what read_points would throw if the text is so short that it cannot hold the declared points, and where the numbers of
+/// binary data make sense in the other byte order alone.
 void require_plausible_size(ByteFile& file, const Dataset& dataset);
 
 }  // namespace jointid::frf::uff

@@ -196,7 +196,9 @@ bool looks_like_uff(std::span<const char> first_bytes) {
   if (!uff::is_delimiter(line)) return false;
   const auto fields = uff::words(next_line());
   if (fields.empty()) return false;
-  const std::string_view number = fields[0].substr(0, fields[0].find_first_of("bB"));
+  const std::size_t digits = fields[0].find_first_not_of("+0123456789");
+  const bool letter = digits != std::string_view::npos && digits > 0 && fields[0].size() == digits + 1;  // "58b", "58c"
+  const std::string_view number = fields[0].substr(0, letter ? digits : std::string_view::npos);
   const auto value = uff::parse_integer(number);
   return !number.empty() && value && *value > 0;
 }

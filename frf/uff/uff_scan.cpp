@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 
 #include "base/stop_scope.hpp"
 #include "frf/text/footer.hpp"
@@ -91,26 +92,39 @@ class Scanner {
     std::string_view number = fields.empty() ? std::string_view() : fields[0];
     found.binary = number.ends_with('b') || number.ends_with('B');
     if (found.binary) number.remove_suffix(1);
+    const bool apart = number == "58" && fields.size() > 4 && (fields[1] == "b" || fields[1] == "B");  // "58 b"
+    found.binary = found.binary || apart;
     const auto value = parse_integer(number);
     if (number.empty() || !value || *value < 1 || *value > 999'999) {
       found.place.fail(
-          {}, "'" + to_utf8(one_byte_per_column(line_.substr(0, 20))) + "' is not a dataset number", damaged);
+          {}, "'" + to_utf8(one_byte_per_column(line_.substr(0, 20))) + "' is not a dataset number",
+          number.starts_with("58") ? "write 58 for numbers as text, 58b for binary ones; or export it again" : damaged);
     }
     found.number = static_cast<int>(*value);
     found.place.dataset =
         "dataset " + std::to_string(found.number) + " number " + std::to_string(++counts_[found.number]);
-    if (found.binary) binary_fields(found);
+    if (found.binary) binary_fields(found, fields, apart ? 2 : 1);
     found.payload_begin = file_.position();
     return found;
   }
 
-  void binary_fields(Dataset& found) {
+  /// By words, from the one at `first` on, where columns make no sense.
+  void binary_fields(Dataset& found, const std::vector<std::string_view>& fields, std::size_t first) {
     std::array<std::int64_t, 4> values{};
+    const auto is_field = [](std::size_t i, const std::optional<std::int64_t>& value) {
+      return value && *value >= 0 && (i >= 2 || *value <= 9);
+    };
+    bool by_words = fields.size() >= first + values.size(), by_columns = true;
     constexpr std::array<std::size_t, 4> begins = {7, 13, 19, 31};
     constexpr std::array<std::size_t, 4> widths = {6, 6, 12, 12};
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const auto value = parse_integer(column(line_, begins[i], widths[i]));
-      if (!value || *value < 0 || (i < 2 && *value > 9)) {
+      by_columns = by_columns && is_field(i, parse_integer(column(line_, begins[i], widths[i])));
+      by_words = by_words && is_field(i, parse_integer(fields[first + i]));
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const bool word = !by_columns && by_words;
+      const auto value = parse_integer(word ? fields[first + i] : column(line_, begins[i], widths[i]));
+      if (!is_field(i, value)) {
         found.place.fail("number line",
                          "'" + std::string(column(line_, begins[i], widths[i])) + "' is not valid", damaged);
       }

@@ -42,6 +42,7 @@ bool has_pole_at(const std::vector<Pole>& poles, const ModelKind& kind, const Po
 RefinedPoles PoleSearch::run(ModalFit& out) {
   RefinedPoles refined = run_usual(out);
   if (!stopped() && may_be_exact(refined)) seek_exact(refined, out);
+  follow_rational(refined, out);
   if (!stopped() && leaves_more_than_rounding(refined)) follow_beyond(refined, out);
   return refined;
 }

@@ -19,7 +19,8 @@ class PoleSearch {
 
   /// Polyreference poles, clusters, significance and refinement until they agree; peaks of the residual FRFs; doubled poles;
   /// poles beyond the range; vague poles. FRFs without noise that the outcome does not follow to their digits are searched once
-  /// more, with poles kept apart and split: what follows them is taken. Then poles beyond the range are added until such FRFs are
+  /// more, with poles kept apart and split: what follows them is taken, and so are the poles of the
+  /// rational function that such FRFs are. Then poles beyond the range are added until such FRFs are
   /// followed to their rounding or no pole lowers what is left.
   RefinedPoles run(ModalFit& out);
   /// Refines poles that were chosen elsewhere, none of which goes.
@@ -48,6 +49,7 @@ class PoleSearch {
   bool split(RefinedPoles& refined, ModalFit& out);
   double quiet_where(const RefinedPoles& refined) const;
   bool leaves_more_than_rounding(const RefinedPoles& refined) const;
+  void follow_rational(RefinedPoles& refined, ModalFit& out);
   void follow_beyond(RefinedPoles& refined, ModalFit& out);
   std::vector<std::size_t> least_agreed(const RefinedPoles& refined) const;
 

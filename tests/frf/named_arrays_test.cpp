@@ -166,6 +166,14 @@ TEST_F(StructsOfMatlab, AStructWithAllThatIsNeeded) {
           "variable test.resp: names the DOFs 1:+Z, 2:+Z, others are given; leave out the DOFs that are given (--response"));
 }
 
+TEST(NamedArrays, AScaleThatIsNotAppliedIsRefused) {
+  OpenOptions options;
+  options.response = options.reference = {Dof::parse("1:+Z"), Dof::parse("2:+Z")};
+  options.quantity = Quantity::receptance;
+  EXPECT_THAT(message_of([&] { open(foreign("scaled.h5"), options); }),
+              HasSubstr("variable frf@scale_factor: is 0.001 and is not applied; store the FRFs multiplied"));
+}
+
 /// Archives that are cut off or changed are one error, or still the same FRFs.
 TEST(NamedArrays, DamagedArchivesAreOneErrorOrTheFrfs) {
   const TestFolder folder;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 
@@ -12,6 +13,7 @@
 #include "modalfit/model/fit.hpp"
 #include "modalfit/model/symmetric_model.hpp"
 #include "modalfit/model/synthesis.hpp"
+#include "modalfit/poles/rational.hpp"
 
 namespace jointid::modalfit {
 namespace {
@@ -143,6 +145,33 @@ TEST(Exact, PolesFarBeyondTheRangeAreAddedUntilTheFrfsAreFollowed) {
     expect_exact(found, many, 2, 2);
     EXPECT_LT(found.deviation, 1e-9);
   }
+}
+
+/// Thirteen modes close to both ends of the range: no search for one after the other finds them.
+TEST(Exact, ThirteenModesBeyondTheRange) {
+  std::vector<double> all;
+  for (int k = 5; k >= 0; --k) all.push_back(85.0 * std::pow(0.8, k));
+  all.insert(all.end(), {121.0, 143.0, 171.0});
+  for (int k = 0; k < 7; ++k) all.push_back(220.0 * std::pow(1.17, k));
+  const Structure many = structure(all, std::vector<double>(all.size(), 0.012), 4);
+  for (const Damping law : {Damping::viscous, Damping::hysteretic}) {
+    const frf::FrfSet set = computed(many, {.responses = 2, .references = 1,
+                                            .first_hz = 100.0, .last_hz = 200.0, .step_hz = 0.5, .law = law});
+    expect_exact(fit_of(set, {.kind = {law, false}}), many, 6, 7);
+  }
+}
+
+TEST(Exact, RationalPolesAreThoseOfTheFrfsAndNoiseHasNone) {
+  const frf::FrfSet exact = computed(six(), {.responses = 2, .references = 1, .step_hz = 2.0});
+  const auto of = [](const frf::FrfSet& set) { return rational_poles(make_band(set, {}), {0, 1}, {Damping::viscous, false}); };
+  const std::vector<Pole> poles = of(exact);
+  ASSERT_EQ(poles.size(), 6U);
+  for (std::size_t r = 0; r < 6; ++r) {
+    EXPECT_NEAR(poles[r].frequency_hz / six().frequency_hz[r], 1.0, 1e-11);
+    EXPECT_NEAR(poles[r].damping / six().damping[r], 1.0, 1e-9);
+  }
+  std::uint64_t count = 0;
+  EXPECT_TRUE(of(changed(exact, [&](Complex h) { return h * (1.0 + 1e-9 * normal_numbers({.seed = 7}, count++)[0]); })).empty());
 }
 
 /// Weak in all FRFs and yet there.

@@ -33,6 +33,11 @@ def with_h5(name, fill):
         fill(file)
 
 
+def scaled(file):
+    file["frf"] = H[:, :, :2]
+    file["frf"].attrs["scale_factor"] = 0.001
+
+
 def h5py_complex(file):
     file["frf"] = H[:, :, :2]
     file["frf"].attrs["Units"] = "g/N"
@@ -47,6 +52,7 @@ def parts(file):
 
 with_h5("h5py.h5", h5py_complex)
 with_h5("parts.h5", parts)
+with_h5("scaled.h5", scaled)
 
 
 def quantity(label):

@@ -1,0 +1,165 @@
+#include "frf/csv/csv_functions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "frf/set/unit_label.hpp"
+#include "frf/set/units.hpp"
+#include "frf/text/label_text.hpp"
+#include "frf/text/number_text.hpp"
+#include "frf/text/unit_names.hpp"
+
+namespace jointid::frf {
+namespace {
+
+using Words = std::pair<std::string_view, std::string_view>;
+
+/// What stands before the name of an FRF, in lower case, and the part that it is.
+constexpr std::array functions = std::to_array<Words>({{"re", "re"},
+                                                       {"real", "re"},
+                                                       {"ℜ", "re"},
+                                                       {"im", "im"},
+                                                       {"imag", "im"},
+                                                       {"ℑ", "im"},
+                                                       {"abs", "mag"},
+                                                       {"mag", "mag"},
+                                                       {"magnitude", "mag"},
+                                                       {"mod", "mag"},
+                                                       {"betrag", "mag"},
+                                                       {"arg", "phase"},
+                                                       {"angle", "phase"},
+                                                       {"phase", "phase"},
+                                                       {"ph", "phase"},
+                                                       {"∠", "phase"}});
+
+/// Whole titles in lower case.
+constexpr std::array titles = std::to_array<Words>({{"modulus", "mag"},
+                                                    {"module", "mag"},
+                                                    {"modulo", "mag"},
+                                                    {"módulo", "mag"},
+                                                    {"absolute value", "mag"},
+                                                    {"argument", "phase"},
+                                                    {"arg", "phase"},
+                                                    {"phi", "phase"},
+                                                    {"φ", "phase"},
+                                                    {"ϕ", "phase"},
+                                                    {"fase", "phase"},
+                                                    {"phase angle", "phase"},
+                                                    {"phasenwinkel", "phase"},
+                                                    {"partie réelle", "re"},
+                                                    {"partie imaginaire", "im"},
+                                                    {"parte reale", "re"},
+                                                    {"parte immaginaria", "im"},
+                                                    {"parte real", "re"},
+                                                    {"parte imaginaria", "im"}});
+
+bool may_be_unit(std::string_view text) { return parse_unit(text) || !unit_hint(text).empty(); }
+
+bool is_angle(std::string_view text) {
+  const auto unit = parse_unit(text);
+  return unit && unit->same_dimension({1.0, 0, 0, 0, 1});
+}
+
+bool is_level(std::string_view text) {
+  const std::string plain = lower_case(text);
+  return plain == "db" || plain.starts_with("db ");
+}
+
+bool opens(char c) { return c == '(' || c == '[' || c == '{'; }
+bool closes(char c) { return c == ')' || c == ']' || c == '}'; }
+
+/// "|H|", "arg(H)", "Re H11".
+bool is_function(std::string_view text) {
+  const bool enclosed = text.size() > 1 && (text.back() == '|' || closes(text.back()));
+  return (enclosed && function_as_part(text, true) != text) || is_csv_part(text.substr(0, text.find(' ')));
+}
+
+/// What stands between brackets or strokes that end the title and begin at `open`; empty where these are not the only ones.
+std::string_view enclosed_from(std::string_view title, std::size_t open) {
+  if (title.size() < open + 3) return {};
+  const std::string_view inside = title.substr(open + 1, title.size() - open - 2);
+  if (title[open] == '|') return title.back() == '|' && inside.find('|') == std::string_view::npos ? inside : std::string_view();
+  int depth = 1;
+  for (const char c : inside) {
+    depth += opens(c) ? 1 : closes(c) ? -1 : 0;
+    if (depth == 0) return {};
+  }
+  const char close = title[open] == '(' ? ')' : title[open] == '[' ? ']' : '}';
+  return depth == 1 && title.back() == close ? inside : std::string_view();
+}
+
+std::string with_part(std::string_view name, std::string_view part) { return std::string(trimmed(name)) + " " + std::string(part); }
+
+}  // namespace
+
+std::optional<CsvTitle> quantity_over_unit(std::string_view cell) {
+  int depth = 0;
+  bool stroke = false;
+  for (std::size_t at = 0; at < cell.size(); ++at) {
+    depth += opens(cell[at]) ? 1 : closes(cell[at]) ? -1 : 0;
+    if (cell[at] == '|') stroke = !stroke;
+    const bool in = cell.substr(at).starts_with(" in ");
+    if (depth != 0 || stroke || at == 0 || (cell[at] != '/' && !in)) continue;
+    const std::string_view before = trimmed(cell.substr(0, at)), unit = trimmed(cell.substr(at + (in ? 4 : 1)));
+    if (before.empty() || unit.empty()) continue;
+    const bool known = quantity_of_unit(unit) || is_angle(unit) || is_level(unit);
+    const bool enclosed = opens(unit.front()) && !enclosed_from(unit, 0).empty();
+    if (known || (enclosed && is_function(before))) return CsvTitle{std::string(before), std::string(without_brackets(unit))};
+  }
+  return std::nullopt;
+}
+
+std::string function_as_part(std::string_view title, bool unit_known) {
+  const std::string plain = lower_case(title);
+  if (const auto whole = std::ranges::find(titles, plain, &Words::first); whole != titles.end()) return std::string(whole->second);
+  if (const std::size_t open = title.rfind('('); open > 0 && open < title.size() && title.ends_with(')')) {
+    const std::string_view inside = title.substr(open + 1, title.size() - open - 2);  // "FRF (Magnitude)"
+    if (is_csv_part(inside) && title[open - 1] == ' ') return with_part(title.substr(0, open), inside);
+  }
+  if (const std::string_view inside = enclosed_from(title, 0); title.starts_with('|') && !inside.empty())
+    return with_part(inside, "mag");
+  for (const auto& [name, part] : functions) {
+    if (!plain.starts_with(name)) continue;
+    const std::string_view rest = title.substr(name.size());
+    const bool sign = static_cast<unsigned char>(name.front()) >= 0x80;
+    if (sign && !rest.empty() && rest.find_first_of("[(") == std::string_view::npos) return with_part(rest, part);
+    if (rest.empty() || !opens(rest.front())) continue;
+    const std::string_view inside = enclosed_from(rest, 0);
+    if (!inside.empty() && (unit_known || !may_be_unit(inside))) return with_part(inside, part);
+  }
+  return std::string(title);
+}
+
+std::string joined_part(std::string_view title) {
+  if (title.find_first_of(" (") != std::string_view::npos) return std::string(title);
+  for (std::size_t at = title.find_first_of("_."); at != std::string_view::npos; at = title.find_first_of("_.", at + 1)) {
+    const std::string_view first = title.substr(0, at), last = title.substr(at + 1);
+    if (!first.empty() && is_csv_part(last) && !may_be_unit(first)) return with_part(first, last);
+    if (!last.empty() && is_csv_part(first) && !is_csv_part(title) && !may_be_unit(last) && csv_part(first) != csv_part(title))
+      return with_part(last, first);
+  }
+  return std::string(title);
+}
+
+bool says_complex(std::string_view text) {
+  std::string plain = lower_case(text);
+  std::erase(plain, ' ');
+  constexpr std::array<std::string_view, 10> words = {"mag∠phase", "abs∠arg", "polar",  "complex", "re+im",
+                                                      "re+j*im",   "re+jim",  "re+i*im", "a+bj",   "a+bi"};
+  return std::ranges::find(words, plain) != words.end();
+}
+
+std::string_view other_function(std::string_view label) {
+  std::string plain = lower_case(label);
+  std::erase(plain, ' ');
+  const auto has = [&](std::string_view piece) { return plain.find(piece) != std::string::npos; };
+  if (has("conj") || plain.ends_with('*')) return "the conjugate";
+  const bool over = plain.starts_with("1/") && plain.size() > 2 && (plain[2] < '0' || plain[2] > '9');
+  if (over || has("inv(") || has("^-1") || has("⁻¹")) return "the inverse";
+  if (plain == "lag" || plain == "delay" || has("phaselag")) return "the negative";
+  if (has("log")) return "the logarithm";
+  return has("^2") || has("²") ? "the square" : std::string_view();
+}
+
+}  // namespace jointid::frf

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "frf/csv/csv_titles.hpp"
+
+namespace jointid::frf {
+
+/// "|H11|/(m/s2/N)", "arg(H11)/°", "H11 Re in g/N": a quantity over its unit (DIN 1313) or in it. Empty where what stands behind
+/// the stroke is no unit of an FRF, of an angle or a level.
+std::optional<CsvTitle> quantity_over_unit(std::string_view cell);
+
+/// "|H11|", "arg(H11)", "∠H11", "Re{H11}", "ℑ(H11)" as "H11 mag", "H11 phase", "H11 re", "H11 im"; words for a part in other
+/// languages as the part; any other title as it is. Brackets that hold a unit are none of a function, but where the unit is known.
+std::string function_as_part(std::string_view title, bool unit_known);
+
+/// "H_real", "H11.im", "H_phase_deg", "re_H11" as "H11 re" …; any other title, and a part beside a unit, as it is.
+std::string joined_part(std::string_view title);
+
+/// "mag∠phase", "polar", "re+j*im": what cells of complex numbers look like, in a title.
+bool says_complex(std::string_view text);
+
+/// Of what a label is where it is no FRF itself, "the conjugate" of "conj(H11)" and "H11*", "the inverse" of "1/H11"; else empty.
+std::string_view other_function(std::string_view label);
+
+}  // namespace jointid::frf

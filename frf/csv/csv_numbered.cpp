@@ -1,0 +1,99 @@
+#include "frf/csv/csv_numbered.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <set>
+#include <string_view>
+
+namespace jointid::frf {
+namespace {
+
+using Numbers = std::pair<std::int64_t, std::int64_t>;
+using Place = std::pair<std::size_t, std::size_t>;
+using Places = std::vector<std::optional<Place>>;
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+/// Letters, then two digits, or two numbers with a sign between them: "H21", "H2,1", "FRF_2_1", "H(2,1)".
+std::optional<Numbers> numbers_of(std::string_view label) {
+  std::vector<std::string> numbers;
+  std::string between;
+  bool begun = false;
+  for (const char c : label) {
+    if (!begun && !is_digit(c)) continue;
+    begun = true;
+    if (is_digit(c)) {
+      if (numbers.empty() || !between.empty()) numbers.emplace_back(), between.clear();
+      numbers.back() += c;
+    } else {
+      between += c;
+    }
+  }
+  const bool closed = between.empty() || between == ")" || between == "]" || between == "}";
+  if (!closed || label.empty() || std::isalpha(static_cast<unsigned char>(label.front())) == 0) return std::nullopt;
+  constexpr std::size_t longest = 9;
+  if (numbers.size() == 1 && numbers[0].size() == 2) numbers = {numbers[0].substr(0, 1), numbers[0].substr(1)};
+  if (numbers.size() != 2 || numbers[0].size() > longest || numbers[1].size() > longest) return std::nullopt;
+  const Numbers read{std::stoll(numbers[0]), std::stoll(numbers[1])};
+  return read.first > 0 && read.second > 0 ? std::optional(read) : std::nullopt;
+}
+
+/// Where the only DOF of a node stands.
+std::optional<std::size_t> place_of_node(const std::vector<Dof>& dofs, std::int64_t node) {
+  if (std::ranges::count(dofs, node, &Dof::node) != 1) return std::nullopt;
+  return static_cast<std::size_t>(std::ranges::find(dofs, node, &Dof::node) - dofs.begin());
+}
+
+/// Empty where a place is missing or taken twice.
+template <class Find>
+std::optional<std::vector<Place>> all_places(const std::vector<Numbers>& numbers, const Find& find) {
+  std::vector<Place> places;
+  for (const Numbers& each : numbers) {
+    const auto r = find(true, each.first), c = find(false, each.second);
+    if (!r || !c) return std::nullopt;
+    places.emplace_back(*r, *c);
+  }
+  const std::set<Place> distinct(places.begin(), places.end());
+  return distinct.size() == places.size() ? std::optional(places) : std::nullopt;
+}
+
+std::size_t rank(const std::vector<Numbers>& numbers, std::int64_t Numbers::*which, std::int64_t value) {
+  std::set<std::int64_t> below;
+  for (const Numbers& each : numbers) {
+    if (each.*which < value) below.insert(each.*which);
+  }
+  return below.size();
+}
+
+}  // namespace
+
+Places places_of_labels(const std::vector<std::string>& labels, const std::vector<Dof>& response,
+                        const std::vector<Dof>& reference) {
+  if (labels.size() < 2 || reference.empty()) return {};
+  std::vector<Numbers> numbers;
+  for (const std::string& label : labels) {
+    const auto own = numbers_of(label);
+    if (!own) return {};
+    numbers.push_back(*own);
+  }
+  const auto counted = all_places(numbers, [&](bool of_response, std::int64_t number) -> std::optional<std::size_t> {
+    const std::size_t size = of_response ? response.size() : reference.size();
+    return static_cast<std::size_t>(number) <= size ? std::optional(static_cast<std::size_t>(number) - 1) : std::nullopt;
+  });
+  const auto nodes = all_places(
+      numbers, [&](bool of_response, std::int64_t number) { return place_of_node(of_response ? response : reference, number); });
+  const Places open(labels.size());
+  if (counted && nodes && *counted != *nodes) return open;
+  if (const auto& places = nodes ? nodes : counted) return {places->begin(), places->end()};
+  Places in_order;
+  for (std::size_t k = 0; k < labels.size(); ++k) {
+    const Place place{k / reference.size(), k % reference.size()};
+    const Place ranks{rank(numbers, &Numbers::first, numbers[k].first), rank(numbers, &Numbers::second, numbers[k].second)};
+    if (place != ranks) return open;
+    in_order.emplace_back(place);
+  }
+  return in_order;
+}
+
+}  // namespace jointid::frf
