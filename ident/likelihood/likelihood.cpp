@@ -343,6 +343,7 @@ struct Fitted {
   std::unique_ptr<AssumedGain> gain = {};  ///< a common gain that is one of the unknowns
   std::optional<FileGain> without = {};    ///< what the fit without that gain said of it
   Eigen::VectorXd pull = {};               ///< of the scene's inequalities; empty: none
+  LinearisedLikelihood::NearbyGradients nearby = {};  ///< those that trying errors brought
 
   bool is_own(const Plan& plan) const { return plan.solver == Solver::gauss_helmert && found.fit.converged; }
   /// Whether intervals may hold more than the noise that variances tell.
@@ -384,6 +385,12 @@ Fitted fitted(const Plan& plan, const Control& control, const std::shared_ptr<st
   return all;
 }
 
+/// Together with the first gradients of godambe_information(), which the same factors of the lines give.
+void try_errors_of(const Plan& plan, const Control& control, Fitted& all) {
+  if (all.is_own(plan)) all.nearby = all.found.begin_godambe();
+  all.tried = try_errors(plan, all.found, all.found.fit, all.ratio, control, all.nearby);
+}
+
 /// Whether a gain explains the misfit beyond its expectation, or half of it.
 bool explains(double with, double without, double freedom) {
   const auto excess = [&](double ratio) { return ratio - 1.0 - 3.0 * std::sqrt(2.0 / std::max(1.0, freedom)); };
@@ -398,13 +405,14 @@ void fit_with_gain(const Plan& plan, const Control& control, const std::shared_p
   std::vector<double> start = all.found.fit.theta;
   for (std::size_t c = 0; c < start.size(); ++c) start[c] += chosen.gain * chosen.answer[at(c)];
   auto assumed = std::make_unique<AssumedGain>(plan, chosen.file);
+  all.nearby = {};  // the observations are weighed anew
   start.push_back(chosen.gain / usual_calibration);
   const Starts only = [&start](std::size_t k) { return k == 0 ? std::optional(start) : std::nullopt; };
   Fitted more = with_chi_square(
       plan, make_estimator(plan, control, stage).run(only, [&](std::size_t) { stop_if(control.interrupted); }));
   if (!more.found.fit.converged || !explains(more.ratio, all.ratio, more.chi_square.degrees_of_freedom)) return;
   more.found.fit.iterations += all.found.fit.iterations;
-  more.tried = try_errors(plan, more.found, more.found.fit, more.ratio, control);
+  try_errors_of(plan, control, more);
   more.gain = std::move(assumed);
   more.without = chosen;
   all = std::move(more);
@@ -528,9 +536,9 @@ void estimate(const Plan& plan, const Control& control, Solution& out) {
   *stage = "standard errors";
   const Clock::time_point solved = Clock::now();
   if (all.may_widen(plan) || (all.found.fit.converged && control.detail == Detail::full))
-    all.tried = try_errors(plan, all.found, all.found.fit, all.ratio, control);
+    try_errors_of(plan, control, all);
   if (all.may_widen(plan)) fit_with_gain(plan, control, stage, all);
-  const Eigen::MatrixXd information = all.is_own(plan) ? all.found.godambe_information() : all.found.fit.information;
+  const Eigen::MatrixXd information = all.is_own(plan) ? all.found.godambe_information(std::move(all.nearby)) : all.found.fit.information;
   const LikelihoodFit fit = joint_part(all.found.fit, plan.columns->size());
   interpret(plan, with_rank(plan, fit), out);
   out.systematic = systematic_estimates(plan, all.found.fit, information);

@@ -1,9 +1,9 @@
 #include "ident/likelihood/data/frf_slopes.hpp"
 
-#include <array>
 #include <cmath>
 
 #include "base/eigen.hpp"
+#include "base/kernel.hpp"
 #include "base/statistics.hpp"
 #include "dense/cholesky.hpp"
 
@@ -17,75 +17,117 @@ bool is_negligible(const Symmetric<Measured>& line, Element element, Complex val
   return row.known() && column.known() && std::norm(value) < negligible * std::abs(row.value * column.value);
 }
 
+/// Orthonormal columns that span what an orthogonal projector leaves, `count` of them.
+Eigen::MatrixXd basis_of(Eigen::MatrixXd projector, Eigen::Index count) {
+  Eigen::MatrixXd out(projector.rows(), count);
+  for (Eigen::Index j = 0; j < count; ++j) {
+    Eigen::Index longest = 0;
+    projector.colwise().squaredNorm().maxCoeff(&longest);
+    out.col(j) = projector.col(longest).normalized();
+    projector -= (out.col(j) * (out.col(j).transpose() * projector)).eval();
+  }
+  return out;
+}
+
 }  // namespace
 
 FrfSlopes::FrfSlopes(std::size_t coordinates, const std::vector<double>& frequency, std::vector<const Symmetric<Measured>*> lines,
                      std::size_t own)
     : lines_(std::move(lines)), place_(at(lines_.size())) {
   const Eigen::Index count = place_.size(), degree = (count - 1) / 2;
-  unit_ = (frequency.back() - frequency.front()) / static_cast<double>(count - 1);
-  for (Eigen::Index k = 0; k < count; ++k) place_[k] = (frequency[static_cast<std::size_t>(k)] - frequency[own]) / unit_;
+  const double unit = (frequency.back() - frequency.front()) / static_cast<double>(count - 1);
+  for (Eigen::Index k = 0; k < count; ++k) place_[k] = (frequency[static_cast<std::size_t>(k)] - frequency[own]) / unit;
   Eigen::MatrixXd powers(count, degree + 1);
   for (Eigen::Index j = 0; j <= degree; ++j) powers.col(j) = place_.array().pow(static_cast<double>(j));
   const Eigen::MatrixXd inverse = dense::solve_symmetric(powers.transpose() * powers, powers.transpose());
-  numerator_ = inverse.topRows(2);
-  find_denominator(coordinates, Eigen::MatrixXd::Identity(count, count) - powers * inverse);
+  Complex rate;  // of the denominator at own, where it is 1
+  const Values on_lines =
+      denominator(sums(coordinates, basis_of(Eigen::MatrixXd::Identity(count, count) - powers * inverse, degree)), rate);
+  for (Eigen::Index k = 0; k < count; ++k)
+    factor_[static_cast<std::size_t>(k)] = on_lines[k] * (inverse(1, k) - rate * inverse(0, k)) / unit;
 }
 
-bool FrfSlopes::take(Element element, Values& values) const {
-  values.resize(place_.size());
+bool FrfSlopes::take(Element element, OnLines& values) const {
   for (std::size_t k = 0; k < lines_.size(); ++k) {
     const Measured& m = lines_[k]->at(element.row, element.column);
     if (!m.known() || m.is_zero() || is_negligible(*lines_[k], element, m.value)) return false;
-    values[at(k)] = m.value;
+    values[k] = m.value;
   }
   return true;
 }
 
-/// q = 1 + Σ c_j w^j so that q H is nearly a polynomial: `across` takes what is one off.
-void FrfSlopes::find_denominator(std::size_t coordinates, const Square& across) {
-  const Eigen::Index count = place_.size(), degree = (count - 1) / 2;
-  Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Identity(degree, degree);
-  Eigen::VectorXcd right = Eigen::VectorXcd::Zero(degree);
-  Values values;
-  std::array<Values, most> off;  // of w^j H
+/// Of all lines.
+double FrfSlopes::variance(Element element) const {
+  double sum = 0.0;
+  for (const Symmetric<Measured>* line : lines_) {
+    const Complex both = line->at(element.row, element.column).variance;
+    sum += both.real() + both.imag();
+  }
+  return sum;
+}
+
+/// q = 1 + Σ c_j w^j so that q H is nearly a polynomial: what it is off is its part along the columns of `off`.
+FrfSlopes::Sums FrfSlopes::sums(std::size_t coordinates, const Square& off) const {
+  const std::size_t count = lines_.size(), degree = count / 2;
+  Sums out;
+  OnLines values{};
+  std::array<std::array<Complex, most_lines / 2>, most_lines / 2 + 1> parts{};  // [j][column], of w^j H
   for (std::size_t r = 0; r < coordinates; ++r) {
     for (std::size_t s = 0; s <= r; ++s) {
       const Element element{r, s};
       if (!take(element, values)) continue;
-      double variance = 0.0;
-      for (const Symmetric<Measured>* line : lines_) {
-        const Complex both = line->at(element.row, element.column).variance;
-        variance += both.real() + both.imag();
-      }
+      const double variance = this->variance(element);
       if (!(variance > 0.0)) continue;
-      for (Eigen::Index j = 0; j <= degree; ++j) {
-        off[static_cast<std::size_t>(j)] = across.lazyProduct(values);
-        values.array() *= place_.array();
+      for (std::size_t j = 0; j <= degree; ++j) {
+        for (std::size_t c = 0; c < degree; ++c) {
+          Complex sum = 0.0;
+          for (std::size_t k = 0; k < count; ++k) sum += off(at(k), at(c)) * values[k];
+          parts[j][c] = sum;
+        }
+        for (std::size_t k = 0; k < count; ++k) values[k] *= place_[at(k)];
       }
-      for (Eigen::Index j = 1; j <= degree; ++j) {
-        const Values& own = off[static_cast<std::size_t>(j)];
-        for (Eigen::Index l = 1; l <= degree; ++l) matrix(j - 1, l - 1) += own.dot(off[static_cast<std::size_t>(l)]) / variance;
-        right[j - 1] -= own.dot(off[0]) / variance;
+      const double weight = 1.0 / variance;
+      const auto dot = [&](std::size_t i, std::size_t j) {
+        Complex sum = 0.0;
+        for (std::size_t c = 0; c < degree; ++c) sum += product(std::conj(parts[i][c]), parts[j][c]);
+        return weight * sum;
+      };
+      for (std::size_t j = 1; j <= degree; ++j) {
+        for (std::size_t l = 1; l <= degree; ++l) out.matrix[j - 1][l - 1] += dot(j, l);
+        out.right[j - 1] -= dot(j, 0);
       }
     }
   }
+  return out;
+}
+
+/// On the lines; a little is known of its coefficients beforehand, which are 0 ± 1.
+FrfSlopes::Values FrfSlopes::denominator(const Sums& sums, Complex& rate) const {
+  const Eigen::Index degree = place_.size() / 2;
+  Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Identity(degree, degree);
+  Eigen::VectorXcd right(degree);
+  for (Eigen::Index j = 0; j < degree; ++j) {
+    const auto row = static_cast<std::size_t>(j);
+    for (Eigen::Index l = 0; l < degree; ++l) matrix(j, l) += sums.matrix[row][static_cast<std::size_t>(l)];
+    right[j] = sums.right[row];
+  }
   const Eigen::VectorXcd c = dense::solve_positive(matrix, right);
-  Numbers power = Numbers::Ones(count);
-  denominator_ = Values::Ones(count);
+  Numbers power = Numbers::Ones(place_.size());
+  Values out = Values::Ones(place_.size());
   for (Eigen::Index j = 0; j < degree; ++j) {
     power.array() *= place_.array();
-    denominator_ += c[j] * power;
+    out += c[j] * power;
   }
-  rate_ = c[0];
+  rate = c[0];
+  return out;
 }
 
 Complex FrfSlopes::of(Element element) const {
-  Values values;
+  OnLines values{};
   if (!take(element, values)) return nan;
-  values = values.cwiseProduct(denominator_);
-  const Complex value = numerator_.row(0) * values, derivative = numerator_.row(1) * values;
-  return (derivative - rate_ * value) / unit_;
+  Complex sum = 0.0;
+  for (std::size_t k = 0; k < lines_.size(); ++k) sum += product(factor_[k], values[k]);
+  return sum;
 }
 
 }  // namespace jointid::ident

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "ident/likelihood/data/symmetric_frfs.hpp"
@@ -27,16 +28,23 @@ class FrfSlopes {
   using Values = Eigen::Matrix<Complex, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1>;
   using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, most>;
 
-  bool take(Element element, Values& values) const;
-  void find_denominator(std::size_t coordinates, const Square& across);
+  /// Numbers on the lines, only the first of them used.
+  using OnLines = std::array<Complex, most_lines>;
+
+  /// Normal equations of the denominator's coefficients.
+  struct Sums {
+    std::array<std::array<Complex, most_lines / 2>, most_lines / 2> matrix{};
+    std::array<Complex, most_lines / 2> right{};
+  };
+
+  bool take(Element element, OnLines& values) const;
+  double variance(Element element) const;
+  Sums sums(std::size_t coordinates, const Square& off) const;
+  Values denominator(const Sums& sums, Complex& rate) const;
 
   std::vector<const Symmetric<Measured>*> lines_;
-  Numbers place_;       ///< of the lines, 0: own
-  Values denominator_;  ///< on the lines
-  Complex rate_;        ///< its derivative at own, where it is 1
-  Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, most> numerator_;  ///< [2, lines]: value and derivative at own of the
-                                                                                  ///< polynomial through numbers on the lines
-  double unit_ = 1.0;  ///< of place_, in that of the frequency
+  Numbers place_;    ///< of the lines, 0: own
+  OnLines factor_{};  ///< of the FRF on a line in the derivative
 };
 
 }  // namespace jointid::ident

@@ -173,7 +173,7 @@ std::optional<FrfSlopes> Observations::slopes(std::size_t own_line, bool of_asse
   return FrfSlopes(layout_.coordinates.size(), frequency, std::move(lines), own_line - first);
 }
 
-std::shared_ptr<const SystematicFrfs> Observations::systematic_frfs(std::size_t line, const SystematicLines& errors) const {
+void Observations::write_systematic_frfs(std::size_t line, const SystematicLines& errors, SystematicFrfs& out) const {
   const std::size_t own = line - own_lines_.first;
   std::array<std::optional<FrfSlopes>, 2> slopes;
   const auto slope = [&](bool of_assembly, Element at) -> Complex {
@@ -182,7 +182,7 @@ std::shared_ptr<const SystematicFrfs> Observations::systematic_frfs(std::size_t 
     const Complex value = (of_assembly ? raw_[own].assembly : raw_[own].substructures).at(at.row, at.column).value;
     return of ? -(plan_lines_[line].frequency_hz * of->of(at) / value + 2.0) : Complex(nan);
   };
-  return errors.of(own, layout_, raw_[own], slope);
+  errors.write(own, layout_, raw_[own], slope, out);
 }
 
 LineData Observations::data_of(std::size_t own_line, double omega) const {

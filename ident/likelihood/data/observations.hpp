@@ -58,8 +58,8 @@ class Observations final : public LikelihoodData {
   /// What the scene says of systematic errors; nullptr where that is nothing.
   const SystematicPlan* systematic_plan() const { return systematic_lines_ ? &systematic_lines_->plan() : nullptr; }
 
-  /// Where systematic errors that the scene says nothing of would be on a line of this process.
-  std::shared_ptr<const SystematicFrfs> systematic_frfs(std::size_t line, const SystematicLines& errors) const;
+  /// Where systematic errors that the scene says nothing of would be on a line of this process, in place of those of another line.
+  void write_systematic_frfs(std::size_t line, const SystematicLines& errors, SystematicFrfs& out) const;
 
   /// Of the measured FRFs and their weights.
   std::size_t bytes() const;

@@ -142,40 +142,48 @@ void SystematicLines::add_factors(std::size_t i, const SensorRole& sensor, std::
   }
 }
 
-SystematicWay SystematicLines::way(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at,
-                                   const SlopeOf& slope) const {
+void SystematicLines::write_way(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at, const SlopeOf& slope,
+                                SystematicWay& out) const {
   const auto [file, transposed] = origin(of_assembly, at.row, at.column);
   const std::size_t response = transposed ? at.column : at.row, reference = transposed ? at.row : at.column;
   const Complex value = measured.at(at.row, at.column).value;
-  SystematicWay out;
+  out.share = 1.0;
+  out.factors.clear();
+  out.measures = SystematicWay::none;
   add_factors(i, {of_assembly, file, false, coordinates_[response]}, response, reference, measured, value, slope, out);
   add_factors(i, {of_assembly, file, true, coordinates_[reference]}, reference, response, measured, value, slope, out);
-  return out;
 }
 
 /// As SymmetricFrfs averages: an average has both ways, and of copies the FRF back is taken.
-std::vector<SystematicWay> SystematicLines::ways(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at,
-                                                 const SlopeOf& slope) const {
+void SystematicLines::write_ways(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at, const SlopeOf& slope,
+                                 std::vector<SystematicWay>& out) const {
   const Element mirrored{at.column, at.row};
   const bool there = origin(of_assembly, at.row, at.column).file != frf::npos;
   const bool back = origin(of_assembly, at.column, at.row).file != frf::npos;
   const Measured& own = measured.at(at.row, at.column);
-  if (!own.known() || (!there && !back)) return {};
-  if (!own.averaged) return {way(i, of_assembly, measured, back ? mirrored : at, slope)};
-  std::vector<SystematicWay> both = {way(i, of_assembly, measured, at, slope), way(i, of_assembly, measured, mirrored, slope)};
-  for (SystematicWay& each : both) each.share = 0.5;
-  return both;
+  const bool none = !own.known() || (!there && !back);
+  out.resize(none ? 0 : own.averaged ? 2 : 1);
+  if (none) return;
+  write_way(i, of_assembly, measured, back && !own.averaged ? mirrored : at, slope, out.front());
+  if (!own.averaged) return;
+  write_way(i, of_assembly, measured, mirrored, slope, out.back());
+  for (SystematicWay& each : out) each.share = 0.5;
 }
 
-std::shared_ptr<const SystematicFrfs> SystematicLines::of(std::size_t i, const LineLayout& layout,
-                                                          const BothSystems<Measured>& measured,
-                                                          const SlopeOf& slope) const {
-  auto out = std::make_shared<SystematicFrfs>();
-  std::size_t element = 0;
+void SystematicLines::write(std::size_t i, const LineLayout& layout, const BothSystems<Measured>& measured, const SlopeOf& slope,
+                            SystematicFrfs& out) const {
+  std::size_t element = 0, count = 0;
   const auto add = [&](bool of_assembly, Element at, double sign, double share) {
     const Symmetric<Measured>& frfs = of_assembly ? measured.assembly : measured.substructures;
-    std::vector<SystematicWay> by = ways(i, of_assembly, frfs, at, slope);
-    if (has_factors(by)) out->push_back({element, sign, frfs.at(at.row, at.column).value, share, std::move(by)});
+    if (count == out.size()) out.emplace_back();
+    SystematicFrf& frf = out[count];
+    write_ways(i, of_assembly, frfs, at, slope, frf.ways);
+    if (!has_factors(frf.ways)) return;
+    frf.element = element;
+    frf.sign = sign;
+    frf.value = frfs.at(at.row, at.column).value;
+    frf.share = share;
+    ++count;
   };
   for_each_element(layout, [&](ElementOf of, Element at) {
     if (of != ElementOf::difference) {
@@ -191,6 +199,13 @@ std::shared_ptr<const SystematicFrfs> SystematicLines::of(std::size_t i, const L
     }
     ++element;
   });
+  out.resize(count);
+}
+
+std::shared_ptr<const SystematicFrfs> SystematicLines::of(std::size_t i, const LineLayout& layout, const BothSystems<Measured>& measured,
+                                                          const SlopeOf& slope) const {
+  auto out = std::make_shared<SystematicFrfs>();
+  write(i, layout, measured, slope, *out);
   return out;
 }
 

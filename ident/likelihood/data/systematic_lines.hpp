@@ -37,6 +37,9 @@ class SystematicLines {
   /// Of the i-th line read; `slope` only where stretches are unknown.
   std::shared_ptr<const SystematicFrfs> of(std::size_t i, const LineLayout& layout, const BothSystems<Measured>& measured,
                                            const SlopeOf& slope = {}) const;
+  /// The same in place of those of another line, whose memory it takes over.
+  void write(std::size_t i, const LineLayout& layout, const BothSystems<Measured>& measured, const SlopeOf& slope,
+             SystematicFrfs& out) const;
 
  private:
   struct DrivingPoint {
@@ -55,9 +58,10 @@ class SystematicLines {
   const FrfOrigin& origin(bool of_assembly, std::size_t row, std::size_t column) const {
     return origins_[of_assembly ? 1 : 0][row * coordinates_.size() + column];
   }
-  SystematicWay way(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at, const SlopeOf& slope) const;
-  std::vector<SystematicWay> ways(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at,
-                                  const SlopeOf& slope) const;
+  void write_way(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at, const SlopeOf& slope,
+                 SystematicWay& out) const;
+  void write_ways(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at, const SlopeOf& slope,
+                  std::vector<SystematicWay>& out) const;
   void plan_errors(const frf::FrfSystem& system, bool of_assembly);
   const std::vector<std::size_t>& errors_of(const SensorRole& sensor, std::size_t coordinate) const {
     return errors_[sensor.of_assembly ? 1 : 0][(2 * sensor.file + (sensor.is_reference ? 1 : 0)) * coordinates_.size() + coordinate];

@@ -12,50 +12,82 @@ namespace jointid::ident {
 namespace {
 
 /// The terms of both, those of `more` numbered after the others.
-std::shared_ptr<const SystematicTerms> joined(const SystematicTerms* declared, std::size_t unknowns,
-                                              const SystematicTerms& more) {
-  auto out = std::make_shared<SystematicTerms>();
-  out->unknowns = unknowns + more.unknowns;
-  out->first = {0};
+void join(const SystematicTerms& declared, std::size_t unknowns, const SystematicTerms& more, SystematicTerms& out) {
+  out.unknowns = unknowns + more.unknowns;
+  out.terms.clear();
+  out.first.assign(1, 0);
   for (std::size_t element = 0; element + 1 < more.first.size(); ++element) {
-    for (std::size_t t = declared ? declared->first[element] : 0; declared && t < declared->first[element + 1]; ++t) {
-      out->terms.push_back(declared->terms[t]);
-    }
+    for (std::size_t t = declared.first[element]; t < declared.first[element + 1]; ++t) out.terms.push_back(declared.terms[t]);
     for (std::size_t t = more.first[element]; t < more.first[element + 1]; ++t) {
-      out->terms.push_back(more.terms[t]);
-      out->terms.back().unknown += unknowns;
+      out.terms.push_back(more.terms[t]);
+      out.terms.back().unknown += unknowns;
     }
-    out->first.push_back(out->terms.size());
+    out.first.push_back(out.terms.size());
   }
-  return out;
 }
+
+/// What a run of lines needs, in which every line takes over the memory of the one before.
+struct Room {
+  explicit Room(const LineLayout& layout) : model(layout) {}
+
+  LineModel model;
+  LineData data;
+  std::shared_ptr<SystematicFrfs> frfs = std::make_shared<SystematicFrfs>();
+  std::shared_ptr<SystematicTerms> terms = std::make_shared<SystematicTerms>(), all = std::make_shared<SystematicTerms>();
+  std::vector<std::size_t> columns;
+};
 
 class LineScores {
  public:
   LineScores(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit, const SystematicLines& trials,
              const TermsOf& terms)
-      : plan_(plan), estimator_(estimator), fit_(fit), trials_(trials), terms_(terms), unknowns_(trials.plan().unknowns()) {}
+      : observations_(*likelihood_plan(plan)->observations),
+        joint_(plan.columns->size()),
+        estimator_(estimator),
+        fit_(fit),
+        trials_(trials),
+        terms_(terms),
+        unknowns_(trials.plan().unknowns()) {}
 
+  /// The model of the room has the factors then.
   template <class Look>
-  void score(std::size_t i, LineModel& model, const Look& look) const {
-    const Observations& observations = *likelihood_plan(plan_)->observations;
-    const std::size_t joint = plan_.columns->size(), known = fit_.theta.size();
-    LineData data = corrected_line(observations.lines()[i], observations.systematic(), std::span(fit_.theta).subspan(joint));
-    const std::shared_ptr<const SystematicTerms> declared = data.terms;
-    data.systematic = observations.systematic_frfs(i, trials_);
-    if (!terms_) data = corrected_line(data, unknowns_, {});
-    data.terms = joined(declared.get(), known - joint, terms_ ? terms_(i, data) : *data.terms);
-    const JointImpedance impedance = joint_at(plan_.restriction, *plan_.columns, plan_.omega0, data.omega);
-    model.linearise(data, impedance, estimator_.impedance_of(i, fit_.theta), estimator_.state_of(i), true);
-    const auto reduced = model.reduce(0.0, false);
-    if (!reduced) return;
-    std::vector<std::size_t> columns = impedance.columns();
-    for (std::size_t column = joint; column < joint + data.terms->unknowns; ++column) columns.push_back(column);
-    look({i, fit_.line_weight[i], columns, *reduced, data});
+  bool score(std::size_t i, Room& room, const Look& look) const {
+    LineData& data = room.data;
+    if (observations_.systematic().empty()) {
+      data = observations_.lines()[i];
+    } else {
+      data = corrected_line(observations_.lines()[i], observations_.systematic(), std::span(fit_.theta).subspan(joint_));
+    }
+    put_terms(i, room);
+    const JointImpedance& impedance = estimator_.line_at(i).joint;
+    room.model.linearise(data, impedance, estimator_.impedance_of(i, fit_.theta), estimator_.state_of(i), true);
+    const auto reduced = room.model.reduce(0.0, false);
+    if (!reduced) return false;
+    room.columns = impedance.columns();
+    for (std::size_t u = 0; u < data.terms->unknowns; ++u) room.columns.push_back(joint_ + u);
+    look({i, fit_.line_weight[i], room.columns, *reduced, data});
+    return true;
   }
 
  private:
-  const Plan& plan_;
+  void put_terms(std::size_t i, Room& room) const {
+    LineData& data = room.data;
+    const std::shared_ptr<const SystematicTerms> declared = data.terms;
+    observations_.write_systematic_frfs(i, trials_, *room.frfs);
+    data.systematic = room.frfs;
+    if (terms_) {
+      *room.terms = terms_(i, data);
+    } else {
+      write_terms(data, unknowns_, *room.terms);
+    }
+    data.terms = room.terms;
+    if (!declared) return;
+    join(*declared, fit_.theta.size() - joint_, *room.terms, *room.all);
+    data.terms = room.all;
+  }
+
+  const Observations& observations_;
+  std::size_t joint_;
   const LinearisedLikelihood& estimator_;
   const LikelihoodFit& fit_;
   const SystematicLines& trials_;
@@ -75,17 +107,19 @@ std::vector<Complex> weights_of(const LineData& line) {
 
 void score_lines(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit, const SystematicLines& trials,
                  const Control& control, const std::function<void(std::size_t run, const ScoredLine& line)>& look,
-                 const TermsOf& terms) {
+                 const TermsOf& terms, const FactorsOf& factors) {
   const Observations& observations = *likelihood_plan(plan)->observations;
   const LineShares::Range lines = observations.shares().own(observations.lines().size());
   const LineScores line_scores(plan, estimator, fit, trials, terms);
   const std::size_t runs = std::min(most_runs, lines.size());
   const auto score = [&](std::size_t run) {
     const auto begin = [&](std::size_t r) { return lines.first + r * lines.size() / runs; };
-    LineModel model(observations.layout());
+    Room room(observations.layout());
     for (std::size_t i = begin(run); i < begin(run + 1); ++i) {
       stop_if(control.interrupted);
-      if (fit.line_weight[i] > 0.0) line_scores.score(i, model, [&](const ScoredLine& line) { look(run, line); });
+      if (!(fit.line_weight[i] > 0.0)) continue;
+      const bool has_factors = line_scores.score(i, room, [&](const ScoredLine& line) { look(run, line); });
+      if (has_factors && factors) factors(i, room.model);
     }
   };
   if (control.threads == 1) {

@@ -8,6 +8,7 @@
 
 #include "ident/likelihood/data/systematic_lines.hpp"
 #include "ident/likelihood/fit/estimator.hpp"
+#include "ident/likelihood/model/line_model.hpp"
 #include "ident/plan/plan.hpp"
 #include "ident/result/control.hpp"
 
@@ -32,17 +33,22 @@ constexpr std::size_t most_runs = 16;
 /// Terms of a line by the FRFs that have what is tried, LineData::systematic.
 using TermsOf = std::function<SystematicTerms(std::size_t line, const LineData& data)>;
 
+/// What else is asked of a line while its factors are there, those of LineModel::reduce(). By any thread.
+using FactorsOf = std::function<void(std::size_t line, LineModel& model)>;
+
 /// Tells `look` every line of this process that counts, with the number of its run. `terms`: in place of those of trials.plan().
+/// What a line refers to is the next one's afterwards.
 void score_lines(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit, const SystematicLines& trials,
                  const Control& control, const std::function<void(std::size_t run, const ScoredLine& line)>& look,
-                 const TermsOf& terms = {});
+                 const TermsOf& terms = {}, const FactorsOf& factors = {});
 
 /// What the runs sum up, in their order: `none` and all lines of this process that count, by add(line) and +=.
 template <class Sum>
 Sum sum_over_lines(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit, const SystematicLines& trials,
-                   const Control& control, const Sum& none, const TermsOf& terms = {}) {
+                   const Control& control, const Sum& none, const TermsOf& terms = {}, const FactorsOf& factors = {}) {
   std::vector<Sum> runs(most_runs, none);
-  score_lines(plan, estimator, fit, trials, control, [&](std::size_t run, const ScoredLine& line) { runs[run].add(line); }, terms);
+  const auto add = [&](std::size_t run, const ScoredLine& line) { runs[run].add(line); };
+  score_lines(plan, estimator, fit, trials, control, add, terms, factors);
   Sum all = std::move(runs.front());
   for (std::size_t run = 1; run < runs.size(); ++run) all += runs[run];
   return all;

@@ -69,7 +69,7 @@ Sums total(Sums all, const LineShares& shares) {
 }  // namespace
 
 std::optional<TriedErrors> try_errors(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit,
-                                      double chi_square, const Control& control) {
+                                      double chi_square, const Control& control, LinearisedLikelihood::NearbyGradients& nearby) {
   if (!plan.scene.couple_first.pairs.empty()) return std::nullopt;
   TriedErrors out;
   out.trials = trials_of(plan, control);
@@ -79,7 +79,11 @@ std::optional<TriedErrors> try_errors(const Plan& plan, const LinearisedLikeliho
   const std::size_t count = fit.line_weight.size();
   const Sums none{Scores::none(summed), SharedErrorSums(out.trials, count, known),
                   BlockScores(count, known, known + out.trials.first_stretch(), out.trials.stretches)};
-  Sums all = total(sum_over_lines(plan, estimator, fit, lines, control, none), own.observations->shares());
+  FactorsOf factors;
+  if (!nearby.offsets.empty()) {
+    factors = [&](std::size_t line, LineModel& model) { estimator.take_nearby(line, model, nearby); };
+  }
+  Sums all = total(sum_over_lines(plan, estimator, fit, lines, control, none, {}, factors), own.observations->shares());
   out.scores = std::move(all.scores);
   out.shared = all.shared.result();
   out.blocks = std::move(all.blocks);

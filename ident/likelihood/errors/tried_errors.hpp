@@ -30,8 +30,8 @@ struct TriedErrors {
 /// In one pass over the lines. Sensors are tried with Detail::full and up to 256 of them; files where no systematic errors are
 /// unknowns; shared errors where variances come from averages, FRFs are taken for independent, and there are
 /// up to 256 references and phases. `chi_square`: over degrees of freedom, of the lines that count. Empty for
-/// parts that were coupled before.
+/// parts that were coupled before. `nearby`: its gradients are worked out, too, where it has offsets.
 std::optional<TriedErrors> try_errors(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit,
-                                      double chi_square, const Control& control);
+                                      double chi_square, const Control& control, LinearisedLikelihood::NearbyGradients& nearby);
 
 }  // namespace jointid::ident

@@ -24,6 +24,22 @@ Eigen::VectorXd pick(const Eigen::VectorXd& all, const std::vector<std::size_t>&
   return out;
 }
 
+std::vector<std::vector<double>> nearby(const std::vector<double>& theta, const std::vector<Eigen::VectorXd>& offsets) {
+  std::vector<std::vector<double>> out;
+  for (const Eigen::VectorXd& offset : offsets) {
+    out.push_back(theta);
+    for (std::size_t i = 0; i < theta.size(); ++i) out.back()[i] += offset[at(i)];
+  }
+  return out;
+}
+
+std::vector<JointNearby> joints_nearby(const FittedLine& line, const std::vector<std::vector<double>>& nearby,
+                                       const std::vector<Eigen::VectorXd>& offsets) {
+  std::vector<JointNearby> out;
+  for (std::size_t k = 0; k < offsets.size(); ++k) out.push_back({line.joint.at(nearby[k]), pick(offsets[k], line.columns)});
+  return out;
+}
+
 }  // namespace
 
 FittedLines::FittedLines(LikelihoodData& data, const restrictions::Restriction& restriction, const UnknownColumns& columns, double omega0,
@@ -135,8 +151,7 @@ void FittedLines::arrive(const std::vector<double>& theta) {
     FittedLine& line = lines_[i];
     const LineData& data = data_at(i, theta);
     const ComplexMatrix z = line.joint.at(theta);
-    put_on_constraint(layout(), z, line.state);
-    line.cost = line_cost(layout(), data, z, line.state.x, line.state.y);
+    line.cost = cost_on_constraint(layout(), data, z, line.state);
     if (!(line.cost <= far * std::max(line.reduced.cost, line.redundancy))) {
       ident::relax(data, z, model, line, Relaxation::beginning);
     }
@@ -189,24 +204,16 @@ void FittedLines::answer(const std::vector<FittedLine>& before, const std::vecto
 }
 
 Eigen::MatrixXd FittedLines::gradients_nearby(const std::vector<FittedLine>& before, const std::vector<double>& theta,
-                                              const std::vector<Eigen::VectorXd>& offsets) {
-  std::vector<std::vector<double>> nearby;
-  for (const Eigen::VectorXd& offset : offsets) {
-    nearby.push_back(theta);
-    for (std::size_t i = 0; i < theta.size(); ++i) nearby.back()[i] += offset[at(i)];
-  }
-  std::vector<Eigen::MatrixXd> gradients(lines_.size());
+                                              const std::vector<Eigen::VectorXd>& offsets, std::vector<Eigen::MatrixXd> gradients) {
+  const std::vector<std::vector<double>> nearby = ident::nearby(theta, offsets);
+  gradients.resize(lines_.size());
   for_all([&](std::size_t i, LineModel& model) {
     const FittedLine& line = before[i];
-    if (!line.reduced.tells()) return;
+    if (!line.reduced.tells() || gradients[i].size() > 0) return;
     const LineData& data = data_at(i, theta);
-    if (!has_plain_errors(data)) {
-      gradients[i] = relaxed_gradients(i, before[i], nearby, offsets, model);
-      return;
-    }
-    std::vector<JointNearby> joints;
-    for (std::size_t k = 0; k < offsets.size(); ++k) joints.push_back({line.joint.at(nearby[k]), pick(offsets[k], line.columns)});
-    gradients[i] = ident::gradients_nearby(data, line.joint.at(theta), model, line, joints);
+    gradients[i] = has_plain_errors(data)
+                       ? ident::gradients_nearby(data, line.joint.at(theta), model, line, joints_nearby(line, nearby, offsets))
+                       : relaxed_gradients(i, before[i], nearby, offsets, model);
   });
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(at(theta.size()), at(offsets.size()));
   for (std::size_t l = own_.first; l < own_.last; ++l) {
@@ -216,6 +223,15 @@ Eigen::MatrixXd FittedLines::gradients_nearby(const std::vector<FittedLine>& bef
   }
   data_->shares().sum({sums.data(), static_cast<std::size_t>(sums.size())});
   return sums;
+}
+
+Eigen::MatrixXd FittedLines::gradients_nearby(std::size_t i, const std::vector<double>& theta,
+                                              const std::vector<Eigen::VectorXd>& offsets, LineModel& model) const {
+  const FittedLine& line = lines_[i];
+  const LineData& data = data_->lines()[i];
+  if (!corrected_.empty() || !has_plain_errors(data) || !line.reduced.tells()) return {};
+  const std::vector<JointNearby> joints = joints_nearby(line, nearby(theta, offsets), offsets);
+  return ident::gradients_nearby(data, line.joint.at(theta), model, line, joints, true);
 }
 
 /// Of a line whose errors are not plain.
@@ -246,13 +262,12 @@ void FittedLines::follow(const std::vector<FittedLine>& before, const std::vecto
     const auto cost_after = [&](const LineStep& change) {
       line.state = before[i].state;
       move(layout(), change, 1.0, line.state.x, line.state.y);
-      return line_cost(layout(), data, z, line.state.x, line.state.y);
+      return cost_on_constraint(layout(), data, z, line.state);
     };
     line.cost = cost_after(reduced.own + answer);
     const bool as_predicted = line.is_as_predicted(line.cost, reduced.cost_after(own_step));
     line.followed = as_predicted && reduced.tells();
     if (as_predicted) {
-      put_on_constraint(layout(), z, line.state);
       if (until == Relaxation::end && !has_plain_errors(data)) ident::relax(data, z, model, line);
       return;
     }

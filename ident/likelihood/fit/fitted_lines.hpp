@@ -63,9 +63,14 @@ class FittedLines {
   void take_gradients(const std::vector<double>& theta);
 
   /// Σ weight · gradient of the lines, their FRFs optimised, at joints nearby, a column each: `theta` plus the offsets, from `before`,
-  /// where they are linearised. The lines stay where they are.
+  /// where they are linearised. The lines stay where they are. `known`: of lines what the other function returned there.
   Eigen::MatrixXd gradients_nearby(const std::vector<FittedLine>& before, const std::vector<double>& theta,
-                                   const std::vector<Eigen::VectorXd>& offsets);
+                                   const std::vector<Eigen::VectorXd>& offsets, std::vector<Eigen::MatrixXd> known = {});
+
+  /// The same of one line alone from where it stands, without its weight, by a model that has its factors there: a row for each of its
+  /// columns. Empty where its errors are not plain, or it tells nothing.
+  Eigen::MatrixXd gradients_nearby(std::size_t line, const std::vector<double>& theta, const std::vector<Eigen::VectorXd>& offsets,
+                                   LineModel& model) const;
 
   /// From `before`, where lines are linearised, with the FRFs as they answer to a step of the joint to `theta`.
   void answer(const std::vector<FittedLine>& before, const std::vector<double>& theta, const Eigen::VectorXd& step);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -17,7 +18,37 @@ constexpr double way = 0.3;        // standard deviations to either side
 constexpr double noticed = 0.02;   // a relative difference that is worth knowing
 constexpr double least_curvature = 0.1, most_curvature = 3.0;  // of the information's curvature: else differences tell none
 
+/// Offsets of one standard deviation: the information is the identity there. Empty where it does not fix all unknowns.
+std::optional<Eigen::MatrixXd> unit_of(const Eigen::MatrixXd& information) {
+  if (minimise::null_space_of(information).cols() > 0) return std::nullopt;
+  return dense::cholesky(minimise::covariance_of(information));
+}
+
+std::vector<Eigen::VectorXd> probes_of(Eigen::Index size) {
+  std::mt19937_64 random(static_cast<std::uint64_t>(size));
+  std::vector<Eigen::VectorXd> probes(3, Eigen::VectorXd(size));
+  for (Eigen::VectorXd& direction : probes) {
+    for (double& value : direction) value = (random() & 1u) != 0 ? 1.0 : -1.0;
+    direction /= std::sqrt(static_cast<double>(size));
+  }
+  return probes;
+}
+
+/// To either side of each direction.
+std::vector<Eigen::VectorXd> offsets_along(const std::vector<Eigen::VectorXd>& directions, const Eigen::MatrixXd& unit) {
+  std::vector<Eigen::VectorXd> out;
+  for (const Eigen::VectorXd& direction : directions) {
+    for (const double side : {-1.0, 1.0}) out.emplace_back(unit * (side * way * direction));
+  }
+  return out;
+}
+
 }  // namespace
+
+std::vector<Eigen::VectorXd> first_offsets(const Eigen::MatrixXd& information) {
+  const auto unit = unit_of(information);
+  return unit ? offsets_along(probes_of(information.rows()), *unit) : std::vector<Eigen::VectorXd>();
+}
 
 GradientsAt one_by_one(GradientAt gradient) {
   return [gradient = std::move(gradient)](const std::vector<Eigen::VectorXd>& offsets) {
@@ -28,28 +59,19 @@ GradientsAt one_by_one(GradientAt gradient) {
 }
 
 Eigen::MatrixXd godambe_information(const GradientsAt& gradients, const Eigen::MatrixXd& information, const GradientAt& quick) {
-  if (minimise::null_space_of(information).cols() > 0) return information;
-  const auto root = dense::cholesky(minimise::covariance_of(information));
+  const auto root = unit_of(information);
   if (!root) return information;
-  const Eigen::MatrixXd& unit = *root;  // offsets of one standard deviation: the information is the identity there
+  const Eigen::MatrixXd& unit = *root;
   const auto by_differences = [&unit](const GradientsAt& of, const std::vector<Eigen::VectorXd>& directions) {
-    std::vector<Eigen::VectorXd> offsets, out;
-    for (const Eigen::VectorXd& direction : directions) {
-      for (const double side : {-1.0, 1.0}) offsets.emplace_back(unit * (side * way * direction));
-    }
-    const std::vector<Eigen::VectorXd> there = of(offsets);
+    const std::vector<Eigen::VectorXd> there = of(offsets_along(directions, unit));
+    std::vector<Eigen::VectorXd> out;
     for (std::size_t k = 0; k < directions.size(); ++k) {
       out.emplace_back(unit.transpose() * (there[2 * k] - there[2 * k + 1]) / (2.0 * way));
     }
     return out;
   };
   const Eigen::Index size = information.rows();
-  std::mt19937_64 random(static_cast<std::uint64_t>(size));
-  std::vector<Eigen::VectorXd> probes(3, Eigen::VectorXd(size));
-  for (Eigen::VectorXd& direction : probes) {
-    for (double& value : direction) value = (random() & 1u) != 0 ? 1.0 : -1.0;
-    direction /= std::sqrt(static_cast<double>(size));
-  }
+  const std::vector<Eigen::VectorXd> probes = probes_of(size);
   const auto differs = [&probes](double least, const std::vector<Eigen::VectorXd>& differences) {
     for (std::size_t k = 0; k < probes.size(); ++k) {
       if (!(std::abs(probes[k].dot(differences[k]) - 1.0) < least)) return true;

@@ -23,4 +23,7 @@ GradientsAt one_by_one(GradientAt gradient);
 /// differences of it show none above 0.5 % the others are not asked for, and the three directions are judged by it.
 Eigen::MatrixXd godambe_information(const GradientsAt& gradients, const Eigen::MatrixXd& information, const GradientAt& quick = {});
 
+/// The offsets of the first gradients that are asked for without `quick`; none: the information is taken as it is.
+std::vector<Eigen::VectorXd> first_offsets(const Eigen::MatrixXd& information);
+
 }  // namespace jointid::ident

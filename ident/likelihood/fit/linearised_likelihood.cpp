@@ -74,10 +74,21 @@ ConstrainedFit LinearisedLikelihood::constrained(const AdmissibleSet& set, const
   return out;
 }
 
-Eigen::MatrixXd LinearisedLikelihood::godambe_information() {
+LinearisedLikelihood::NearbyGradients LinearisedLikelihood::begin_godambe() const {
+  if (all_.lines.layout().is_large()) return {};
+  return {first_offsets(fit.information), std::vector<Eigen::MatrixXd>(all_.lines.snapshot().size())};
+}
+
+void LinearisedLikelihood::take_nearby(std::size_t line, LineModel& model, NearbyGradients& to) const {
+  to.of_lines[line] = all_.lines.gradients_nearby(line, fit.theta, to.offsets, model);
+}
+
+Eigen::MatrixXd LinearisedLikelihood::godambe_information(NearbyGradients begun) {
   const std::vector<FittedLine> there = all_.lines.snapshot();
   const auto exact = [&](const std::vector<Eigen::VectorXd>& offsets) {
-    const Eigen::MatrixXd sums = all_.lines.gradients_nearby(there, fit.theta, offsets);
+    const bool is_begun = offsets == std::exchange(begun.offsets, {});
+    const Eigen::MatrixXd sums = all_.lines.gradients_nearby(
+        there, fit.theta, offsets, is_begun ? std::move(begun.of_lines) : std::vector<Eigen::MatrixXd>());
     std::vector<Eigen::VectorXd> out;
     for (std::size_t k = 0; k < offsets.size(); ++k) {
       out.emplace_back(sums.col(at(k)));

@@ -29,8 +29,18 @@ class LinearisedLikelihood {
   /// until Σ L falls. All steps stay in the set, which is convex. The estimate itself when it is in the set.
   ConstrainedFit constrained(const AdmissibleSet& set, const FitWatcher& watch) &&;
 
-  /// godambe_information() here. The lines move meanwhile, and are put back.
-  Eigen::MatrixXd godambe_information();
+  /// The first gradients of godambe_information(), which another pass over the lines works out where it has their factors.
+  struct NearbyGradients {
+    std::vector<Eigen::VectorXd> offsets{};   ///< none: these are not of use
+    std::vector<Eigen::MatrixXd> of_lines{};  ///< FittedLines::gradients_nearby()
+  };
+  NearbyGradients begin_godambe() const;
+  /// By any thread; `model` has the factors of the line.
+  void take_nearby(std::size_t line, LineModel& model, NearbyGradients& to) const;
+
+  /// godambe_information() here. The lines move meanwhile, and are put back. `begun`: lines that it has are not worked out again.
+  Eigen::MatrixXd godambe_information(NearbyGradients begun);
+  Eigen::MatrixXd godambe_information() { return godambe_information(NearbyGradients()); }
 
   /// What one line contributes to the information, without its robust weight.
   Eigen::MatrixXd information_of(std::size_t line) const;

@@ -1,6 +1,7 @@
 #include "ident/likelihood/line/line_state.hpp"
 
 #include "base/eigen.hpp"
+#include "base/kernel.hpp"
 #include "coupling/joint_loop.hpp"
 
 namespace jointid::ident {
@@ -96,15 +97,22 @@ void put_on_constraint(const LineLayout& layout, const ComplexMatrix& z, LineSta
 }
 
 Complex predicted_difference(const LineState& state, const ComplexMatrix& za, Element e) {
-  return (state.x.col(at(e.row)).transpose() * za.col(at(e.column))).value();
+  const Complex *x = state.x.col(at(e.row)).data(), *g = za.col(at(e.column)).data();
+  Complex sum = 0.0;
+  for (Eigen::Index i = 0; i < za.rows(); ++i) sum += product(x[i], g[i]);
+  return sum;
 }
 
 double line_cost(const LineLayout& layout, const LineData& data, const ComplexMatrix& z, const ComplexMatrix& x,
                  const ComplexMatrix& y) {
   LineState state{x, y, {}, {}};
+  return cost_on_constraint(layout, data, z, state);
+}
+
+double cost_on_constraint(const LineLayout& layout, const LineData& data, const ComplexMatrix& z, LineState& state) {
   put_on_constraint(layout, z, state);
   if (data.correlation) return correlated_cost(layout, data, z, state);
-  double cost = block_cost(layout.x, data.x, x) + block_cost(layout.y, data.y, y) + block_cost(layout.a, data.a, state.a);
+  double cost = block_cost(layout.x, data.x, state.x) + block_cost(layout.y, data.y, state.y) + block_cost(layout.a, data.a, state.a);
   if (!layout.b.empty()) cost += block_cost(layout.b, data.b, state.b);
   const ComplexMatrix za = z * state.a;
   for (std::size_t i = 0; i < layout.d.size(); ++i) {

@@ -31,6 +31,9 @@ void put_on_constraint(const LineLayout& layout, const ComplexMatrix& z, LineSta
 double line_cost(const LineLayout& layout, const LineData& data, const ComplexMatrix& z, const ComplexMatrix& x,
                  const ComplexMatrix& y);
 
+/// Puts the state on the constraint and returns line_cost() there.
+double cost_on_constraint(const LineLayout& layout, const LineData& data, const ComplexMatrix& z, LineState& state);
+
 /// The FRFs that the state predicts: H_sub(n,n) − H_asm(n,n) = Xᵀ Z A.
 Complex predicted_difference(const LineState& state, const ComplexMatrix& za, Element at);
 

@@ -32,6 +32,23 @@ LogFactor log_factor(const SystematicUnknown& unknown, const SystematicFactor& f
   return {-std::log(1.0 + phi * load), -load / (1.0 + phi * load)};
 }
 
+/// The derivative of log_factor() at φ = 0.
+Complex rate_of(const SystematicUnknown& unknown, const SystematicFactor& factor, double omega) {
+  const double sigma = unknown.deviation;
+  switch (unknown.kind) {
+    case Systematic::gain:
+      return sigma;
+    case Systematic::delay:
+      return {0.0, omega * sigma};
+    case Systematic::stretch:
+    case Systematic::angle:
+      return -sigma * factor.driving;
+    case Systematic::mass:
+      break;
+  }
+  return -omega * omega * sigma * factor.driving;
+}
+
 /// Real and imaginary parts of the blocks of a line as one list of elements.
 class Elements {
  public:
@@ -236,6 +253,26 @@ LineData corrected_line(const LineData& measured, std::span<const SystematicUnkn
   driving.apply();
   out.terms = std::move(terms);
   return out;
+}
+
+void write_terms(const LineData& measured, std::span<const SystematicUnknown> unknowns, SystematicTerms& out) {
+  out.unknowns = unknowns.size();
+  out.terms.clear();
+  out.first.assign(1, 0);
+  for (const SystematicFrf& frf : *measured.systematic) {
+    while (out.first.size() <= frf.element) out.first.push_back(out.terms.size());
+    for (const SystematicWay& way : frf.ways) {
+      for (const SystematicFactor& factor : way.factors) {
+        const SystematicUnknown& unknown = unknowns[factor.unknown];
+        const bool turns = unknown.kind == Systematic::angle || unknown.kind == Systematic::stretch;
+        out.terms.push_back({factor.unknown, frf.sign * way.share * rate_of(unknown, factor, measured.omega), frf.value,
+                             turns ? 0.0 : frf.sign * frf.share});
+      }
+    }
+  }
+  std::size_t elements = 0;
+  for (const Channel* channel : {&measured.x, &measured.y, &measured.a, &measured.b, &measured.d}) elements += channel->value.size();
+  out.first.resize(elements + 1, out.terms.size());
 }
 
 }  // namespace jointid::ident

@@ -11,4 +11,7 @@ namespace jointid::ident {
 /// Covariances between FRFs stay as they are, to first order.
 LineData corrected_line(const LineData& measured, std::span<const SystematicUnknown> unknowns, std::span<const double> phi);
 
+/// The terms of corrected_line() without `phi`, which leaves the line as it is, in place of those of another line.
+void write_terms(const LineData& measured, std::span<const SystematicUnknown> unknowns, SystematicTerms& out);
+
 }  // namespace jointid::ident

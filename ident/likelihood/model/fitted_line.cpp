@@ -37,13 +37,11 @@ double enough(const FittedLine& line, Relaxation until) {
 /// Takes a step of the FRFs if χ² does not rise by it, and puts the line on the constraint. By how much χ² fell.
 std::optional<double> take(const LineData& data, const ComplexMatrix& z, const LineLayout& layout, const LineStep& step,
                            FittedLine& line) {
-  ComplexMatrix x = line.state.x, y = line.state.y;
-  move(layout, step, 1.0, x, y);
-  const double cost = line_cost(layout, data, z, x, y);
+  LineState moved{line.state.x, line.state.y, {}, {}};
+  move(layout, step, 1.0, moved.x, moved.y);
+  const double cost = cost_on_constraint(layout, data, z, moved);
   if (!(cost <= line.cost)) return std::nullopt;
-  line.state.x = std::move(x);
-  line.state.y = std::move(y);
-  put_on_constraint(layout, z, line.state);
+  line.state = std::move(moved);
   return std::exchange(line.cost, cost) - cost;
 }
 
@@ -116,11 +114,11 @@ void take_gradient(const LineData& data, const ComplexMatrix& z, const LineLayou
 }
 
 Eigen::MatrixXd gradients_nearby(const LineData& data, const ComplexMatrix& here, LineModel& model, const FittedLine& line,
-                                 const std::vector<JointNearby>& joints) {
+                                 const std::vector<JointNearby>& joints, bool has_factors) {
   Eigen::MatrixXd out(at(line.columns.size()), at(joints.size()));
-  bool has_factors = false;  // of the line where it stands
+  FittedLine moved = line;
   for (std::size_t k = 0; k < joints.size(); ++k) {
-    FittedLine moved = line;
+    moved.state = line.state;
     move(model.layout(), line.reduced.answer(joints[k].offset), 1.0, moved.state.x, moved.state.y);
     if (!has_factors) {
       model.linearise(data, line.joint, here, line.state, false);
@@ -145,8 +143,7 @@ Eigen::MatrixXd gradients_nearby(const LineData& data, const ComplexMatrix& here
 bool settle(const LineData& data, const ComplexMatrix& z, LineModel& model, FittedLine& line, Relaxation until) {
   const LineLayout& layout = model.layout();
   const double near = layout.is_large() ? 1e-2 : 1e-4;  // of the redundancy: as far the information is that of the place before
-  put_on_constraint(layout, z, line.state);
-  line.cost = line_cost(layout, data, z, line.state.x, line.state.y);
+  line.cost = cost_on_constraint(layout, data, z, line.state);
   line.reduced = linearised(data, z, model, line);
   if (until == Relaxation::beginning && line.is_as_predicted(line.cost, line.reduced.cost)) return false;
   const double before = line.cost;
@@ -168,8 +165,7 @@ bool settle(const LineData& data, const ComplexMatrix& z, LineModel& model, Fitt
 /// gradients alone (follow_gradient()).
 void relax(const LineData& data, const ComplexMatrix& z, LineModel& model, FittedLine& line, Relaxation until) {
   const LineLayout& layout = model.layout();
-  put_on_constraint(layout, z, line.state);
-  line.cost = line_cost(layout, data, z, line.state.x, line.state.y);
+  line.cost = cost_on_constraint(layout, data, z, line.state);
   double damping = 0.0;
   for (int iteration = 0; iteration < 30; ++iteration) {
     model.linearise(data, line.joint, z, line.state, false);

@@ -49,13 +49,13 @@ void take_gradient(const LineData& data, const ComplexMatrix& z, const LineLayou
 
 /// Columns of −½ of the derivatives of χ² by the line's unknowns, FRFs optimised, at joints nearby, Z and the line's own offset of
 /// each: by gradients and the factors of the line where it is linearised (at Z `here`), and by relax() where these do not lead there.
-/// Needs has_plain_errors().
+/// Needs has_plain_errors(). `has_factors`: the model has those of the line already.
 struct JointNearby {
   ComplexMatrix z;
   Eigen::VectorXd offset;
 };
 Eigen::MatrixXd gradients_nearby(const LineData& data, const ComplexMatrix& here, LineModel& model, const FittedLine& line,
-                                 const std::vector<JointNearby>& joints);
+                                 const std::vector<JointNearby>& joints, bool has_factors = false);
 
 /// Puts the line on the constraint and linearises it; its FRFs are optimised, in the beginning only where that promises to bring much:
 /// whether they were.

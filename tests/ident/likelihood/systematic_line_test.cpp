@@ -105,6 +105,33 @@ TEST(SystematicLine, NothingChangesAtZero) {
   EXPECT_EQ(data.a.weight, sample.data.a.weight);
 }
 
+TEST(SystematicLine, TermsAloneAreThoseOfALineThatNothingCorrects) {
+  std::mt19937_64 random(4);
+  LineSample sample({.missing = 0.2}, random);
+  add_errors(sample, true);
+  for (SystematicFrf& each : *std::const_pointer_cast<SystematicFrfs>(sample.data.systematic)) {
+    each.ways.front().factors.push_back({4, sample.any()});
+    each.ways.front().factors.push_back({5, sample.any()});
+  }
+  std::vector<SystematicUnknown> all = unknowns;
+  all.push_back({Systematic::angle, 0.2});
+  all.push_back({Systematic::stretch, 0.4});
+  const SystematicTerms expected = *corrected_line(sample.data, all, {}).terms;
+  SystematicTerms found;
+  found.first = {7};  // of another line
+  found.terms.resize(3);
+  write_terms(sample.data, all, found);
+  EXPECT_EQ(found.unknowns, 6U);
+  EXPECT_EQ(found.first, expected.first);
+  ASSERT_EQ(found.terms.size(), expected.terms.size());
+  for (std::size_t t = 0; t < found.terms.size(); ++t) {
+    const Complex residual = sample.any();
+    EXPECT_EQ(found.terms[t].unknown, expected.terms[t].unknown);
+    const Complex change = expected.terms[t].derivative(residual);
+    EXPECT_NEAR(std::abs(found.terms[t].derivative(residual) - change), 0.0, 1e-14 * std::abs(change)) << t;
+  }
+}
+
 TEST(SystematicLine, MassIsRemovedExactly) {
   std::mt19937_64 random(5);
   LineSample sample({}, random);
