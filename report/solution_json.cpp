@@ -46,6 +46,14 @@ Json loose_joints(const std::vector<ident::LooseJoint>& joints) {
   return all;
 }
 
+/// χ² of some substructures alone.
+Json part_misfits(const std::vector<ident::PartMisfit>& parts) {
+  Json all = Json::array();
+  for (const auto& [files, chi_square, freedom] : parts)
+    all.push_back({{"files", files}, {"chi_square", value(chi_square)}, {"degrees_of_freedom", freedom}});
+  return all;
+}
+
 Json matrices(const ident::Matrices& by_kind) {
   Json all = Json::object();
   for (const auto& [kind, rows] : by_kind) all[restrictions::key(kind)] = values(rows);
@@ -145,6 +153,7 @@ std::string solution_json(const ident::Solution& solution) {
   if (solution.search) json["search"] = minima(*solution.search);
   if (solution.admissibility) json["admissibility"] = admissibility(*solution.admissibility);
   if (!solution.loose.empty()) json["loose"] = loose_joints(solution.loose);
+  if (!solution.parts.empty()) json["parts"] = part_misfits(solution.parts);
   if (!solution.systematic.empty()) json["systematic"] = systematic(solution.systematic);
   if (solution.identifiability) json["identifiability"] = identifiability_json(solution);
   json["quality"] = quality(solution.quality);
