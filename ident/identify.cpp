@@ -7,6 +7,7 @@
 #include "ident/automatic_method.hpp"
 #include "ident/check/check.hpp"
 #include "ident/check/rest.hpp"
+#include "ident/frequency_turns.hpp"
 #include "ident/judgement/loose_joints.hpp"
 #include "ident/judgement/judge.hpp"
 #include "ident/judgement/tell_errors.hpp"
@@ -30,7 +31,8 @@ std::unique_ptr<Plan> plan_start(const Plan& plan, const StartChoices& choices) 
     scene.identify.equations = equations;
     try {
       auto start = make_plan(scene, plan.substructures, plan.assembly);
-      if (!start->why_by_parts || start->columns->size() >= least_unknowns_by_parts) return start;
+      const bool by_parts = plan.scene.identify.solver == Solver::by_parts || plan.scene.identify.loose;
+      if (by_parts || !start->why_by_parts || start->columns->size() >= least_unknowns_by_parts) return start;
     } catch (const InputError&) {
       // The next one needs less.
     }
@@ -197,7 +199,7 @@ Solution solve(Plan& plan, const Control& asked) {
   out.warnings.insert(out.warnings.end(), plan.warnings.begin(), plan.warnings.end());
   out.used = {plan.scene.identify.method, plan.equations, plan.scene.identify.weighting,
               plan.scene.identify.delta,  name(plan.solver), plan.chosen};
-  plan.method->solve(plan, control, out);
+  solve_by_method(plan, control, out);
   find_loose_joints(plan, out);
   tell_wild_lines(wild, out);
   check_briefly(plan, control, out);

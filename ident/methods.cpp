@@ -47,7 +47,7 @@ const std::vector<MethodTraits>& all_methods() {
        .joint_on_assembly = false},
       {.method = Method::likelihood,
        .name = "likelihood",
-       .solvers = {Solver::gauss_helmert, Solver::iqml, Solver::ceres},
+       .solvers = {Solver::gauss_helmert, Solver::iqml, Solver::ceres, Solver::by_parts},
        .phrase = "method \"likelihood\"",
        .plan = plan_likelihood,
        .iterates = true,

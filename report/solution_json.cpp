@@ -1,5 +1,6 @@
 #include "report/solution_json.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "report/check_json.hpp"
@@ -46,16 +47,73 @@ Json loose_joints(const std::vector<ident::LooseJoint>& joints) {
   return all;
 }
 
+/// χ² of some substructures alone.
+Json part_misfits(const std::vector<ident::PartMisfit>& parts) {
+  Json all = Json::array();
+  for (const auto& [files, chi_square, freedom] : parts)
+    all.push_back({{"files", files}, {"chi_square", value(chi_square)}, {"degrees_of_freedom", freedom}});
+  return all;
+}
+
 Json matrices(const ident::Matrices& by_kind) {
   Json all = Json::object();
   for (const auto& [kind, rows] : by_kind) all[restrictions::key(kind)] = values(rows);
   return all;
 }
 
-Json bands(const std::vector<ident::BandMatrices>& list) {
+/// From more joint DOFs on the matrices are stated in blocks: whole ones of many joints are nearly all zeros.
+constexpr std::size_t most_of_whole = 300;
+
+/// Joint DOFs that some matrix joins, directly or through others: those of a joint, or of joints with common DOFs.
+std::vector<std::vector<std::size_t>> joined_dofs(const ident::Matrices& by_kind, std::size_t dofs) {
+  std::vector<bool> seen(dofs, false);
+  std::vector<std::vector<std::size_t>> blocks;
+  for (std::size_t first = 0; first < dofs; ++first) {
+    if (seen[first]) continue;
+    std::vector<std::size_t> block = {first};
+    seen[first] = true;
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      for (const auto& [kind, rows] : by_kind) {
+        for (std::size_t other = first + 1; other < dofs; ++other) {
+          if (seen[other] || (rows[block[i]][other] == 0.0 && rows[other][block[i]] == 0.0)) continue;
+          seen[other] = true;
+          block.push_back(other);
+        }
+      }
+    }
+    std::ranges::sort(block);
+    blocks.push_back(std::move(block));
+  }
+  return blocks;
+}
+
+Json blocks(const ident::Matrices& by_kind, const std::vector<frf::Dof>& dofs) {
+  Json all = Json::array();
+  for (const std::vector<std::size_t>& block : joined_dofs(by_kind, dofs.size())) {
+    Json names = Json::array(), own = Json::object();
+    for (const std::size_t dof : block) names.push_back(dofs[dof].name());
+    for (const auto& [kind, rows] : by_kind) {
+      ident::Matrix part;
+      for (const std::size_t i : block) {
+        part.emplace_back();
+        for (const std::size_t j : block) part.back().push_back(rows[i][j]);
+      }
+      own[restrictions::key(kind)] = values(part);
+    }
+    all.push_back({{"dofs", names}, {"matrices", own}});
+  }
+  return all;
+}
+
+Json bands(const std::vector<ident::BandMatrices>& list, const std::vector<frf::Dof>& dofs) {
   Json all = Json::array();
   for (const auto& band : list) {
-    all.push_back({{"band_hz", value(band.band_hz)}, {"matrices", matrices(band.matrices)}});
+    Json& to = all.emplace_back(Json{{"band_hz", value(band.band_hz)}});
+    if (dofs.size() > most_of_whole) {
+      to["blocks"] = blocks(band.matrices, dofs);
+    } else {
+      to["matrices"] = matrices(band.matrices);
+    }
   }
   return all;
 }
@@ -138,13 +196,16 @@ std::string solution_json(const ident::Solution& solution) {
   Json json = {{"status", ident::name(solution.status)}, {"message", solution.message}};
   json["unknowns"] = Json::array();
   for (const auto& estimate : solution.unknowns) json["unknowns"].push_back(unknown(estimate, solution.admissibility.has_value()));
-  json["matrices"] = solution.bands.size() == 1 ? matrices(solution.bands.front().matrices) : Json(nullptr);
-  if (several) json["bands"] = bands(solution.bands);
+  const bool whole = solution.dofs.size() <= most_of_whole;
+  json["matrices"] = whole && solution.bands.size() == 1 ? matrices(solution.bands.front().matrices) : Json(nullptr);
+  if (!whole && solution.bands.size() == 1) json["blocks"] = blocks(solution.bands.front().matrices, solution.dofs);
+  if (several) json["bands"] = bands(solution.bands, solution.dofs);
   json["dofs"] = frf::names(solution.dofs);
   json["fit"] = fit(solution.fit);
   if (solution.search) json["search"] = minima(*solution.search);
   if (solution.admissibility) json["admissibility"] = admissibility(*solution.admissibility);
   if (!solution.loose.empty()) json["loose"] = loose_joints(solution.loose);
+  if (!solution.parts.empty()) json["parts"] = part_misfits(solution.parts);
   if (!solution.systematic.empty()) json["systematic"] = systematic(solution.systematic);
   if (solution.identifiability) json["identifiability"] = identifiability_json(solution);
   json["quality"] = quality(solution.quality);

@@ -38,6 +38,7 @@
 #include "ident/likelihood/fit/estimator.hpp"
 #include "ident/likelihood/fit/predicted_start.hpp"
 #include "ident/likelihood/fit/spring_starts.hpp"
+#include "ident/likelihood/parts/likelihood_by_parts.hpp"
 #include "ident/plan/interpret.hpp"
 #include "ident/plan/joint_guess.hpp"
 #include "ident/plan/prediction.hpp"
@@ -605,6 +606,7 @@ class LikelihoodMethod final : public LikelihoodPlan {
 }  // namespace
 
 PlannedMethod plan_likelihood(const Plan& plan, const StartPlanner& plan_start) {
+  if (goes_by_parts(plan)) return plan_by_parts(plan, plan_start);
   return plan_observations(plan, plan_start, std::make_unique<LikelihoodMethod>());
 }
 

@@ -160,7 +160,8 @@ std::vector<Equation> equations_by_parts(const Scene& scene, const Coordinates& 
                                          const frf::FrfSystem& assembly) {
   const Dofs& joint = coordinates.joint;
   constexpr std::size_t fewest_parts = 3;  // of two parts the FRF that is missing is named
-  if (scene.identify.method != Method::one || substructures.source_count() < fewest_parts) return {};
+  const bool balances = scene.identify.method == Method::one || scene.identify.method == Method::likelihood;
+  if (!balances || substructures.source_count() < fewest_parts) return {};
   if (!first_missing(joint, assembly.responses()).empty() || !first_missing(joint, substructures.references()).empty()) return {};
   const bool forces = std::ranges::any_of(joint, [&](const frf::Dof& dof) { return frf::has(assembly.references(), dof); });
   const bool motion = first_missing(joint, substructures.responses()).empty();

@@ -8,6 +8,8 @@ std::string name(IntervalKind kind) {
       return "cramer_rao";
     case IntervalKind::bootstrap:
       return "bootstrap";
+    case IntervalKind::sandwich:
+      return "sandwich";
     case IntervalKind::none:
       break;
   }

@@ -19,7 +19,7 @@ namespace jointid::ident {
 using jointid::Status, jointid::name, jointid::is_usable;
 
 /// How the intervals of a solution were found.
-enum class IntervalKind { none, cramer_rao, bootstrap };
+enum class IntervalKind { none, cramer_rao, bootstrap, sandwich };
 
 std::string name(IntervalKind kind);
 
@@ -66,6 +66,12 @@ struct ChiSquare {
   std::size_t outlying_lines = 0;  ///< outlier lines, whose weight is less than half
   std::vector<double> by_line;     ///< χ² over its expectation, one per line; NaN for a line without redundancy
   double likely = 0.0;  ///< value over degrees of freedom that chance exceeds once in three million times; 0: not stated
+};
+
+/// χ² of the conditions of some substructures alone, of solver "by-parts".
+struct PartMisfit {
+  std::string files;
+  double chi_square = 0.0, degrees_of_freedom = 0.0;
 };
 
 struct Fit {
@@ -161,6 +167,7 @@ struct Solution {
   std::optional<CheckResult> check{};     ///< of the data, its short form (quick_check()); with Detail::full
   std::vector<SystematicEstimate> systematic{};  ///< of [[data.gains]] and [[data.masses]]
   std::vector<Suspect> suspects{};  ///< method likelihood: suspects from the fit itself; files as they were opened
+  std::vector<PartMisfit> parts{};  ///< of solver "by-parts", in the order of the files
   std::vector<LooseJoint> loose{};  ///< if the scene asks for loose joints: the most probable first
   std::vector<VarianceSource> variances;  ///< per file, of methods that weigh FRFs by their variances
 };

@@ -30,7 +30,8 @@ enum class Solver {
   nlopt,
   pattern,
   gauss_helmert,
-  iqml
+  iqml,
+  by_parts
 };
 
 /// Linear estimates to start from: methods and equations, what needs most first.

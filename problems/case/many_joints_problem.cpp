@@ -106,17 +106,29 @@ std::string matrix_rows_text(const Matrix& matrix) {
   return "[" + comma_list(matrix, [](const std::vector<double>& row) { return "[" + comma_list(row, number) + "]"; }) + "]";
 }
 
-std::string scene_of_many(const Problem& problem, const ManyJoints& structure, bool all_elements) {
+/// The joint as it should be, by numbers: the stiffness of which `loose` finds a share, and the damping.
+std::string nominal_text(const BeamJoint& joint) {
+  return "[joints.stiffness]\nmatrix = " + matrix_rows_text(joint.over_dofs(joint.relative_stiffness)) +
+         "\n[joints.hysteretic_damping]\nmatrix = " + matrix_rows_text(joint.over_dofs(joint.relative_damping)) + "\n";
+}
+
+/// `nominal`: the joints as they should be, where the scene asks which are loose; else nullptr.
+std::string scene_of_many(const Problem& problem, const ManyJoints& structure, bool all_elements, const ManyJoints* nominal) {
   const auto file = [](const frf::FrfSet& set) { return in_quotes(set.header.file); };
   std::string text = "title = " + in_quotes(problem.name + ": " + problem.description) + "\n\n[data]\nsubstructures = [" +
                      comma_list(problem.substructures, file) + "]\nassembly = [" + file(problem.assembly) + "]\n\n[frequency]\nrange = [" +
                      number(structure.frequency_hz.front()) + ", " + number(structure.frequency_hz.back()) + "]  # Hz\n";
   for (const SceneJoint& joint : scene_joints(structure)) {
-    text += "\n[[joints]]\nname = " + in_quotes(joint.name) + "\ndofs = " + dof_list_text(joint.dofs) + "\n[joints.stiffness]\n" +
+    text += "\n[[joints]]\nname = " + in_quotes(joint.name) + "\ndofs = " + dof_list_text(joint.dofs) + "\n";
+    if (nominal != nullptr) {
+      text += nominal_text(nominal->joints[static_cast<std::size_t>(joint.members.front() - structure.joints.data())]);
+      continue;
+    }
+    text += "[joints.stiffness]\n" +
             joint_declaration(matrix_of(Kind::stiffness, joint, all_elements).spec) + "[joints.hysteretic_damping]\n" +
             joint_declaration(matrix_of(Kind::hysteretic_damping, joint, all_elements).spec);
   }
-  text += "\n[identify]\nmethod = \"one\"\nweighting = \"WB\"\n";
+  text += nominal != nullptr ? "\n[identify]\nmethod = \"auto\"\nloose = true\n" : "\n[identify]\nmethod = \"one\"\nweighting = \"WB\"\n";
   text += "\n[noise]\nmodel = \"circular\"\nlevel = " + number(many_joints_noise) + "\n";
   if (!problem.truth.empty()) text += "\n[truth]\n";
   for (const auto& [kind, matrix] : problem.truth) text += restrictions::key(kind) + " = " + matrix_rows_text(matrix) + "\n";
@@ -152,6 +164,7 @@ std::vector<ProblemInfo> list_many_joints() {
   return {{"chain-50", "51 beams in a row on 50 joints, motion at all coordinates, 11 shakers, 1 % noise"},
           {"frame-40", "a plane frame of 28 beams on 40 joints, four of them to the ground, 4 shakers, 1 % noise"},
           {"star-50", "50 beams on one long beam that carries every joint, 11 shakers, 1 % noise"},
+          {"loose-3", "chain-50 with three loose joints among 50 of known nominal stiffness, motion at all coordinates, 1 % noise"},
           {"chain-500", "501 beams in a row on 500 joints of 20 unknowns each, 101 shakers, 1 % noise"}};
 }
 
@@ -163,7 +176,9 @@ ManyJoints many_joints(const std::string& name) {
   return chain_of_beams({.joints = name == "chain-500" ? 500u : 50u});
 }
 
-Problem many_joints_problem(const ManyJoints& structure, const ProblemInfo& info, bool all_elements) {
+namespace {
+
+Problem problem_of(const ManyJoints& structure, const ProblemInfo& info, bool all_elements, const ManyJoints* nominal) {
   Problem problem;
   problem.name = info.name;
   problem.description = info.description;
@@ -181,18 +196,41 @@ Problem many_joints_problem(const ManyJoints& structure, const ProblemInfo& info
   const std::size_t coordinates = problem.joint_dofs.size();
   for (const Kind kind : {Kind::stiffness, Kind::hysteretic_damping}) {
     for (const SceneJoint& joint : joints) {
+      if (nominal != nullptr) continue;
       for (const ExactUnknown& unknown : matrix_of(kind, joint, all_elements).unknowns)
         problem.unknowns.push_back({joint.name + "." + unknown.name, unknown.value});
     }
     if (coordinates <= most_of_truth) problem.truth[kind] = whole_matrix(joints, kind, all_elements, coordinates);
   }
-  problem.scene = scene_of_many(problem, structure, all_elements);
+  for (std::size_t e = 0; nominal != nullptr && e < joints.size(); ++e) {
+    const double share = structure.joints[e].relative_stiffness[0][0] / nominal->joints[e].relative_stiffness[0][0];
+    problem.unknowns.push_back({joints[e].name + ".K.share", share});
+  }
+  problem.scene = scene_of_many(problem, structure, all_elements, nominal);
   return problem;
+}
+
+}  // namespace
+
+Problem many_joints_problem(const ManyJoints& structure, const ProblemInfo& info, bool all_elements) {
+  return problem_of(structure, info, all_elements, nullptr);
+}
+
+Problem loose_joints_problem(const ManyJoints& nominal, const std::map<std::size_t, double>& lost, const ProblemInfo& info) {
+  ManyJoints structure = nominal;
+  for (const auto& [joint, share] : lost) {
+    for (std::vector<double>& row : structure.joints[joint].relative_stiffness) {
+      for (double& element : row) element *= 1.0 - share;
+    }
+  }
+  return problem_of(structure, info, false, &nominal);
 }
 
 Problem make_many_joints(const std::string& name) {
   const std::vector<ProblemInfo> infos = list_many_joints();
-  return many_joints_problem(many_joints(name), *std::ranges::find(infos, name, &ProblemInfo::name), name == "chain-500");
+  const ProblemInfo& info = *std::ranges::find(infos, name, &ProblemInfo::name);
+  if (name == "loose-3") return loose_joints_problem(many_joints(name), {{11, 0.7}, {26, 0.5}, {37, 0.8}}, info);
+  return many_joints_problem(many_joints(name), info, name == "chain-500");
 }
 
 }  // namespace jointid::problems

@@ -19,6 +19,8 @@ std::string interval_words(ident::IntervalKind kind) {
       return "Cramér–Rao bound";
     case ident::IntervalKind::bootstrap:
       return "parametric bootstrap";
+    case ident::IntervalKind::sandwich:
+      return "sandwich covariance";
     case ident::IntervalKind::none:
       break;
   }

@@ -135,6 +135,35 @@ INSTANTIATE_TEST_SUITE_P(ManyJoints, Golden, testing::Values("chain-50", "frame-
   return std::string(name.param).substr(0, 5);
 });
 
+/// `loose-3`: the chain with three loose joints, seen by six sensors.
+TEST(ManyJointsTest, TheLooseChainIsThatOfAnIndependentProgram) {
+  const json golden = golden_case("chain50_loose3");
+  if (golden.is_null()) JOINTID_SKIP("no golden values; set JOINTID_EXTERNAL_DATA");
+  ManyJoints structure = many_joints("loose-3");
+  const Problem problem = make_many_joints("loose-3");
+  ASSERT_EQ(problem.unknowns.size(), structure.joints.size());
+  for (std::size_t e = 0; e < structure.joints.size(); ++e) {
+    const double lost = golden["loose"].value(std::to_string(e), 0.0);
+    EXPECT_NEAR(problem.unknowns[e].value, 1.0 - lost, 1e-14);
+    for (auto& row : structure.joints[e].relative_stiffness) {
+      for (double& element : row) element *= 1.0 - lost;
+    }
+  }
+  const auto dof = [&](const json& place) { return structure.parts[place[0].get<std::size_t>()].dofs()[place[1].get<std::size_t>()]; };
+  structure.references.clear();
+  for (const json& each : golden["references"]) structure.references.push_back(dof(each));
+  structure.frequency_hz = {golden["lines_hz"][0].get<double>()};
+  const frf::FrfSet assembly = assembly_receptances(structure);
+  std::size_t k = 0;
+  for (const json& sensor : golden["sensors"]) {
+    const std::size_t row = frf::find_coordinate(assembly.header.response, dof(sensor));
+    for (std::size_t c = 0; c < structure.references.size(); ++c, ++k) {
+      const Complex expected(golden["H_first_line"][k][0], golden["H_first_line"][k][1]);
+      EXPECT_LE(std::abs(assembly.values[assembly.index(0, row, c)] - expected), 1e-8 * std::abs(expected)) << k;
+    }
+  }
+}
+
 /// The hub carries every unknown: no pattern, and a dense solver.
 TEST(ManyJointsTest, AStarIsDense) {
   const Problem problem = many_joints_problem(star_of_beams({.joints = 26}), {"star-26", ""}, false);

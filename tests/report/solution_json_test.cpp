@@ -85,6 +85,29 @@ TEST(SolutionJson, ConstraintsSayWhatHoldsAndWhatItCosts) {
   EXPECT_FALSE(Json::parse(solution_json(sample_solution())).contains("admissibility"));
 }
 
+/// 151 joints of two DOFs: no 302 × 302 matrix.
+TEST(SolutionJson, ManyJointsAreStatedInBlocks) {
+  auto solution = sample_solution();
+  const std::size_t joints = 151;
+  solution.dofs.clear();
+  ident::Matrix stiffness(2 * joints, std::vector<double>(2 * joints, 0.0));
+  for (std::size_t e = 0; e < joints; ++e) {  // DOFs of a joint lie apart
+    for (const std::size_t i : {e, joints + e}) {
+      for (const std::size_t j : {e, joints + e}) stiffness[i][j] = (i == j ? 1.0 : -1.0) * static_cast<double>(e + 1);
+    }
+  }
+  for (std::size_t i = 0; i < 2 * joints; ++i) solution.dofs.push_back(frf::Dof::parse(std::to_string(i + 1) + ":+Y"));
+  solution.bands.front().matrices = {{restrictions::Kind::stiffness, stiffness}};
+  solution.parts = {{"a.h5", 12.0, 10.0}};
+  const Json json = Json::parse(solution_json(solution));
+  EXPECT_TRUE(json["matrices"].is_null());
+  ASSERT_EQ(json["blocks"].size(), joints);
+  EXPECT_EQ(json["blocks"][2]["dofs"].get<std::vector<std::string>>(), (std::vector<std::string>{"3:+Y", "154:+Y"}));
+  EXPECT_EQ(json["blocks"][2]["matrices"]["stiffness"].get<ident::Matrix>(), (ident::Matrix{{3.0, -3.0}, {-3.0, 3.0}}));
+  EXPECT_EQ(json["parts"][0]["files"], "a.h5");
+  EXPECT_EQ(json["parts"][0]["degrees_of_freedom"], 10.0);
+}
+
 TEST(SolutionJson, NamesThatAreNotUtf8DoNotBreakIt) {
   auto solution = sample_solution();
   solution.message = "caf\xe9";

@@ -12,6 +12,8 @@
 #include "ident/admissible/tie.hpp"
 #include "ident/judgement/loose_joints.hpp"
 #include "ident/scene/read_scene.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
 #include "tests/ident/likelihood_case.hpp"
 #include "tests/ident/memory_systems.hpp"
 
@@ -304,7 +306,60 @@ TEST(Frequencies, AreThoseOfTheJointThatIsFound) {
   };
   EXPECT_THAT(refused([](IdentifySection& identify) { identify.frequencies_hz = {5.0}; }),
               HasSubstr("5 Hz is outside the lines of the substructures"));
-  EXPECT_THAT(refused([](IdentifySection& identify) { identify.method = Method::likelihood; }), HasSubstr("use method \"one\""));
+}
+
+/// Undamped eigenfrequencies of the parts of a problem with springs at the joint, by all modes of the parts.
+Eigen::VectorXd coupled_frequencies(const problems::Problem& problem, const Matrix& stiffness) {
+  std::size_t count = 0;
+  for (const problems::Modes& part : problem.substructure_modes) count += part.count();
+  const auto joint = Eigen::Index(problem.joint_dofs.size()), modes = Eigen::Index(count);
+  Eigen::MatrixXd shapes = Eigen::MatrixXd::Zero(joint, modes), k = Eigen::MatrixXd::Zero(modes, modes), spring(joint, joint);
+  Eigen::Index first = 0;
+  for (const problems::Modes& part : problem.substructure_modes) {
+    for (std::size_t r = 0; r < part.count(); ++r, ++first) {
+      k(first, first) = std::pow(2.0 * 3.141592653589793 * part.frequency_hz[r], 2);
+      for (Eigen::Index j = 0; j < joint; ++j) {
+        const std::size_t at = frf::find_coordinate(part.dofs, problem.joint_dofs[std::size_t(j)]);
+        if (at != frf::npos) shapes(j, first) = part.shapes[at * part.count() + r];
+      }
+    }
+  }
+  for (Eigen::Index i = 0; i < joint; ++i) {
+    for (Eigen::Index j = 0; j < joint; ++j) spring(i, j) = stiffness[std::size_t(i)][std::size_t(j)];
+  }
+  const Eigen::MatrixXd whole = k + shapes.transpose() * spring * shapes;
+  return dense::symmetric_eigen(whole, Eigen::MatrixXd::Identity(modes, modes)).values.cwiseMax(0.0).cwiseSqrt() / (2.0 * 3.141592653589793);
+}
+
+/// Methods that iterate take them, too: the joint has the frequency that the scene states, which the data alone miss.
+TEST(Frequencies, AreConditionsOfMethodsThatIterate) {
+  const problems::Problem problem = problems::make("A1");
+  const Eigen::VectorXd exact = coupled_frequencies(problem, problem.truth.at(restrictions::Kind::stiffness));
+  const auto inside = std::ranges::find_if(exact, [](double hz) { return hz > 420.0 && hz < 980.0; });
+  ASSERT_NE(inside, exact.end());
+  const auto mode = inside - exact.begin();
+  for (const Method method : {Method::likelihood, Method::newton}) {
+    Scene scene = problems::scene(problem);
+    scene.identify.method = method;
+    scene.identify.equations.clear();
+    scene.identify.weighting = weighting::Weighting::wb;
+    const auto frequency = [&](const Scene& of) {
+      const auto plan = problems::plan(of, problems::polluted(problem, 1, 0));
+      Control control;
+      control.judgement = Judgement::none;
+      const Solution found = solve(*plan, control);
+      EXPECT_TRUE(is_usable(found.status)) << name(method) << ": " << found.message;
+      if (!of.identify.frequencies_hz.empty()) {
+        EXPECT_EQ(found.admissibility->equations, 1u);
+        EXPECT_TRUE(of.identify.bootstrap == 0 && plan->admissible->ties.empty()) << "the plan is as it was";
+      }
+      return coupled_frequencies(problem, found.bands.front().matrices.at(restrictions::Kind::stiffness))[mode] / exact[mode] - 1.0;
+    };
+    const double free = frequency(scene);
+    scene.identify.frequencies_hz = {exact[mode]};
+    const double held = frequency(scene);
+    EXPECT_LT(std::abs(held), 0.3 * std::abs(free) + 2e-4) << name(method) << ", free " << free;
+  }
 }
 
 TEST(Loose, TakesANominalStiffnessByNumbers) {
