@@ -9,14 +9,16 @@ namespace jointid::cli {
 namespace {
 
 void declare_columns(CLI::App& command, LoadingCurveArguments& arguments) {
-  command.add_option("--displacement", arguments.displacement, "Column of displacements, angles or amplitudes, by name or number");
+  command.add_option("--displacement", arguments.displacement,
+                     "Column of displacements, angles or amplitudes, by name or number");
   command.add_option("--force", arguments.force, "Column of forces or torques");
   command.add_option("--time", arguments.time, "Column of times, for --velocity");
   command.add_flag("--velocity", arguments.velocity, "The displacement column is a velocity");
   command.add_option("--energy", arguments.energy, "Instead of --force: column of energies per cycle over amplitude");
   command.add_option("--stiffness", arguments.stiffness, "Instead of --force: column of equivalent stiffnesses over amplitude …");
   command.add_option("--damping", arguments.damping, "… and of equivalent dampings");
-  command.add_option("--unit", arguments.unit, "Of displacements, e.g. mm, or of velocities, e.g. mm/s; default: the header's, else SI");
+  command.add_option("--unit", arguments.unit,
+                     "Of displacements, e.g. mm, or of velocities, e.g. mm/s; default: the header's, else SI");
   command.add_option("--force-unit", arguments.force_unit, "Of forces, e.g. uN or N*m");
   command.add_option("--time-unit", arguments.time_unit, "Of times, e.g. ms");
   command.add_option("--sign", arguments.sign, "1 or -1: direction of the forces; auto: such that the joint is passive")
@@ -28,15 +30,22 @@ void declare_columns(CLI::App& command, LoadingCurveArguments& arguments) {
 }
 
 void declare_fit(CLI::App& command, LoadingCurveArguments& arguments) {
-  command.add_option("--law", arguments.laws, "Laws to fit, e.g. ren,shoukry; default: all")->delimiter(',');
-  command.add_option("--ring", arguments.ring, "Rotary joint: inner and outer radius of its ring, m")->delimiter(',')->expected(2);
+  command
+      .add_option("--law", arguments.laws,
+                  "Laws to fit, e.g. ren,shoukry,menq-shape,parallel:ren:spring; default: the usual ones")
+      ->delimiter(',');
+  command.add_option("--ring", arguments.ring, "Rotary joint: inner and outer radius of its ring, m")
+      ->delimiter(',')
+      ->expected(2);
   command.add_option("--limit", arguments.limit, "Given friction limit, N (N·m)");
-  command.add_option("--normal-load", arguments.normal_loads, "Normal load, N: one for all files or one for each")->delimiter(',');
+  command.add_option("--normal-load", arguments.normal_loads, "Normal load, N: one for all files or one for each")
+      ->delimiter(',');
   command.add_flag("--friction-coefficient", arguments.friction_coefficient,
                    "One unknown mu: every friction limit is mu times the normal load");
   command.add_option("--shared", arguments.shared, "Parameters that all files have in common, e.g. b")->delimiter(',');
   command.add_option("--specimen-stiffness", arguments.specimen_stiffness, "Subtract the elastic deformation of a specimen, N/m");
-  command.add_option("--specimen", arguments.specimen, "The same by the loading curve of a specimen without joint, columns as FILE");
+  command.add_option("--specimen", arguments.specimen,
+                     "The same by the loading curve of a specimen without joint, columns as FILE");
   command.add_option("--weighting", arguments.weighting, "Of the residuals")
       ->check(CLI::IsMember({"none", "largest", "relative", "travel"}))
       ->capture_default_str();
@@ -56,7 +65,10 @@ void check_outputs(const LoadingCurveArguments& arguments) {
 }  // namespace
 
 void declare(CLI::App& command, LoadingCurveArguments& arguments) {
-  command.add_option("FILES", arguments.files, "CSV, MATLAB or HDF5 with columns of numbers")->required();
+  command
+      .add_option("FILES", arguments.files,
+                  "CSV, MATLAB or HDF5 with columns of numbers; or a scene of a joint, FILE.toml: its forces along a history")
+      ->required();
   declare_columns(command, arguments);
   declare_fit(command, arguments);
   add_outputs(&command, arguments, "the fits", "the parameters", "tables and plots");

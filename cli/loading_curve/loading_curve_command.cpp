@@ -2,13 +2,16 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/error.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
+#include "report/loading_curve/joint_history_text.hpp"
 #include "report/loading_curve/loading_curve_page.hpp"
 #include "report/loading_curve/loading_curve_text.hpp"
+#include "tasks/joint_history/joint_history.hpp"
 #include "tasks/loading_curve/loading_curve_fit.hpp"
 
 namespace jointid::cli {
@@ -38,6 +41,24 @@ tasks::LoadingCurveResult fitted(const LoadingCurveArguments& arguments, std::os
                          [&] { return tasks::fit_loading_curves(arguments, watch); });
 }
 
+/// A scene of a joint in place of curves: the forces along its history.
+bool of_scene(const LoadingCurveArguments& arguments) {
+  return arguments.files.size() == 1 && arguments.files.front().extension() == ".toml";
+}
+
+ExitCode move_joint(const LoadingCurveArguments& arguments, std::ostream& out) {
+  const std::filesystem::path& file = arguments.files.front();
+  if (arguments.report)
+    throw InputError({ErrorKind::usage, file.string(), "--report", "a scene of a joint writes no page", "take --json or --csv"});
+  check_targets({{file, "FILES"}}, {{"--json", arguments.json}, {"--csv", arguments.csv}});
+  const tasks::JointHistoryScene scene = tasks::read_joint_history(file);
+  const tasks::JointHistory history = tasks::run_joint_history(scene);
+  if (arguments.json) write_target(*arguments.json, report::joint_history_json(scene, history), out);
+  if (arguments.csv) write_target(*arguments.csv, report::joint_history_csv(scene, history), out);
+  if (!takes_output({arguments.json, arguments.csv})) out << report::joint_history_text(scene, history);
+  return ExitCode::done;
+}
+
 }  // namespace
 
 void add_loading_curve(CLI::App& app, Chosen& chosen) {
@@ -47,6 +68,7 @@ void add_loading_curve(CLI::App& app, Chosen& chosen) {
 }
 
 ExitCode execute(const LoadingCurveArguments& arguments, std::ostream& out) {
+  if (of_scene(arguments)) return move_joint(arguments, out);
   check(arguments);
   const tasks::LoadingCurveResult result = fitted(arguments, out);
   write(arguments, result, out);

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/error.hpp"
-#include "base/text.hpp"
+#include "friction/law/arrangement.hpp"
 #include "friction/law/laws.hpp"
 #include "friction/path/ring.hpp"
 
@@ -52,10 +51,62 @@ std::vector<Features> around(const Features& seen) {
   return out;
 }
 
-const Law& law_to_fit(const std::string& name) {
-  const auto found = std::ranges::find(laws(), name, &Law::name);
-  if (found != laws().end()) return *found;
-  refuse("no friction law '" + name + "' can be fitted by name; valid: " + comma_list(fitted_laws()));
+/// Shares of the stiffness (side by side) or of the flexibility (one behind the other) that parts may have.
+std::vector<std::vector<double>> splits(std::size_t parts) {
+  if (parts > 2) return {std::vector<double>(parts, 1.0 / static_cast<double>(parts))};
+  return {{0.2, 0.8}, {0.5, 0.5}, {0.8, 0.2}};
+}
+
+/// Features of the parts of an arrangement that has those of `whole`. In series one part has the limit, the others more.
+std::vector<std::vector<Features>> part_features(const ArrangementName& arrangement, const Features& whole) {
+  std::vector<std::vector<Features>> all;
+  const std::size_t count = arrangement.parts.size();
+  for (const std::vector<double>& split : splits(count)) {
+    for (std::size_t weakest = 0; weakest < (arrangement.series ? count : 1); ++weakest) {
+      std::vector<Features>& parts = all.emplace_back();
+      for (std::size_t i = 0; i < count; ++i) {
+        if (!arrangement.series) parts.push_back({split[i] * whole.stiffness, split[i] * whole.limit});
+        if (arrangement.series) parts.push_back({whole.stiffness / split[i], (i == weakest ? 1.0 : 1.5) * whole.limit});
+      }
+    }
+  }
+  return all;
+}
+
+/// At most two shapes of a law that is part of an arrangement.
+std::vector<double> part_shapes(const Law& law) {
+  const auto shapes = law.start.shapes;
+  if (shapes.size() <= 2) return {shapes.begin(), shapes.end()};
+  return {shapes[shapes.size() / 3], shapes[2 * shapes.size() / 3]};
+}
+
+/// Elements of every combination of shapes.
+void add_combinations(const std::string& name, const std::vector<const Law*>& laws, const std::vector<Features>& features,
+                      std::vector<double> values, std::size_t part, Elements& out) {
+  if (part == laws.size()) {
+    out.push_back(make_element(name, values));
+    return;
+  }
+  for (const double shape : part_shapes(*laws[part])) {
+    std::vector<double> longer = values;
+    for (const double value : laws[part]->start.values(features[part], shape)) longer.push_back(value);
+    add_combinations(name, laws, features, std::move(longer), part + 1, out);
+  }
+}
+
+Family arrangement_family(const std::string& name) {
+  const auto starts = [name](const Features& seen) {
+    const ArrangementName arrangement = parse_arrangement(name);
+    std::vector<const Law*> parts;
+    for (const std::string& part : arrangement.parts) parts.push_back(&law(part));
+    Elements out;
+    for (const Features& each : around(seen)) {
+      for (const std::vector<Features>& features : part_features(arrangement, each))
+        add_combinations(name, parts, features, {}, 0, out);
+    }
+    return out;
+  };
+  return {name, std::string(law(name).title), starts};
 }
 
 }  // namespace
@@ -70,6 +121,7 @@ Features features(const Curve& curve) {
 
 Family family(const std::string& name) {
   const Law& found = law_to_fit(name);
+  if (is_arrangement(name)) return arrangement_family(name);
   const auto starts = [&found](const Features& seen) {
     Elements out;
     for (const Features& each : around(seen)) {

@@ -5,8 +5,7 @@
 
 namespace jointid::friction {
 
-DistributedSlip::DistributedSlip(Sliders sliders)
-    : sliders_(std::move(sliders)), force_(sliders_.slip.size(), 0.0) {}
+DistributedSlip::DistributedSlip(Sliders sliders) : sliders_(std::move(sliders)), force_(sliders_.slip.size(), 0.0) {}
 
 Response DistributedSlip::advance(double u, double load) {
   const double step = u - displacement_;
@@ -20,6 +19,18 @@ Response DistributedSlip::advance(double u, double load) {
     if (std::abs(elastic) < limit) total.tangent += stiffness;
   }
   displacement_ = u;
+  return total;
+}
+
+Response DistributedSlip::response(double u, double load) const {
+  const double step = u - displacement_;
+  Response total = {sliders_.rest * u, sliders_.rest};
+  for (std::size_t i = 0; i < force_.size(); ++i) {
+    const double stiffness = sliders_.stiffness[i], limit = std::max(load, 0.0) * stiffness * sliders_.slip[i];
+    const double elastic = force_[i] + stiffness * step;
+    total.force += std::clamp(elastic, -limit, limit);
+    if (std::abs(elastic) < limit) total.tangent += stiffness;
+  }
   return total;
 }
 

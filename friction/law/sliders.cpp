@@ -72,6 +72,28 @@ std::vector<double> slip_knots(const Element& element, std::size_t count, double
   return knots;
 }
 
+Sliders even_sliders(const Element& element, std::size_t count) {
+  const double stiffness = element.response(0.0).tangent, each = stiffness / static_cast<double>(count);
+  Sliders result;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double tangent = stiffness * (1.0 - (static_cast<double>(i) + 0.5) / static_cast<double>(count));
+    double low = 0.0, high = 1.0;
+    while (element.response(high).tangent > tangent && high < 1e12) high *= 2.0;
+    if (element.response(high).tangent > tangent) {
+      result.rest += each;
+      continue;
+    }
+    for (int step = 0; step < 2000; ++step) {
+      const double middle = low > 0.0 ? std::sqrt(low) * std::sqrt(high) : 1e-3 * high;  // decades first
+      if (!(middle > low && middle < high) || high < 1e-300) break;
+      (element.response(middle).tangent > tangent ? low : high) = middle;
+    }
+    result.slip.push_back(high);
+    result.stiffness.push_back(each);
+  }
+  return result;
+}
+
 std::unique_ptr<Element> bilinear_assembly(const Sliders& sliders) {
   std::vector<std::shared_ptr<const Element>> parts;
   for (std::size_t i = 0; i < sliders.slip.size(); ++i) {

@@ -24,6 +24,10 @@ Sliders sliders(const Element& element, std::span<const double> knots);
 /// difference falls with count⁻².
 std::vector<double> slip_knots(const Element& element, std::size_t count, double largest);
 
+/// `count` sliders of equal stiffness T′(0)/count that slip at u(h), h = (i − ½)/count: T′(u(h)) = T′(0)(1 − h) (Ren 3.56). Those
+/// of a law without a limit that never slip are `rest`. The difference to T falls with count⁻².
+Sliders even_sliders(const Element& element, std::size_t count);
+
 /// The sliders as an element.
 std::unique_ptr<Element> bilinear_assembly(const Sliders& sliders);
 

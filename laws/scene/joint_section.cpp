@@ -14,7 +14,7 @@ std::vector<std::string> read_laws(const scene::Item& item) {
   std::vector<std::string> laws;
   for (const scene::Item& each : item.is_list() ? item.list_not_empty() : std::vector<scene::Item>{item}) {
     const std::string word = each.text_not_empty();
-    each.here([&] { (void)friction::law(word); });
+    each.here([&] { (void)friction::law_to_fit(word); });
     if (std::ranges::find(laws, word) != laws.end()) each.fail("law " + word + " is named twice", "name it once");
     laws.push_back(word);
   }

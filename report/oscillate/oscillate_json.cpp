@@ -52,11 +52,30 @@ Json exponents_json(const oscillation::Exponents& exponents) {
           {"standard_errors", values(exponents.standard_error)}};
 }
 
+Json points_json(const std::vector<oscillation::SweepPoint>& points) {
+  Json out = Json::array();
+  for (const oscillation::SweepPoint& point : points) {
+    Json one = {{"parameter", value(point.parameter)}, {"status", word(point.status)}, {"values", values(point.values)}};
+    if (point.direction != 0) one["direction"] = point.direction > 0 ? "up" : "down";
+    if (point.range) {
+      one["smallest"] = value(point.range->smallest);
+      one["largest"] = value(point.range->largest);
+      one["stick_share"] = value(point.range->stick_share);
+      one["break_aways"] = point.range->break_aways;
+      one["returns"] = point.range->slips;
+      one["period"] = point.range->slips > 0 ? value(point.range->period) : Json();
+    }
+    out.push_back(std::move(one));
+  }
+  return out;
+}
+
 Json sweep_json(const tasks::OscillateResult& run) {
-  Json out = {{"parameter", run.swept->parameter}, {"unit", tasks::swept_unit(run.swept->parameter)}, {"points", Json::array()}};
-  for (const oscillation::SweepPoint& point : run.sweep)
-    out["points"].push_back(
-        {{"parameter", value(point.parameter)}, {"status", word(point.status)}, {"values", values(point.values)}});
+  Json out = {
+      {"parameter", run.swept->parameter}, {"unit", tasks::swept_unit(run.swept->parameter)}, {"points", points_json(run.sweep)}};
+  if (run.sliding_limit) out["sliding_unstable_below"] = value(*run.sliding_limit);
+  for (const tasks::ReducedSweep& model : run.reduced_sweeps)
+    out["reduced"].push_back({{"basis", word(model.basis)}, {"order", model.order}, {"points", points_json(model.points)}});
   return out;
 }
 

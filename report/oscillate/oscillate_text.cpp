@@ -123,6 +123,32 @@ std::string sweep_line(const tasks::OscillateResult& run) {
                      many, none);
 }
 
+/// Of each parameter: from where it was reached, the range of the first coordinate, how often it returns, how long it sticks.
+Table ranges_table(const tasks::OscillateResult& run, const std::vector<oscillation::SweepPoint>& points) {
+  Table table({{run.swept->parameter},
+               {"from", Align::left},
+               {"smallest"},
+               {"largest"},
+               {"range"},
+               {"returns"},
+               {"period"},
+               {"break-aways"},
+               {"stick"}});
+  for (const oscillation::SweepPoint& point : points) {
+    const std::string from = point.direction == 0 ? "–" : point.direction > 0 ? "below" : "above";
+    if (!point.range) {
+      table.add({number(point.parameter), from, word(point.status), "–", "–", "–", "–", "–", "–"});
+      continue;
+    }
+    const oscillation::SweptRange& range = *point.range;
+    table.add({number(point.parameter), from, number(range.smallest), number(range.largest),
+               number(range.largest - range.smallest), range.slips > 0 ? std::to_string(range.slips) : "–",
+               range.slips > 0 ? number(range.period) : "–", std::to_string(range.break_aways),
+               fmt::format("{:.3f}", range.stick_share)});
+  }
+  return table;
+}
+
 std::string oscillate_text(const tasks::OscillateResult& run) {
   std::string text = run.title.empty() ? "" : run.title + "\n";
   for (const std::string& remark : run.remarks) text += "note: " + remark + "\n";
@@ -139,6 +165,11 @@ std::string oscillate_text(const tasks::OscillateResult& run) {
   }
   if (run.exponents) text += "\nexponents of the model\n" + exponents_table(*run.exponents, time_unit(run)).text();
   if (run.swept) text += "\nsweep: " + sweep_line(run) + "\n";
+  if (run.sliding_limit) text += fmt::format("steady sliding is unstable below {:.10g}\n", *run.sliding_limit);
+  if (run.swept && run.swept->ranges()) text += ranges_table(run, run.sweep).text();
+  for (const tasks::ReducedSweep& model : run.reduced_sweeps)
+    text +=
+        fmt::format("\nthe same with {} of order {}\n", word(model.basis), model.order) + ranges_table(run, model.points).text();
   if (run.reduction) text += "\nreduced models\n" + reduction_table(*run.reduction).text();
   return text;
 }

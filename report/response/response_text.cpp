@@ -104,6 +104,13 @@ void add_stability(const tasks::ResponseResult& run, std::vector<std::string>& r
   }
 }
 
+std::string why_incomplete(response::TransientMethod method) {
+  if (method == response::TransientMethod::exact) return "events are closer than rounding resolves, or the motion diverges";
+  if (method == response::TransientMethod::newmark)
+    return "the direct iteration of a step does not converge: reduce delta, or take method one";
+  return "the motion grows beyond all numbers";
+}
+
 /// Ends of curves and of transients that are not those asked for.
 void add_further_problems(const tasks::ResponseScene& scene, const tasks::ResponseResult& run,
                           std::vector<std::string>& remarks) {
@@ -118,10 +125,7 @@ void add_further_problems(const tasks::ResponseScene& scene, const tasks::Respon
   for (const tasks::TransientRun& run_of : run.transients) {
     const response::Transient& motion = run_of.motion;
     if (!motion.complete) {
-      remarks.push_back(fmt::format("{}: {}; the motion ends at {:.6g} s", run_of.name,
-                                    scene.transient->method == response::TransientMethod::exact
-                                        ? "events are closer than rounding resolves, or the motion diverges"
-                                        : "the motion grows beyond all numbers",
+      remarks.push_back(fmt::format("{}: {}; the motion ends at {:.6g} s", run_of.name, why_incomplete(scene.transient->method),
                                     motion.times.back()));
     }
     if (motion.growth > 1.0 || !motion.too_soft.empty()) {

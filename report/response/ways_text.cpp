@@ -10,6 +10,7 @@
 namespace jointid::report {
 namespace {
 
+using response::IterationResult;
 using response::WayResult;
 
 Table ways_table(const tasks::WaysResult& run) {
@@ -34,6 +35,69 @@ Table ways_table(const tasks::WaysResult& run) {
   return table;
 }
 
+bool is_increment(const IterationResult& way) { return way.reached.has_value(); }
+
+std::string ended(const IterationResult& way) {
+  if (way.converged()) return way.searches > 0 ? fmt::format("converged, {} shortened", way.searches) : "converged";
+  return way.state == "limit" ? "no convergence" : way.state;
+}
+
+Table iterations_table(const tasks::WaysResult& run) {
+  Table table({{"way", Align::left},
+               {"from", Align::left},
+               {"harmonics to"},
+               {"ended", Align::left},
+               {"steps"},
+               {"factor"},
+               {"error of X"},
+               {"time ms"}});
+  for (const IterationResult& way : run.iterations) {
+    if (is_increment(way)) continue;
+    table.add({way.way, way.start.empty() ? "–" : way.start, fmt::format("{}", way.largest_harmonic), ended(way),
+               fmt::format("{}", way.steps), way.factor ? fmt::format("{:.2g}", *way.factor) : "–",
+               way.of_amplitude ? fmt::format("{:.1e}", *way.of_amplitude) : "–", fmt::format("{:.3g}", 1e3 * way.seconds)});
+  }
+  return table;
+}
+
+Table increments_table(const tasks::WaysResult& run) {
+  Table table({{"increments", Align::left}, {"Newton steps"}, {"ended", Align::left}, {"error of X"}, {"time ms"}});
+  for (const IterationResult& way : run.iterations) {
+    if (!is_increment(way)) continue;
+    table.add({way.way, fmt::format("{}", way.steps),
+               way.converged() ? "converged" : fmt::format("failed at {:.3g}", *way.reached),
+               way.of_amplitude ? fmt::format("{:.1e}", *way.of_amplitude) : "–", fmt::format("{:.3g}", 1e3 * way.seconds)});
+  }
+  return table;
+}
+
+std::string iterations_text(const tasks::WaysResult& run) {
+  if (run.iterations.empty()) return "";
+  std::string text = "\nways to the solution of harmonic balance; below a factor of 1 a way converges from nearby\n";
+  text += iterations_table(run).text();
+  return text + "\n" + increments_table(run).text();
+}
+
+Json iteration_json(const IterationResult& way) {
+  Json motion = Json::array();
+  for (Eigen::Index n = 0; n < way.joint_motion.rows(); ++n) {
+    Json harmonic = Json::array();
+    for (const Complex q : way.joint_motion.row(n)) harmonic.push_back(Json::array({value(q.real()), value(q.imag())}));
+    motion.push_back(std::move(harmonic));
+  }
+  return {{"way", way.way},
+          {"start", way.start.empty() ? Json() : Json(way.start)},
+          {"largest_harmonic", way.largest_harmonic},
+          {"state", way.state},
+          {"steps", way.steps},
+          {"shortened_steps", way.searches},
+          {"seconds", value(way.seconds)},
+          {"convergence_factor", value(way.factor)},
+          {"last_share", value(way.reached)},
+          {"error_of_amplitude", value(way.of_amplitude)},
+          {"joint_motion", std::move(motion)}};
+}
+
 }  // namespace
 
 std::string ways_text(const tasks::ResponseScene& scene, const std::vector<tasks::WaysResult>& runs) {
@@ -45,6 +109,7 @@ std::string ways_text(const tasks::ResponseScene& scene, const std::vector<tasks
       text +=
           "a joint never slips fully: the mean depends on the past, and with it max |x|; X and x(t) are compared without it\n";
     if (!run.ways.front().found) text += "no exact orbit was found, so there is nothing to compare with\n";
+    text += iterations_text(run);
   }
   return text;
 }
@@ -69,6 +134,8 @@ std::string ways_json(const tasks::ResponseScene& scene, const std::vector<tasks
                              {"error_of_amplitude", known(way.of_amplitude)},
                              {"error_of_motion", known(way.of_motion)}});
     }
+    one["iterations"] = Json::array();
+    for (const IterationResult& way : run.iterations) one["iterations"].push_back(iteration_json(way));
     out["cases"].push_back(std::move(one));
   }
   return json_text(out);
@@ -82,6 +149,13 @@ std::string ways_csv(const std::vector<tasks::WaysResult>& runs) {
       const auto known = [&](double figure) { return way.found ? csv_number(figure) : std::string(); };
       text += csv_line({csv_number(run.level), csv_number(run.frequency_hz), way.way, known(way.largest), known(way.of_largest),
                         known(way.of_amplitude), known(way.of_motion), csv_number(way.seconds), csv_number(way.periods),
+                        fmt::format("{}", way.steps)});
+    }
+    for (const IterationResult& way : run.iterations) {
+      const std::string name = way.start.empty() ? way.way : way.way + ", " + way.start;
+      text += csv_line({csv_number(run.level), csv_number(run.frequency_hz),
+                        fmt::format("{}, harmonics to {}", name, way.largest_harmonic), "", "",
+                        way.of_amplitude ? csv_number(*way.of_amplitude) : "", "", csv_number(way.seconds), "",
                         fmt::format("{}", way.steps)});
     }
   }

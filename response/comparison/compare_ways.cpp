@@ -90,6 +90,7 @@ class Comparison {
 
   void judge(WayResult& result, const VectorXd& motion, Complex amplitude, double largest) const {
     result.largest = largest;
+    result.amplitude = amplitude;
     result.of_largest = largest / reference_.largest - 1.0;
     result.of_amplitude = std::abs(amplitude - reference_.amplitude) / std::abs(reference_.amplitude);
     const VectorXd off = motion - reference_.motion;
@@ -121,6 +122,7 @@ class Comparison {
     const bool single = response_.cwiseAbs().maxCoeff(&coordinate) == 1.0 && response_.cwiseAbs().sum() == 1.0;
     reference_.largest = single ? found.largest[coordinate] : reference_.motion.cwiseAbs().maxCoeff();
     result.largest = reference_.largest;
+    result.amplitude = reference_.amplitude;
     result.of_largest = result.of_amplitude = result.of_motion = orbit.closure;
   }
 

@@ -18,8 +18,10 @@ struct WayResult {
   double largest = 0.0;       ///< max |x|, m
   double of_largest = 0.0;    ///< its error, with its sign, in parts of the exact one
   double of_amplitude = 0.0;  ///< |X_n − exact|/|exact| of the lowest harmonic of the force above 0
-  bool residual_force_free = false;  ///< of the exact one: a joint may keep any of a family of forces, so means differ, and max |x|
-  double of_motion = 0.0;     ///< largest |x(t) − exact| at 100 times of a period, means left out, in parts of the exact max |x|
+  bool residual_force_free =
+      false;                ///< of the exact one: a joint may keep any of a family of forces, so means differ, and max |x|
+  Complex amplitude = 0.0;  ///< X_n of the lowest harmonic of the force above 0, m
+  double of_motion = 0.0;   ///< largest |x(t) − exact| at 100 times of a period, means left out, in parts of the exact max |x|
 };
 
 struct WaysAsked {

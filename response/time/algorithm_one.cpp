@@ -14,8 +14,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-AlgorithmOne::AlgorithmOne(JointedStructure structure, ForceHistory force, double delta)
-    : structure_(std::move(structure)), force_(std::move(force)), delta_(delta) {
+AlgorithmOne::AlgorithmOne(JointedStructure structure, ForceHistory force, double delta, const std::vector<NormalLoad>& loads,
+                           StepIteration iteration)
+    : structure_(std::move(structure)), force_(std::move(force)), delta_(delta), iteration_(iteration) {
   check(structure_, force_);
   check_step(delta);
   const MatrixStructure& m = structure_.matrices;
@@ -33,7 +34,7 @@ AlgorithmOne::AlgorithmOne(JointedStructure structure, ForceHistory force, doubl
   dense::solve_lower_transposed(lower_, columns_);
   flexibility_ = structure_.incidence.transpose() * columns_;
   initial_stiffness_ = structure_.initial_stiffness();
-  for (const auto& law : structure_.laws) paths_.emplace_back(*law);
+  paths_ = joint_paths(structure_, loads);
   const VectorXd rest = VectorXd::Zero(structure_.coordinates());
   motion_ = {0.0, rest, rest, VectorXd::Zero(structure_.joints())};
   acceleration_ = dense::solve_positive(m.mass, force_.value(0.0));
@@ -98,6 +99,21 @@ VectorXd AlgorithmOne::solve_joints(const VectorXd& q_linear) {
   return lambda;
 }
 
+VectorXd AlgorithmOne::iterate_joints(const VectorXd& q_linear) {
+  VectorXd lambda = motion_.f, q = q_linear - flexibility_ * lambda;
+  for (int i = 0; i < 200; ++i) {
+    ++solutions_;
+    most_solutions_ = std::max(most_solutions_, static_cast<std::size_t>(i) + 1);
+    lambda = joints_at(q).force;
+    const VectorXd next = q_linear - flexibility_ * lambda;
+    const bool near = (next - q).cwiseAbs().maxCoeff() <= 1e-10 * next.cwiseAbs().maxCoeff();
+    q = next;
+    if (near) return lambda;
+  }
+  diverged_ = true;
+  return lambda;
+}
+
 void AlgorithmOne::step() {
   const MatrixStructure& m = structure_.matrices;
   const double time = static_cast<double>(++steps_) * delta_;
@@ -106,7 +122,10 @@ void AlgorithmOne::step() {
                     m.damping * (2.0 / delta_ * x + v);
   dense::solve_lower(lower_, linear);
   dense::solve_lower_transposed(lower_, linear);
-  const VectorXd lambda = structure_.joints() > 0 ? solve_joints(structure_.incidence.transpose() * linear) : VectorXd();
+  for (JointPath& path : paths_) path.set_time(time);
+  const VectorXd free = structure_.incidence.transpose() * linear;
+  VectorXd lambda;
+  if (structure_.joints() > 0) lambda = iteration_ == StepIteration::direct ? iterate_joints(free) : solve_joints(free);
   const VectorXd next = linear - columns_ * lambda, q = structure_.incidence.transpose() * next;
   const VectorXd moved = next - x, speed = 2.0 / delta_ * moved - v;
   acceleration_ = 4.0 / (delta_ * delta_) * moved - 4.0 / delta_ * v - acceleration_;

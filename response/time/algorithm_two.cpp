@@ -56,7 +56,7 @@ AlgorithmTwo::AlgorithmTwo(JointedStructure structure, ForceHistory force, doubl
   now_ = step.now;
   before_ = step.before;
   growth_ = spectral_radius(character_matrix(structure_, delta, options_.weight, options_.reference_stiffness, initial));
-  for (const auto& law : structure_.laws) paths_.emplace_back(*law);
+  paths_ = joint_paths(structure_, options_.loads);
   const VectorXd rest = VectorXd::Zero(structure_.coordinates());
   motion_ = {0.0, rest, rest, VectorXd::Zero(structure_.joints())};
   last_ = rest;
@@ -68,12 +68,16 @@ void AlgorithmTwo::advance(const VectorXd& x) {
   motion_.x = x;
   motion_.v = (x - last_) / delta_;
   const VectorXd q = structure_.incidence.transpose() * x;
-  for (Index j = 0; j < q.size(); ++j) motion_.f[j] = paths_[static_cast<std::size_t>(j)].advance(q[j]).force;
+  for (Index j = 0; j < q.size(); ++j) {
+    JointPath& path = paths_[static_cast<std::size_t>(j)];
+    path.set_time(motion_.time);
+    motion_.f[j] = path.advance(q[j]).force;
+  }
 }
 
 void AlgorithmTwo::step() {
   if (steps_ == 0 && options_.starts_by_algorithm_one) {
-    AlgorithmOne first(structure_, force_, delta_);
+    AlgorithmOne first(structure_, force_, delta_, options_.loads);
     first.step();
     return advance(first.motion().x);
   }

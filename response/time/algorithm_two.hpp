@@ -14,6 +14,7 @@ struct AlgorithmTwoOptions {
   /// k_r of every joint, N/m; empty: dT/du(0), the least that is safe.
   Eigen::VectorXd reference_stiffness = {};
   bool starts_by_algorithm_one = true;  ///< else from x(−Δ) = 0, p(−Δ) = 2p(0) − p(Δ)
+  std::vector<NormalLoad> loads = {};   ///< a normal load for each joint, or none
 };
 
 /// Time marching without iteration (Ren 1992, 3.34, 3.47), explicit in the joints' forces:

@@ -52,13 +52,16 @@ class Teller {
   Transient& out_;
 };
 
+bool failed(const AlgorithmOne& algorithm) { return algorithm.diverged() || !algorithm.motion().x.allFinite(); }
+bool failed(const AlgorithmTwo& algorithm) { return !algorithm.motion().x.allFinite(); }
+
 template <class Algorithm>
 void march_steps(Algorithm& algorithm, const TransientRequest& request, Teller& teller) {
   const auto steps = std::llround(request.step / request.delta);
   const Instant rest = algorithm.motion();
   teller.march(rest, [&](double) {
-    for (long long i = 0; i < steps; ++i) algorithm.step();
-    if (!algorithm.motion().x.allFinite()) return false;
+    for (long long i = 0; i < steps && !failed(algorithm); ++i) algorithm.step();
+    if (failed(algorithm)) return false;
     teller.tell(algorithm.motion());
     return true;
   });
@@ -80,13 +83,18 @@ Transient march_transient(const JointedStructure& structure, const ForceHistory&
       out.events = march.events();
       break;
     }
+    case TransientMethod::newmark:
     case TransientMethod::algorithm_one: {
-      AlgorithmOne algorithm(structure, force, request.delta);
+      const bool direct = request.method == TransientMethod::newmark;
+      AlgorithmOne algorithm(structure, force, request.delta, request.loads,
+                             direct ? StepIteration::direct : StepIteration::newton);
       march_steps(algorithm, request, teller);
       break;
     }
     case TransientMethod::algorithm_two: {
-      AlgorithmTwo algorithm(structure, force, request.delta);
+      AlgorithmTwoOptions options = request.two;
+      options.loads = request.loads;
+      AlgorithmTwo algorithm(structure, force, request.delta, options);
       march_steps(algorithm, request, teller);
       out.too_soft = algorithm.too_soft();
       out.growth = algorithm.growth();

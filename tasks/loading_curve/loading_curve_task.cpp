@@ -6,6 +6,8 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "friction/fit/fit_start.hpp"
+#include "friction/law/arrangement.hpp"
+#include "friction/law/laws.hpp"
 
 namespace jointid::tasks {
 namespace {
@@ -14,10 +16,23 @@ namespace {
   throw InputError({ErrorKind::usage, "", option, std::move(problem), std::move(remedy)});
 }
 
+void check_named(const std::string& law) {
+  try {
+    (void)friction::law_to_fit(law);
+  } catch (const InputError& error) {
+    fail("--law", error.parts().problem, "jointid loading-curve --help lists the laws");
+  }
+}
+
 void check_laws(const LoadingCurveTask& task) {
   const std::vector<std::string> valid = friction::fitted_laws();
   for (const std::string& law : task.laws) {
     if (law == "all" || std::ranges::find(valid, law) != valid.end()) continue;
+    if (friction::is_arrangement(law) ||
+        std::ranges::find(friction::named_laws(), law, &friction::Law::name) != friction::named_laws().end()) {
+      check_named(law);
+      continue;
+    }
     const std::string near = nearest_word(law, valid);
     fail("--law", "'" + law + "' is no law", (near.empty() ? "" : "did you mean " + near + "? ") + "all: " + comma_list(valid));
   }

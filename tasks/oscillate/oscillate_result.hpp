@@ -32,6 +32,13 @@ struct ReductionTable {
   std::vector<ReducedRow> rows;
 };
 
+/// The sweep of one reduced model.
+struct ReducedSweep {
+  BasisKind basis = BasisKind::pod;
+  std::size_t order = 0;
+  std::vector<oscillation::SweepPoint> points;
+};
+
 /// All that run_oscillate() found, as far as it came. SI units; a chain without units has its own unit of time. Parts that the
 /// scene does not ask for are empty.
 struct OscillateResult {
@@ -42,7 +49,9 @@ struct OscillateResult {
   std::optional<oscillation::PeriodicOrbit> orbit;
   std::optional<oscillation::Exponents> exponents;  ///< of Lyapunov, nats a second
   std::optional<SweepSection> swept;
-  std::vector<oscillation::SweepPoint> sweep;  ///< ascending in the parameter
+  std::vector<oscillation::SweepPoint> sweep;  ///< ascending in the parameter; of a continued sweep in its order
+  std::vector<ReducedSweep> reduced_sweeps;    ///< the same of reduced models
+  std::optional<double> sliding_limit;         ///< velocity in the range of the sweep below which steady sliding is unstable
   std::optional<ReductionTable> reduction;
   std::vector<std::string> remarks;
   bool interrupted = false;

@@ -34,6 +34,12 @@ struct SweepSection {
   double from = 0.0, to = 0.0;
   std::size_t points = 0;
   double transient = 0.0, length = 0.0;  ///< s; of a driven system cycles
+  bool continued = false;                ///< each parameter from the last state of the one before, in the order of the range
+  bool back = false;                     ///< and back again, from the last state of all
+  bool reduced = false;                  ///< the same sweep of the models of [reduction]
+
+  /// Range, period and stick of each parameter are found, too.
+  bool ranges() const { return continued || reduced; }
 };
 
 enum class BasisKind { pod, normal_modes, craig_bampton };

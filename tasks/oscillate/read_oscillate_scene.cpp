@@ -88,7 +88,7 @@ ExponentSection read_exponents(const scene::Item& item, const OscillateScene& sc
 }
 
 SweepSection read_sweep(const scene::Item& item, const SystemSpec& system) {
-  const scene::Table table = item.table({"parameter", "range", "points", "transient", "length"});
+  const scene::Table table = item.table({"parameter", "range", "points", "transient", "length", "continued", "back", "reduced"});
   SweepSection out;
   const scene::Item parameter = table.require("parameter");
   out.parameter = parameter.word(swept_names());
@@ -106,6 +106,12 @@ SweepSection read_sweep(const scene::Item& item, const SystemSpec& system) {
   out.length = table.require("length").positive();
   if (system.is_driven() && out.transient + out.length > most_cycles)
     table.require("length").fail("transient and length are more than 1e6 cycles", "shorten them");
+  if (const auto continued = table.find("continued")) out.continued = continued->boolean();
+  if (const auto back = table.find("back")) {
+    out.back = back->boolean();
+    if (out.back && !out.continued) back->fail("only a continued sweep has a way back", "give continued = true");
+  }
+  if (const auto reduced = table.find("reduced")) out.reduced = reduced->boolean();
   return out;
 }
 
@@ -156,6 +162,8 @@ OscillateScene parse_oscillate_scene(const std::string& text, const ident::Path&
   if (const auto exponents = table.find("exponents")) scene.exponents = read_exponents(*exponents, scene);
   if (const auto sweep = table.find("sweep")) scene.sweep = read_sweep(*sweep, scene.system);
   if (const auto reduction = table.find("reduction")) scene.reduction = read_reduction(*reduction, scene);
+  if (scene.sweep && scene.sweep->reduced && !scene.reduction)
+    table.require("sweep").fail("reduced models are swept and there is no [reduction]", "give bases and orders there");
   return scene;
 }
 

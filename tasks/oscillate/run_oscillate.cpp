@@ -8,6 +8,8 @@
 #include "base/complex.hpp"
 #include "base/control.hpp"
 #include "base/error.hpp"
+#include "dense/cholesky.hpp"
+#include "dense/eigen.hpp"
 #include "frf/file/columns.hpp"
 #include "tasks/tell.hpp"
 
@@ -16,9 +18,9 @@ namespace {
 
 using oscillation::ContactSystem;
 using oscillation::Model;
+using oscillation::MotionEnd;
 using oscillation::PeriodicOrbit;
 using oscillation::ReductionBasis;
-using oscillation::MotionEnd;
 
 std::optional<SeenModes> modes_of(const SampledMotion& motion) {
   if (motion.status != MotionEnd::ok) return std::nullopt;
@@ -120,24 +122,103 @@ class Oscillating {
     const double unit = spec.is_driven() ? out.cycle : 1.0;
     out.transient = unit * scene_.sweep->transient;
     out.length = unit * scene_.sweep->length;
+    out.range = scene_.sweep->ranges();
     return out;
+  }
+
+  /// The same of the model on a basis.
+  oscillation::SweepCase swept_case(double value, const ReductionBasis& basis) const {
+    SystemSpec spec = scene_.system;
+    set_swept(spec, scene_.sweep->parameter, value);
+    const Model full = model_of(spec);
+    const oscillation::SweepCase whole = swept_case(value);
+    oscillation::SweepCase out = whole;
+    out.system = contact_system(reduced(full, basis));
+    out.start = out.system.state(reduced_displacements(full.mechanics, basis, scene_.q),
+                                 reduced_velocities(full.mechanics, basis, scene_.v));
+    const Eigen::VectorXd form = whole.form.head(whole.system.degrees());
+    out.form = Eigen::VectorXd::Zero(out.system.size());
+    out.form.head(out.system.degrees()) = basis.columns.transpose() * form;
+    out.offset = form.dot(basis.mean);
+    return out;
+  }
+
+  /// Largest real part of the eigenvalues about steady sliding at a belt's velocity, 1/s.
+  double sliding_growth(double velocity) const {
+    const oscillation::Mechanics& m = model_.mechanics;
+    const oscillation::Friction& friction = model_.friction;
+    const Eigen::Index n = m.mass.rows();
+    const double slope =
+        (friction.statical - friction.kinetic) * friction.normal * *friction.decay * std::exp(-*friction.decay * velocity);
+    Eigen::MatrixXd right(n, 2 * n), all = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+    right << -m.stiffness, -m.damping + slope * m.contact * m.contact.transpose();
+    all.topRightCorner(n, n).setIdentity();
+    all.bottomRows(n) = dense::solve_positive(m.mass, right);
+    return dense::eigenvalues(all).real().maxCoeff();
+  }
+
+  /// Where sliding turns stable between the ends of the sweep of a belt's velocity, by bisection.
+  std::optional<double> sliding_limit() const {
+    const SweepSection& asked = *scene_.sweep;
+    if (asked.parameter != "velocity" || scene_.system.is_driven() || !model_.friction.decay) return std::nullopt;
+    double low = std::min(asked.from, asked.to), high = std::max(asked.from, asked.to);
+    if (!(sliding_growth(low) > 0.0) || !(sliding_growth(high) < 0.0)) return std::nullopt;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (low + high);
+      (sliding_growth(middle) > 0.0 ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+  }
+
+  /// Every parameter in the order of the range, and back.
+  std::vector<double> swept_values() const {
+    const SweepSection& asked = *scene_.sweep;
+    std::vector<double> values;
+    for (std::size_t k = 0; k < asked.points; ++k)
+      values.push_back(std::lerp(asked.from, asked.to, static_cast<double>(k) / static_cast<double>(asked.points - 1)));
+    if (asked.back) values.insert(values.end(), values.rbegin() + 1, values.rend());
+    return values;
+  }
+
+  template <class Make>
+  std::vector<oscillation::SweepPoint> swept(const Make& make, const oscillation::SweepOptions& options) const {
+    const std::vector<double> values = swept_values();
+    if (!scene_.sweep->continued) return oscillation::sweep(values, make, options);
+    std::vector<oscillation::SweepPoint> points = oscillation::continued_sweep(values, make, options);
+    const bool falls = scene_.sweep->to < scene_.sweep->from;
+    for (std::size_t k = 0; k < points.size(); ++k) points[k].direction = (k < scene_.sweep->points) != falls ? 1 : -1;
+    return points;
   }
 
   void sweep() {
     const SweepSection& asked = *scene_.sweep;
     run_.swept = asked;
-    std::vector<double> values;
-    for (std::size_t k = 0; k < asked.points; ++k)
-      values.push_back(std::lerp(asked.from, asked.to, static_cast<double>(k) / static_cast<double>(asked.points - 1)));
+    run_.sliding_limit = sliding_limit();
     oscillation::SweepOptions options{control_.threads, control_.interrupted};
     options.done = [&](const oscillation::SweepPoint& point) {
       const auto place = std::ranges::lower_bound(run_.sweep, point.parameter, {}, &oscillation::SweepPoint::parameter);
-      run_.sweep.insert(place, point);
+      run_.sweep.insert(asked.continued ? run_.sweep.end() : place, point);
       count("sweep", static_cast<double>(run_.sweep.size()) / static_cast<double>(asked.points));
       keep();
     };
-    oscillation::sweep(
-        values, [&](double value) { return swept_case(value); }, options);
+    std::vector<oscillation::SweepPoint> all = swept([&](double value) { return swept_case(value); }, options);
+    if (asked.continued) run_.sweep = std::move(all);
+  }
+
+  /// The sweep of the models of [reduction]; normal modes move about the static deflection by the kinetic friction.
+  void sweep_reduced(const std::optional<series::Pod>& pod) {
+    const oscillation::SweepOptions options{control_.threads, control_.interrupted};
+    const oscillation::Friction& friction = model_.friction;
+    for (const BasisKind kind : scene_.reduction->bases) {
+      for (const std::size_t order : scene_.reduction->orders) {
+        ReductionBasis on = basis(kind, order, pod);
+        if (kind == BasisKind::normal_modes)
+          on.mean =
+              dense::solve_positive(model_.mechanics.stiffness, model_.mechanics.contact * friction.kinetic * friction.normal);
+        run_.reduced_sweeps.push_back({kind, order, swept([&](double value) { return swept_case(value, on); }, options)});
+        keep();
+      }
+    }
   }
 
   oscillation::ComparedMotion compared() const {
@@ -189,6 +270,7 @@ class Oscillating {
       }
     }
     run_.reduction = std::move(table);
+    if (scene_.sweep && scene_.sweep->reduced) sweep_reduced(pod);
   }
 
   const OscillateScene& scene_;

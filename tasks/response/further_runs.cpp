@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-
 #include "base/complex.hpp"
 #include "base/error.hpp"
 #include "records/file/read_record.hpp"
@@ -137,6 +136,23 @@ void run_equivalents(const ResponseScene& scene, const Prepared& prepared, Respo
   }
 }
 
+namespace {
+
+/// Normal loads and k_r of [[joints]] at the columns that march: joints with friction, then cubic springs.
+void fill_options(const SceneTransient& asked, const std::vector<response::Joint>& joints,
+                  const response::JointedStructure& structure, response::TransientRequest& request) {
+  const std::vector<std::size_t> columns = response::friction_joints(joints);
+  request.two = asked.two;
+  if (!asked.normal.empty()) request.loads.resize(static_cast<std::size_t>(structure.joints()));
+  for (const SceneNormal& normal : asked.normal)
+    request.loads[static_cast<std::size_t>(std::ranges::find(columns, normal.joint) - columns.begin())] = normal.load;
+  if (asked.reference_stiffness.empty()) return;
+  request.two.reference_stiffness = structure.initial_stiffness();
+  for (std::size_t i = 0; i < columns.size(); ++i) request.two.reference_stiffness[at(i)] = asked.reference_stiffness[columns[i]];
+}
+
+}  // namespace
+
 void run_transients(const ResponseScene& scene, const Prepared& prepared, const ident::Control& control, ResponseResult& run) {
   if (!scene.transient) return;
   const response::JointedStructure structure =
@@ -148,6 +164,7 @@ void run_transients(const ResponseScene& scene, const Prepared& prepared, const 
                                         .method = scene.transient->method,
                                         .delta = scene.transient->delta,
                                         .responses = prepared.responses};
+  fill_options(*scene.transient, prepared.marched->joints, structure, request);
   for (const auto& history : histories_of(scene, prepared)) {
     request.advance = [&](double time) {
       tell(control, history.first, static_cast<std::size_t>(time / request.step),

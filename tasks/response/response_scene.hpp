@@ -62,13 +62,22 @@ struct ScenePulse {
   double amplitude = 0.0, length = 0.0;
 };
 
+/// A changing normal load of [transient] on one joint.
+struct SceneNormal {
+  std::size_t joint = 0;  ///< of [[joints]]
+  response::NormalLoad load;
+};
+
 /// [transient]: the motion from rest under pulses or records, or under [force] at the first frequency.
 struct SceneTransient {
   double duration = 0.0, step = 0.0;  ///< s; step of the output
   response::TransientMethod method = response::TransientMethod::exact;
   double delta = 0.0;  ///< of Algorithms One and Two, s; divides `step`
   std::vector<SceneRecord> records;
-  std::vector<ScenePulse> pulses;  ///< one run each
+  std::vector<ScenePulse> pulses;             ///< one run each
+  std::vector<SceneNormal> normal{};          ///< of the algorithms
+  response::AlgorithmTwoOptions two{};        ///< weight, k_r of [[joints]] with friction, start
+  std::vector<double> reference_stiffness{};  ///< k_r of each of [[joints]], N/m; empty: that of the law
 };
 
 /// A scene of `jointid response`. It is checked as far as possible without the FRFs.

@@ -40,9 +40,13 @@ std::vector<WaysResult> compare_responses(const ResponseScene& scene, const iden
         tell(control, fmt::format("{:.6g} N, {:.6g} Hz: {}", level, hz, way));
         stop_if(control.interrupted);
       };
-      runs.push_back(
-          {level, hz,
-           response::compare_ways(*prepared.marched, scene.force, angular(hz), level, prepared.responses.col(0), asked)});
+      const response::MatrixAssembly& assembly = *prepared.marched;
+      const Eigen::VectorXd place = prepared.responses.col(0);
+      WaysResult& run = runs.emplace_back(WaysResult{.level = level, .frequency_hz = hz, .ways = {}});
+      run.ways = response::compare_ways(assembly, scene.force, angular(hz), level, place, asked);
+      response::IterationsAsked iterations{.begin = asked.begin};
+      if (run.ways.front().found) iterations.exact = run.ways.front().amplitude;
+      run.iterations = response::compare_iterations(assembly, scene.force, angular(hz), level, place, iterations);
     }
   }
   return runs;

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "base/error.hpp"
-#include "friction/joint/bending_root.hpp"
+#include "friction/law/bending_root.hpp"
 #include "friction/joint/fe_cases.hpp"
 #include "friction/law/laws.hpp"
 #include "friction/law/menq_bar.hpp"

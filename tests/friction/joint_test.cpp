@@ -5,7 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "friction/joint/bending_root.hpp"
+#include "friction/law/bending_root.hpp"
 #include "base/error.hpp"
 #include "friction/law/menq_bar.hpp"
 #include "friction/path/quadrature.hpp"

@@ -11,7 +11,7 @@ set(_package "")
 if(JOINTID_WITH_PYTHON AND NOT _without)
   set(_package --python "${PROJECT_BINARY_DIR}/python")
 endif()
-file(GLOB _pages CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
+file(GLOB _pages CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/docs/*-199?.md"
   "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/docs/tutorials/*.md" "${PROJECT_SOURCE_DIR}/docs/how-to/*.md")
 foreach(_page IN LISTS _pages)
   file(STRINGS "${PROJECT_SOURCE_DIR}/${_page}" _marks REGEX "^<!-- run")

@@ -1,4 +1,4 @@
-#include "friction/joint/bending_root.hpp"
+#include "friction/law/bending_root.hpp"
 
 #include <array>
 #include <cmath>
