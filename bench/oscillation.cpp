@@ -15,8 +15,8 @@
 #include "bench/bench.hpp"
 #include "oscillation/orbit/return_map.hpp"
 #include "oscillation/orbit/sweep.hpp"
+#include "oscillation/pod/fraction_error.hpp"
 #include "oscillation/system/thesis_systems.hpp"
-#include "series/pod/fraction_error.hpp"
 
 namespace {
 
@@ -98,8 +98,8 @@ void table_3_1(bench::Promises& promises) {
   const ContactSystem system = contact_system(BeltChain{});
   std::vector<double> times;
   for (int i = 0; i < 30'000; ++i) times.push_back(1500.0 + 0.2 * i);
-  const series::Samples samples = integrate(system, chain_start(system), 7500.0, times).samples.topRows(10).transpose();
-  const series::Fractions found = series::square_fractions(samples);
+  const oscillation::Samples samples = integrate(system, chain_start(system), 7500.0, times).samples.topRows(10).transpose();
+  const oscillation::Fractions found = oscillation::square_fractions(samples);
   constexpr std::array thesis = {94.05, 96.50, 98.53, 99.59, 99.90, 99.95, 99.99};
   constexpr std::array sheet = {92.2, 94.9, 97.4, 99.62, 99.94, 99.97, 99.99};
   fmt::print("\nTable 3.1, sum of sigma^2, %\n{:<4}{:>10}{:>18}\n", "m", "thesis", "ours");
@@ -123,7 +123,7 @@ void cantilever(bench::Promises& promises) {
   const Motion motion = integrate(system, rest, 600.0 * cycle, times);
   Eigen::MatrixXd points(6, 6);
   for (Eigen::Index i = 0; i < 6; ++i) points.row(i) = displacement_row(beam, 0.05 * static_cast<double>(i + 1));
-  const series::Pod found = series::pod(series::Samples((points * motion.samples.topRows(6)).transpose()));
+  const oscillation::Pod found = oscillation::pod(oscillation::Samples((points * motion.samples.topRows(6)).transpose()));
   const Eigen::VectorXd share = found.values / found.values.sum();
   fmt::print(
       "\ncantilever, 12 Hz, 2.3 mm, last 100 of 600 cycles: shares of the first modes {:.4f}, {:.4f}, {:.6f} (thesis .9913, "

@@ -1,7 +1,7 @@
 // Proper orthogonal decomposition of a record of 64 channels, 1,000,000 samples (quick: 20,000), by the streamed QR: from text,
 // binary UFF 58 and HDF5, beside reading it alone. Promised: values to 1e-12 of those that the record was made of, at most 1.5
 // times the time of reading from text and 2 times from UFF and HDF5, memory below 50 MB, at most 8 MB more for 61 times as many samples.
-#include "series/pod/pod.hpp"
+#include "oscillation/pod/pod.hpp"
 
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -26,7 +26,7 @@
 namespace {
 
 using namespace jointid;
-using namespace jointid::series;
+using namespace jointid::oscillation;
 
 constexpr std::size_t channels = 64;
 constexpr std::size_t least_of_a_full_block = 16'384;  ///< samples that fill all buffers of two threads

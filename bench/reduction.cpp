@@ -46,7 +46,7 @@ void own_modes(bench::Promises& promises) {
   const ComparedMotion motion = orbit_motion(full, promises);
   promises.at_most("period of the orbit less 126.774673206315", std::abs(motion.length - 126.77467320631536), 1e-9);
   const Trajectory truth = trajectory(full, motion);
-  const series::Pod modes = series::pod(series::Samples(truth.q.transpose()));
+  const oscillation::Pod modes = oscillation::pod(oscillation::Samples(truth.q.transpose()));
   fmt::print("chain, c = 0.05, stable orbit, on its own modes, one period\n{:<4}{:>12}{:>12}\n", "m", "dX %", "dE %");
   for (Eigen::Index m = 10; m >= 3; --m) {
     const ReductionError error = reduction_error(full, truth, trajectory(full, proper_modes(modes, m), motion), {});
@@ -85,9 +85,9 @@ void chaotic_modes(const bench::CommandLine& line, bench::Promises& promises) {
     for (const Eigen::Index m : {6, 5}) {
       std::vector<double> dx, de;
       for (std::size_t w = 0; w < windows; ++w) {
-        const series::Samples part = record.samples.topRows(10).middleCols(at(w * samples), at(samples)).transpose();
+        const oscillation::Samples part = record.samples.topRows(10).middleCols(at(w * samples), at(samples)).transpose();
         const ReductionError error =
-            reduction_error(full, truth, trajectory(full, proper_modes(series::pod(part), m), motion), {});
+            reduction_error(full, truth, trajectory(full, proper_modes(oscillation::pod(part), m), motion), {});
         dx.push_back(100.0 * error.motion), de.push_back(100.0 * error.energy);
       }
       const Spread x = spread(dx), e = spread(de);
@@ -142,7 +142,7 @@ void compare_at_ends(double hz, const BeamCase& each, const Trajectory& truth, b
 
 void cantilever(const bench::CommandLine& line, bench::Promises& promises) {
   const BeamCase measured = beam_at(12.0, 100.0);
-  const series::Pod pod = series::pod(series::Samples(trajectory(measured.model, measured.motion).q.transpose()),
+  const oscillation::Pod pod = oscillation::pod(oscillation::Samples(trajectory(measured.model, measured.motion).q.transpose()),
                                       {true, measured.model.mechanics.mass});
   fmt::print("\ncantilever, 2.3 mm, 8 Ritz modes: largest error of the strain at x = 0.05, microstrain; pod of 12 Hz\n{:<7}{:>8}",
              "Hz", "strain");

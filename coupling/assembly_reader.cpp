@@ -47,6 +47,22 @@ struct AssemblyReader::Work {
   LineFrame frame;
   std::vector<double> row_sign, column_sign;  ///< of the result's DOFs
   std::vector<PartBlock> parts;
+  Options options{};  ///< uncertainty as asked for
+  bool with_covariance = false;
+};
+
+/// One line of H and of its variances, before it is coupled.
+struct AssemblyReader::LineInput {
+  ComplexMatrix h;
+  LineVariance variance;
+
+  void clear(const Work& work, std::size_t unknowns) {
+    const auto rows = at(work.rows.size()), columns = at(work.columns.size());
+    h = ComplexMatrix::Zero(rows, columns);
+    if (needs_variance(work.options)) variance = {RealMatrix::Zero(rows, columns), RealMatrix::Zero(rows, columns)};
+    if (work.with_covariance) variance.covariance.assign(work.columns.size(), ComplexMatrix::Zero(rows, rows));
+    variance.with_joint.assign(unknowns, ComplexMatrix::Zero(rows, columns));
+  }
 };
 
 AssemblyReader::AssemblyReader(std::vector<Part> parts, const Assembly& assembly, const Options& options, const std::string& where)
@@ -197,11 +213,6 @@ void place(const std::vector<Complex>& from, std::size_t line, const std::vector
   }
 }
 
-struct LineInput {
-  ComplexMatrix h;
-  LineVariance variance;
-};
-
 /// Covariances of a part's lines, [column][row, row], of H's columns and rows.
 void place_covariances(const std::vector<Complex>& from, std::size_t line, const std::vector<std::size_t>& rows,
                        const std::vector<std::size_t>& columns, std::vector<ComplexMatrix>& to) {
@@ -265,72 +276,70 @@ std::vector<frf::ErrorSums> AssemblyReader::read_errors(const frf::Block& block)
   return out;
 }
 
+void AssemblyReader::read_part(PartBlock& part, const Work& work, std::span<const std::size_t> lines, std::span<LineInput> to) const {
+  std::vector<std::size_t> part_lines;
+  for (const std::size_t line : lines) part_lines.push_back(part_line_[part.part][line]);
+  std::vector<Complex> scratch(part_lines.size() * part.reader.size());
+  part.reader.read(part_lines, scratch);
+  const double sign = layout_.part_sign[part.part];
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    place(scratch, i, part.rows, part.columns, to[i].h, [&](Complex value) { return sign * value; });
+  }
+  if (!needs_variance(work.options)) return;
+  if (work.options.uncertainty && !layout_.joint.by_unknown.empty()) {
+    for (std::size_t i = 0; i < lines.size(); ++i) place_common(part, work, header_.frequency_hz[lines[i]], to[i].variance);
+  }
+  part.reader.read_variance(part_lines, scratch);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    place(scratch, i, part.rows, part.columns, to[i].variance.real, [](Complex v) { return v.real(); });
+    place(scratch, i, part.rows, part.columns, to[i].variance.imaginary, [](Complex v) { return v.imag(); });
+  }
+  if (!work.with_covariance || !part.reader.has_covariance()) return;
+  scratch.resize(part_lines.size() * part.reader.size() * part.rows.size());
+  part.reader.read_covariance(part_lines, scratch);
+  const double share = work.frame.with_errors ? worth(part.rows.size(), part.reader.covariance_freedom()) : 1.0;
+  for (Complex& value : scratch) value *= share;  // variances are read for themselves
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    place_covariances(scratch, i, part.rows, part.columns, to[i].variance.covariance);
+    for (SharedColumns& shared : part.reader.shared_columns(part_lines[i])) {
+      to[i].variance.shared.push_back(in_line(std::move(shared), part.rows, part.columns));
+    }
+  }
+}
+
 void AssemblyReader::read(const frf::Block& block, const Results& to) {
   Options options = options_;
   options.uncertainty = !to.variance.empty();  // nobody asks, nothing is worked out
   Work work = plan_block(block, needs_variance(options));
+  work.options = options;
+  work.with_covariance = options.uncertainty && has_covariance_;
   work.frame.with_errors = !to.errors.empty();
-  const bool with_covariance = options.uncertainty && has_covariance_;
   const std::size_t entries = block.responses.size() * block.references.size();
   const std::size_t pairs = frf::pair_count(block.responses.size()) * block.references.size();
-  const auto rows = at(work.rows.size()), columns = at(work.columns.size());
+  const auto put = [&](std::size_t place, CoupledLine line) {
+    std::size_t entry = place * entries;
+    for (std::size_t r = 0; r < block.responses.size(); ++r) {
+      for (std::size_t c = 0; c < block.references.size(); ++c, ++entry) {
+        const auto row = at(r), column = at(c);
+        const double sign = work.row_sign[r] * work.column_sign[c];
+        to.values[entry] = sign * line.frf(row, column);
+        if (!to.variance.empty()) to.variance[entry] = {line.variance.real(row, column), line.variance.imaginary(row, column)};
+        if (to.errors.empty()) continue;
+        for (frf::ErrorSums::Term& term : line.errors.terms[r * block.references.size() + c]) term.factor *= sign;
+      }
+    }
+    if (!to.covariance.empty()) put_covariance(line.variance, work.row_sign, to.covariance.data() + place * pairs);
+    if (!to.records.empty()) to.records[place] = std::move(line.record);
+    if (!to.errors.empty()) to.errors[place] = std::move(line.errors);
+  };
   std::vector<LineInput> input(std::min(lines_at_once, block.lines.size()));
-  std::vector<Complex> scratch;
   tbb::task_arena arena(options_.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options_.threads));
   for (std::size_t first = 0; first < block.lines.size(); first += lines_at_once) {
     const std::span<const std::size_t> lines = block.lines.subspan(first, std::min(lines_at_once, block.lines.size() - first));
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      input[i].h = ComplexMatrix::Zero(rows, columns);
-      if (needs_variance(options)) input[i].variance = {RealMatrix::Zero(rows, columns), RealMatrix::Zero(rows, columns)};
-      if (with_covariance) input[i].variance.covariance.assign(work.columns.size(), ComplexMatrix::Zero(rows, rows));
-      input[i].variance.with_joint.assign(layout_.joint.by_unknown.size(), ComplexMatrix::Zero(rows, columns));
-    }
-    for (PartBlock& part : work.parts) {
-      std::vector<std::size_t> part_lines;
-      for (const std::size_t line : lines) part_lines.push_back(part_line_[part.part][line]);
-      scratch.resize(part_lines.size() * part.reader.size());
-      part.reader.read(part_lines, scratch);
-      const double sign = layout_.part_sign[part.part];
-      for (std::size_t i = 0; i < lines.size(); ++i) {
-        place(scratch, i, part.rows, part.columns, input[i].h, [&](Complex value) { return sign * value; });
-      }
-      if (!needs_variance(options)) continue;
-      if (options.uncertainty && !layout_.joint.by_unknown.empty()) {
-        for (std::size_t i = 0; i < lines.size(); ++i) place_common(part, work, header_.frequency_hz[lines[i]], input[i].variance);
-      }
-      part.reader.read_variance(part_lines, scratch);
-      for (std::size_t i = 0; i < lines.size(); ++i) {
-        place(scratch, i, part.rows, part.columns, input[i].variance.real, [](Complex v) { return v.real(); });
-        place(scratch, i, part.rows, part.columns, input[i].variance.imaginary, [](Complex v) { return v.imag(); });
-      }
-      if (!with_covariance || !part.reader.has_covariance()) continue;
-      scratch.resize(part_lines.size() * part.reader.size() * part.rows.size());
-      part.reader.read_covariance(part_lines, scratch);
-      const double share = work.frame.with_errors ? worth(part.rows.size(), part.reader.covariance_freedom()) : 1.0;
-      for (Complex& value : scratch) value *= share;  // variances are read for themselves
-      for (std::size_t i = 0; i < lines.size(); ++i) {
-        place_covariances(scratch, i, part.rows, part.columns, input[i].variance.covariance);
-        for (SharedColumns& shared : part.reader.shared_columns(part_lines[i])) {
-          input[i].variance.shared.push_back(in_line(std::move(shared), part.rows, part.columns));
-        }
-      }
-    }
+    for (std::size_t i = 0; i < lines.size(); ++i) input[i].clear(work, layout_.joint.by_unknown.size());
+    for (PartBlock& part : work.parts) read_part(part, work, lines, input);
     const auto couple = [&](std::size_t i) {
-      CoupledLine line = couple_line(input[i].h, input[i].variance, header_.frequency_hz[lines[i]], work.frame, layout_, options);
-      std::size_t entry = (first + i) * entries;
-      for (std::size_t r = 0; r < block.responses.size(); ++r) {
-        for (std::size_t c = 0; c < block.references.size(); ++c, ++entry) {
-          const auto row = at(r), column = at(c);
-          const double sign = work.row_sign[r] * work.column_sign[c];
-          to.values[entry] = sign * line.frf(row, column);
-          if (!to.variance.empty()) to.variance[entry] = {line.variance.real(row, column), line.variance.imaginary(row, column)};
-          if (to.errors.empty()) continue;
-          for (frf::ErrorSums::Term& term : line.errors.terms[r * block.references.size() + c]) term.factor *= sign;
-        }
-      }
-      if (!to.covariance.empty()) put_covariance(line.variance, work.row_sign, to.covariance.data() + (first + i) * pairs);
-      if (!to.records.empty()) to.records[first + i] = std::move(line.record);
-      if (!to.errors.empty()) to.errors[first + i] = std::move(line.errors);
+      put(first + i, couple_line(input[i].h, input[i].variance, header_.frequency_hz[lines[i]], work.frame, layout_, options));
     };
     arena.execute([&] { tbb::parallel_for(std::size_t{0}, lines.size(), couple); });
   }

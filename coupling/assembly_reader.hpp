@@ -34,6 +34,7 @@ class AssemblyReader {
  private:
   struct PartBlock;
   struct Work;
+  struct LineInput;
   void match_axes();
   void make_header();
   void require_method(const std::string& where) const;
@@ -45,6 +46,8 @@ class AssemblyReader {
     std::span<frf::ErrorSums> errors;
   };
   void read(const frf::Block& block, const Results& to);
+  /// What a part gives to some lines of the result, one input each: its FRFs, and the variances that the work asks for.
+  void read_part(PartBlock& part, const Work& work, std::span<const std::size_t> lines, std::span<LineInput> to) const;
   /// What the errors of a part's FRFs have in common with those of the joints, on one line.
   void place_common(const PartBlock& part, const Work& work, double frequency_hz, LineVariance& to) const;
 

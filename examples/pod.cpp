@@ -25,8 +25,8 @@ std::size_t next_samples(std::span<double> rows, std::size_t& done) {
 
 int main() try {
   std::size_t done = 0;
-  tasks::PodRecord record{{"a", "b", "c"}, {"m", "m", "m"}, 0, series::RecordTriangle(channels)};
-  record.triangle = series::record_triangle(channels, [&](std::span<double> rows) { return next_samples(rows, done); });
+  tasks::PodRecord record{{"a", "b", "c"}, {"m", "m", "m"}, 0, oscillation::RecordTriangle(channels)};
+  record.triangle = oscillation::record_triangle(channels, [&](std::span<double> rows) { return next_samples(rows, done); });
   const tasks::PodResult found = tasks::run_pod(tasks::PodTask{}, std::move(record));
 
   const Eigen::VectorXd shares = found.pod.square_fractions();

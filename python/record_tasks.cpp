@@ -130,7 +130,7 @@ Outcome pod_array(const py::object& samples, const std::vector<std::string>& nam
       done += count * channels;
       return count;
     };
-    tasks::PodRecord record{names, units, 0, series::record_triangle(channels, next)};
+    tasks::PodRecord record{names, units, 0, oscillation::record_triangle(channels, next)};
     return outcome_of(tasks::run_pod(task, std::move(record)));
   });
 }

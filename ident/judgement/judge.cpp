@@ -73,10 +73,6 @@ void tell_active(const std::vector<ActiveMotion>& found, Solution& out) {
        "The joint is not passive: " + text(found.front()) + ". Are FRFs conjugated, delayed, or of the wrong sign?" + remedy);
 }
 
-Eigen::VectorXd vector_of(const std::vector<double>& values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), at(values.size()));
-}
-
 /// The joint without the bias that noise makes, as the judgement's own fit has it.
 struct Unbiased {
   std::vector<double> theta;

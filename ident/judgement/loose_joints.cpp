@@ -70,7 +70,7 @@ void find_loose_joints(const Plan& plan, Solution& out) {
     const std::string& joint = plan.scene.joints[unknown.joint].name;
     const Estimate& estimate = out.unknowns[column];
     if (unknown.kind == restrictions::Kind::stiffness) {
-      shares.push_back({estimate.value, estimate.std_error.value_or(estimate.error_estimate.value_or(0.0))});
+      shares.push_back({estimate.value, estimate.error().value_or(0.0)});
       out.loose.push_back({.joint = joint, .lost = 1.0 - estimate.value, .std_error = estimate.std_error});
     } else if (unknown.kind == restrictions::Kind::hysteretic_damping && unknown.name.ends_with("loss")) {
       const auto own = std::ranges::find(out.loose, joint, &LooseJoint::joint);

@@ -61,7 +61,7 @@ void tell_indefinite(const Plan& plan, const std::vector<double>& theta, Solutio
 
 double error_of(const Estimate& unknown) {
   if (!unknown.determined) return std::numeric_limits<double>::infinity();
-  return unknown.std_error ? *unknown.std_error : unknown.error_estimate.value_or(0.0);
+  return unknown.error().value_or(0.0);
 }
 
 /// Error over value of every unknown; a small value counts as a tenth of the largest.

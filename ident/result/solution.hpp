@@ -38,6 +38,9 @@ struct Estimate {
   std::optional<double> error_estimate{};
   std::optional<double> bias{};  ///< its part from noise in the coefficients, to first order; empty if unknown
   std::string limit{};  ///< the active constraint: "tied", "at its lower bound", "K is singular"; empty: none
+
+  /// What the value may be off by, in its unit: the standard error where the method states one, else the effect of the noise.
+  std::optional<double> error() const { return std_error ? std_error : error_estimate; }
 };
 
 /// A gain, delay or mass that was estimated with the joint.

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "base/complex.hpp"
 #include "base/error.hpp"
 #include "base/statistics.hpp"
 #include "base/text.hpp"
-#include "records/order/order_phasors.hpp"
 
 namespace jointid::laws {
 namespace {
@@ -80,8 +78,7 @@ LevelRecordings::LevelRecordings(const ForceLevel& level) : level_(level) {
          "give one for each record, or none: they are found");
 }
 
-std::vector<LevelRecordings::Harmonic> LevelRecordings::phasors(const std::vector<frf::Dof>& responses,
-                                                                const std::vector<double>& parts_hz) {
+LevelRecordings::Lines LevelRecordings::lines_of(const std::vector<double>& parts_hz) {
   const LevelRecords& how = *level_.records;
   records::OrderOptions options;
   options.settle_s = how.settle_s;
@@ -89,12 +86,7 @@ std::vector<LevelRecordings::Harmonic> LevelRecordings::phasors(const std::vecto
   options.harmonics.clear();
   for (const HarmonicFiles& each : level_.harmonics) options.harmonics.push_back(each.harmonic);
   constexpr double most_off = 2e-4;
-  double window_bias = 0.0, lag_bias = 0.0;
-  struct Source {
-    OrderPhasors phasors;
-    std::size_t record = 0;
-  };
-  std::map<double, Source> lines;  // of the parts, Hz
+  Lines lines;
   const auto add = [&](OrderPhasors phasors, std::size_t record) {
     const auto nearest = std::ranges::min_element(parts_hz, {}, [&](double hz) { return std::abs(hz - phasors.frequency_hz); });
     if (nearest == parts_hz.end() || std::abs(*nearest - phasors.frequency_hz) > most_off * phasors.frequency_hz) {
@@ -103,15 +95,10 @@ std::vector<LevelRecordings::Harmonic> LevelRecordings::phasors(const std::vecto
                                    nearest == parts_hz.end() ? "" : fmt::format(" (the nearest is {:.7g} Hz)", *nearest)));
       return;
     }
-    if (lines.contains(*nearest)) {
+    if (!lines.try_emplace(*nearest, Source{std::move(phasors), record}).second) {
       notes_.push_back(
           fmt::format("{}: left out: the force of {} has {:.7g} Hz again", level_.name, records_[record].file, *nearest));
-      return;
     }
-    window_bias = std::max(window_bias, phasors.window_bias);
-    lag_bias = std::max(lag_bias, phasors.lag_bias);
-    const double hz = *nearest;
-    lines.emplace(hz, Source{std::move(phasors), record});
   };
   for (std::size_t r = 0; r < records_.size(); ++r) {
     if (how.sweep) {
@@ -121,52 +108,66 @@ std::vector<LevelRecordings::Harmonic> LevelRecordings::phasors(const std::vecto
       add(records::steady_phasors(records_[r], options), r);
     }
   }
+  if (how.sweep && !lines.empty()) judge_sweep(lines);
+  return lines;
+}
+
+void LevelRecordings::judge_sweep(const Lines& lines) {
   constexpr double much = 0.1;
-  if (how.sweep && !lines.empty()) {
-    notes_.push_back(
-        fmt::format("{}: windows of {} periods of a sweep: phasors off by {:.2g} % at most for the window, {:.2g} % for the lag "
-                    "behind the steady response",
-                    level_.name, how.periods, 100.0 * window_bias, 100.0 * lag_bias));
-    if (std::max(window_bias, lag_bias) > much)
-      fail(records_.front(), "sweep",
-           fmt::format("it is too fast: a phasor is off by {:.2g} % for the window, {:.2g} % for the lag", 100.0 * window_bias,
-                       100.0 * lag_bias),
-           "sweep more slowly, or take fewer periods where the window leads");
+  double window = 0.0, lag = 0.0;
+  for (const auto& [hz, source] : lines) {
+    window = std::max(window, source.phasors.window_bias);
+    lag = std::max(lag, source.phasors.lag_bias);
   }
+  notes_.push_back(
+      fmt::format("{}: windows of {} periods of a sweep: phasors off by {:.2g} % at most for the window, {:.2g} % for the lag "
+                  "behind the steady response",
+                  level_.name, level_.records->periods, 100.0 * window, 100.0 * lag));
+  if (std::max(window, lag) > much)
+    fail(records_.front(), "sweep",
+         fmt::format("it is too fast: a phasor is off by {:.2g} % for the window, {:.2g} % for the lag", 100.0 * window, 100.0 * lag),
+         "sweep more slowly, or take fewer periods where the window leads");
+}
+
+LevelRecordings::Harmonic LevelRecordings::harmonic(std::size_t n, const Lines& lines, const std::vector<frf::Dof>& responses) const {
+  const int number = level_.harmonics[n].harmonic;
+  Phasors motion, force;
+  Filled motions(lines.size(), responses.size()), forces(lines.size(), level_.force_dofs.size());
+  Eigen::Index line = 0;
+  for (const auto& entry : lines) {
+    const double hz = entry.first;
+    const Source& source = entry.second;
+    const records::Record& record = records_[source.record];
+    motion.file = force.file = record.file;
+    motion.frequency_hz.push_back(number * hz);
+    const double force_start = record.channels[records::force_channels(record).front()].start_s;
+    const auto put = [&](const frf::Dof& dof, bool is_force, Eigen::Index column, Filled& to) {
+      const auto c = channel_of(record, dof, is_force);
+      if (!c) return;
+      const records::Channel& channel = record.channels[*c];
+      const double late = channel.start_s - force_start;
+      const Complex factor = (channel.dof == dof ? 1.0 : -1.0) * std::polar(1.0, -angular(number * hz) * late) *
+                             (is_force ? Complex(1.0) : to_displacement(channel.kind, angular(number * hz)));
+      to.values(line, column) = factor * source.phasors.value(at(n), at(*c));
+      to.variances(line, column) = std::norm(factor) * std::pow(source.phasors.deviation(at(n), at(*c)), 2);
+    };
+    for (std::size_t i = 0; i < responses.size(); ++i) put(responses[i], false, at(i), motions);
+    for (std::size_t i = 0; i < level_.force_dofs.size(); ++i) put(level_.force_dofs[i], true, at(i), forces);
+    ++line;
+  }
+  force.frequency_hz = motion.frequency_hz;
+  motion.values = std::move(motions.values);
+  motion.variances = std::move(motions.variances);
+  force.values = std::move(forces.values);
+  force.variances = std::move(forces.variances);
+  return {std::make_shared<const Phasors>(std::move(motion)), std::make_shared<const Phasors>(std::move(force))};
+}
+
+std::vector<LevelRecordings::Harmonic> LevelRecordings::phasors(const std::vector<frf::Dof>& responses,
+                                                                const std::vector<double>& parts_hz) {
+  const Lines lines = lines_of(parts_hz);
   std::vector<Harmonic> out;
-  for (std::size_t n = 0; n < level_.harmonics.size(); ++n) {
-    const int number = level_.harmonics[n].harmonic;
-    Phasors motion, force;
-    Filled motions(lines.size(), responses.size()), forces(lines.size(), level_.force_dofs.size());
-    Eigen::Index line = 0;
-    for (const auto& entry : lines) {
-      const double hz = entry.first;
-      const auto& source = entry.second;
-      const records::Record& record = records_[source.record];
-      motion.file = force.file = record.file;
-      motion.frequency_hz.push_back(number * hz);
-      const double force_start = record.channels[records::force_channels(record).front()].start_s;
-      const auto put = [&](const frf::Dof& dof, bool is_force, Eigen::Index column, Filled& to) {
-        const auto c = channel_of(record, dof, is_force);
-        if (!c) return;
-        const records::Channel& channel = record.channels[*c];
-        const double late = channel.start_s - force_start;
-        const Complex factor = (channel.dof == dof ? 1.0 : -1.0) * std::polar(1.0, -angular(number * hz) * late) *
-                               (is_force ? Complex(1.0) : to_displacement(channel.kind, angular(number * hz)));
-        to.values(line, column) = factor * source.phasors.value(at(n), at(*c));
-        to.variances(line, column) = std::norm(factor) * std::pow(source.phasors.deviation(at(n), at(*c)), 2);
-      };
-      for (std::size_t i = 0; i < responses.size(); ++i) put(responses[i], false, at(i), motions);
-      for (std::size_t i = 0; i < level_.force_dofs.size(); ++i) put(level_.force_dofs[i], true, at(i), forces);
-      ++line;
-    }
-    force.frequency_hz = motion.frequency_hz;
-    motion.values = std::move(motions.values);
-    motion.variances = std::move(motions.variances);
-    force.values = std::move(forces.values);
-    force.variances = std::move(forces.variances);
-    out.push_back({std::make_shared<const Phasors>(std::move(motion)), std::make_shared<const Phasors>(std::move(force))});
-  }
+  for (std::size_t n = 0; n < level_.harmonics.size(); ++n) out.push_back(harmonic(n, lines, responses));
   return out;
 }
 

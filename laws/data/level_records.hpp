@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "laws/data/phasor_file.hpp"
 #include "laws/scene/law_scene.hpp"
 #include "records/file/record.hpp"
+#include "records/order/order_phasors.hpp"
 
 namespace jointid::laws {
 
@@ -32,6 +34,16 @@ class LevelRecordings {
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
+  struct Source {
+    records::OrderPhasors phasors;
+    std::size_t record = 0;
+  };
+  using Lines = std::map<double, Source>;  ///< of the parts, Hz
+
+  Lines lines_of(const std::vector<double>& parts_hz);
+  void judge_sweep(const Lines& lines);
+  Harmonic harmonic(std::size_t n, const Lines& lines, const std::vector<frf::Dof>& responses) const;
+
   const ForceLevel& level_;
   std::vector<records::Record> records_;
   std::vector<frf::Dof> dofs_;

@@ -4,8 +4,8 @@
 
 #include "base/error.hpp"
 #include "base/statistics.hpp"
-#include "series/tangent/periodic_point.hpp"
-#include "series/tangent/spectrum.hpp"
+#include "oscillation/tangent/periodic_point.hpp"
+#include "oscillation/tangent/spectrum.hpp"
 
 namespace jointid::oscillation {
 
@@ -23,7 +23,7 @@ struct Section {
     gradient = system.stick_force - sigma * system.friction.statical * system.normal;
     MatrixXd normals(motion, 2);
     normals << system.relative[1].head(motion), gradient.head(motion);
-    series::orthonormalise(normals);
+    oscillation::orthonormalise(normals);
     projector = MatrixXd::Identity(motion, motion) - normals * normals.transpose();
     // The point of the section nearest to the start.
     forms.resize(system.size(), 2);
@@ -49,7 +49,7 @@ MatrixXd unit_tangents(const ContactSystem& system, const std::vector<Index>& fr
 
 MatrixXd rows(const MatrixXd& a, const std::vector<Index>& places) { return a(places, Eigen::all); }
 
-PeriodicOrbit orbit_of(const series::PeriodicPoint& point) {
+PeriodicOrbit orbit_of(const oscillation::PeriodicPoint& point) {
   PeriodicOrbit out;
   out.converged = point.converged;
   out.residual = point.residual;
@@ -75,7 +75,7 @@ PeriodicOrbit break_away_orbit(const ContactSystem& system, const VectorXd& star
     z.head(motion) += section.projector * (x - section.base.head(motion));
     return z;
   };
-  const series::TangentStep map = [&](VectorXd& x, MatrixXd& tangents) {
+  const oscillation::TangentStep map = [&](VectorXd& x, MatrixXd& tangents) {
     StickSlip orbit(system, placed(x), Mode::stick);
     orbit.interrupted = interrupted;
     orbit.most_steps = most_steps_of_orbits;
@@ -90,7 +90,7 @@ PeriodicOrbit break_away_orbit(const ContactSystem& system, const VectorXd& star
     const MatrixXd derivative = orbit.tangents() + field * orbit.last_shift();
     tangents = rows(derivative, free) * section.projector * tangents;
   };
-  const series::PeriodicPoint point = series::periodic_point(map, section.base.head(motion));
+  const oscillation::PeriodicPoint point = oscillation::periodic_point(map, section.base.head(motion));
   PeriodicOrbit out = orbit_of(point);
   out.state = placed(point.state);
   VectorXd x = point.state;
@@ -111,7 +111,7 @@ PeriodicOrbit driven_orbit(const ContactSystem& system, const VectorXd& start, M
     for (std::size_t k = 0; k < free.size(); ++k) z(free[k]) = x(at(k));
     return z;
   };
-  const series::TangentStep map = [&](VectorXd& x, MatrixXd& tangents) {
+  const oscillation::TangentStep map = [&](VectorXd& x, MatrixXd& tangents) {
     StickSlip orbit(system, placed(x), mode);
     orbit.interrupted = interrupted;
     orbit.most_steps = most_steps_of_orbits;
@@ -121,7 +121,7 @@ PeriodicOrbit driven_orbit(const ContactSystem& system, const VectorXd& start, M
     if (!has_arrived(status)) x.setConstant(nan);
     tangents = rows(orbit.tangents(), free) * tangents;
   };
-  const series::PeriodicPoint point = series::periodic_point(map, start(free));
+  const oscillation::PeriodicPoint point = oscillation::periodic_point(map, start(free));
   PeriodicOrbit out = orbit_of(point);
   out.state = placed(point.state);
   out.mode = mode;
@@ -137,7 +137,7 @@ Exponents lyapunov_exponents(const ContactSystem& system, const VectorXd& start,
   motion.interrupted = options.interrupted;
   motion.most_steps = most_steps_of_exponents;
   Exponents out;
-  const series::TangentStep step = [&](VectorXd& z, MatrixXd& tangents) {
+  const oscillation::TangentStep step = [&](VectorXd& z, MatrixXd& tangents) {
     motion.tangents().swap(tangents);
     const MotionEnd status = motion.advance(motion.time() + options.interval);
     if (status != MotionEnd::ok) out.status = status;
@@ -145,7 +145,7 @@ Exponents lyapunov_exponents(const ContactSystem& system, const VectorXd& start,
     z = motion.state();
   };
   const auto count = [&](double time) { return static_cast<std::size_t>(std::llround(time / options.interval)); };
-  const series::Spectrum found = series::lyapunov_spectrum(
+  const oscillation::Spectrum found = oscillation::lyapunov_spectrum(
       step, start, {options.count, count(options.transient), count(options.length), 20, options.interval},
       system.free(Mode::forward));
   out.exponent = found.exponent;

@@ -64,7 +64,7 @@ ReductionBasis craig_bampton(const Mechanics& mechanics, Index count) {
   return out;
 }
 
-ReductionBasis proper_modes(const series::Pod& pod, Index count) {
+ReductionBasis proper_modes(const oscillation::Pod& pod, Index count) {
   check_count(count, pod.modes.cols());
   return {pod.modes.leftCols(count), pod.mean};
 }

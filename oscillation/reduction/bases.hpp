@@ -1,7 +1,7 @@
 #pragma once
 
+#include "oscillation/pod/pod.hpp"
 #include "oscillation/system/contact_system.hpp"
-#include "series/pod/pod.hpp"
 
 namespace jointid::oscillation {
 
@@ -20,7 +20,7 @@ ReductionBasis normal_modes(const Mechanics& mechanics, Eigen::Index count);
 ReductionBasis craig_bampton(const Mechanics& mechanics, Eigen::Index count);
 
 /// The first m proper orthogonal modes of records of q with their mean, orthonormal in the inner product of the decomposition.
-ReductionBasis proper_modes(const series::Pod& pod, Eigen::Index count);
+ReductionBasis proper_modes(const oscillation::Pod& pod, Eigen::Index count);
 
 /// The model on a basis, q = mean + Φ a in second-order form (6.27–6.36): ΦᵀMΦ ä + ΦᵀCΦ ȧ + ΦᵀKΦ a = Φᵀg − ΦᵀK·mean + Φᵀp f.
 /// The stick force follows from the reduced model itself, which (3.31–3.34) do not. For a friction law whose normal load varies

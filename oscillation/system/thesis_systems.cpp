@@ -6,7 +6,7 @@
 #include "base/complex.hpp"
 #include "base/error.hpp"
 #include "dense/eigen.hpp"
-#include "series/measurement/beam_shapes.hpp"
+#include "oscillation/measurement/beam_shapes.hpp"
 
 namespace jointid::oscillation {
 namespace {
@@ -14,10 +14,10 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using series::Deflection;
+using oscillation::Deflection;
 
 Deflection mode_at(const Cantilever& beam, Index j, double x) {
-  return series::deflection({series::ShapeKind::mode, static_cast<std::size_t>(j) + 1}, beam.length, x);
+  return oscillation::deflection({oscillation::ShapeKind::mode, static_cast<std::size_t>(j) + 1}, beam.length, x);
 }
 
 /// The characteristic function of a clamped beam with a tip mass, over cosh z.
@@ -52,7 +52,7 @@ double Cantilever::tip_mass() const {
 Mechanics mechanics(const Cantilever& beam) {
   if (beam.modes == 0) throw InputError({ErrorKind::usage, "", "modes", "are none", ""});
   const Index n = at(beam.modes);
-  const std::vector<double> roots = series::clamped_free_roots(beam.modes);
+  const std::vector<double> roots = oscillation::clamped_free_roots(beam.modes);
   VectorXd tip(n), slope(n), fourth(n);
   for (Index j = 0; j < n; ++j) {
     const Deflection end = mode_at(beam, j, beam.length);
@@ -80,7 +80,7 @@ double one_per_cent(const Cantilever& beam) { return 2.0 * 0.01 / angular(natura
 
 VectorXd tip_mass_frequencies(const Cantilever& beam) {
   const double mu = beam.tip_mass() / (beam.mass_per_length() * beam.length);
-  const std::vector<double> bare = series::clamped_free_roots(beam.modes);
+  const std::vector<double> bare = oscillation::clamped_free_roots(beam.modes);
   VectorXd out(at(beam.modes));
   for (std::size_t j = 0; j < beam.modes;
        ++j) {  // one root between bare ones: mass lowers a frequency, but not below the one before

@@ -79,7 +79,7 @@ PlotGroup contact_plots(const tasks::OscillateResult& run) {
 }
 
 PlotGroup mode_plots(const tasks::OscillateResult& run) {
-  const series::Pod& pod = run.modes->pod;
+  const oscillation::Pod& pod = run.modes->pod;
   const bool beam = run.system.kind == tasks::SystemKind::cantilever;
   CurvePlot plot;
   plot.title = "Proper orthogonal modes";

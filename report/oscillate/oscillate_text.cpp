@@ -41,7 +41,7 @@ Table fractions_table(const tasks::SeenModes& modes) {
 }
 
 Table shapes_table(const tasks::OscillateResult& run) {
-  const series::Pod& pod = run.modes->pod;
+  const oscillation::Pod& pod = run.modes->pod;
   const Eigen::Index count = std::min<Eigen::Index>(pod.modes.cols(), 6);
   std::vector<Column> columns = {{"", Align::left}, {"mean"}};
   for (Eigen::Index k = 0; k < count; ++k) columns.push_back({fmt::format("mode {}", k + 1)});

@@ -11,7 +11,7 @@
 namespace jointid::report {
 
 std::string pod_page(const tasks::PodResult& report) {
-  const series::Pod& pod = report.pod;
+  const oscillation::Pod& pod = report.pod;
   ReportPage page("Proper orthogonal modes", "jointid pod");
   const std::vector<std::string> remarks = pod_remarks(report);
   page.status(status_banner(remarks.empty() ? "ok" : "doubtful", pod_summary(report), remarks));

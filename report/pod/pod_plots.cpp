@@ -11,7 +11,7 @@ namespace {
 
 constexpr Eigen::Index most_shapes = 12;
 
-CurvePlot pod_values_plot(const series::Pod& pod) {
+CurvePlot pod_values_plot(const oscillation::Pod& pod) {
   CurvePlot plot;
   plot.title = "Proper orthogonal values";
   plot.x = {"mode", false};
@@ -25,7 +25,7 @@ CurvePlot pod_values_plot(const series::Pod& pod) {
   return plot;
 }
 
-CurvePlot pod_shape_plot(const series::Pod& pod, Eigen::Index mode) {
+CurvePlot pod_shape_plot(const oscillation::Pod& pod, Eigen::Index mode) {
   CurvePlot plot;
   plot.title = fmt::format("Mode {}: {:.4f} % of Σσ²", mode + 1, 100.0 * pod.values(mode) / pod.values.sum());
   plot.x = {"channel", false};
@@ -42,9 +42,9 @@ CurvePlot pod_shape_plot(const series::Pod& pod, Eigen::Index mode) {
 
 }  // namespace
 
-PlotGroup pod_value_plots(const series::Pod& pod) { return {"", {{"", {pod_values_plot(pod)}}}}; }
+PlotGroup pod_value_plots(const oscillation::Pod& pod) { return {"", {{"", {pod_values_plot(pod)}}}}; }
 
-PlotGroup pod_shape_plots(const series::Pod& pod) {
+PlotGroup pod_shape_plots(const oscillation::Pod& pod) {
   PlotGroup group{"mode", {}};
   for (Eigen::Index k = 0; k < std::min(pod.modes.cols(), most_shapes); ++k)
     group.choices.push_back({fmt::format("{}", k + 1), {pod_shape_plot(pod, k)}});

@@ -29,7 +29,7 @@ std::string pod_summary(const tasks::PodResult& report) {
                      report.names.size(), report.pod.modes_for(0.99), report.pod.modes_for(0.9999));
 }
 
-Table pod_values_table(const series::Pod& pod) {
+Table pod_values_table(const oscillation::Pod& pod) {
   Table table({{"mode"}, {"σ"}, {"mean square λ"}, {"Σσ² %"}, {"Σσ %"}});
   const Eigen::VectorXd squares = pod.square_fractions(), sigmas = pod.sigma_fractions();
   for (Eigen::Index k = 0; k < std::min<Eigen::Index>(pod.sigma.size(), 12); ++k) {
@@ -54,9 +54,9 @@ Table pod_shapes_table(const tasks::PodResult& report) {
 Table pod_comparison_table(const tasks::PodResult& report) {
   const bool hertz = !report.frequencies_hz.empty();
   Table table({{"mode"}, {"most alike"}, {hertz ? "Hz" : ""}, {report.weighted ? "M-cosine" : "cosine"}, {"MAC"}});
-  auto pairs = series::matched_modes(report.cosines);
-  std::ranges::sort(pairs, {}, &series::ModePair::phi);
-  for (const series::ModePair& pair : pairs) {
+  auto pairs = oscillation::matched_modes(report.cosines);
+  std::ranges::sort(pairs, {}, &oscillation::ModePair::phi);
+  for (const oscillation::ModePair& pair : pairs) {
     table.add({fmt::format("{}", pair.phi + 1), fmt::format("{}", pair.psi + 1),
                hertz ? number(report.frequencies_hz[pair.psi]) : "", fmt::format("{:.6f}", pair.cosine),
                fmt::format("{:.6f}", report.assurance(at(pair.phi), at(pair.psi)))});
@@ -66,7 +66,7 @@ Table pod_comparison_table(const tasks::PodResult& report) {
 
 std::vector<std::string> pod_remarks(const tasks::PodResult& report) {
   std::vector<std::string> out;
-  const series::Pod& pod = report.pod;
+  const oscillation::Pod& pod = report.pod;
   if (pod.missing > 0) out.push_back(fmt::format("{} samples with a missing channel are left out", pod.missing));
   if (report.cut > 0)
     out.push_back(fmt::format("channels differ in length: {} numbers at the ends of the longer ones are left out", report.cut));
@@ -81,7 +81,7 @@ std::vector<std::string> pod_remarks(const tasks::PodResult& report) {
 }
 
 std::string pod_text(const tasks::PodResult& report) {
-  const series::Pod& pod = report.pod;
+  const oscillation::Pod& pod = report.pod;
   std::string text =
       fmt::format("{} samples of {} channels, {}, inner product {}\n", pod.samples, report.names.size(),
                   report.mean_kept ? "mean kept" : "mean removed", report.weighted ? "of the mass matrix" : "plain");
@@ -89,14 +89,14 @@ std::string pod_text(const tasks::PodResult& report) {
   text += fmt::format("\nproper orthogonal values; energy by Σσ² (mean squares; the usual one) and by Σσ\n{}",
                       pod_values_table(pod).text());
   text += fmt::format("\nmodes for 99 % of Σσ²: {}; for 99.99 %: {}", pod.modes_for(0.99), pod.modes_for(0.9999));
-  if (const auto rank = series::rank_above_noise(pod)) text += fmt::format("; above white noise (Gavish and Donoho): {}", *rank);
+  if (const auto rank = oscillation::rank_above_noise(pod)) text += fmt::format("; above white noise (Gavish and Donoho): {}", *rank);
   text += fmt::format("\n\nproper orthogonal modes\n{}", pod_shapes_table(report).text());
   if (report.cosines.size() > 0) text += fmt::format("\nbeside {}\n{}", report.compared, pod_comparison_table(report).text());
   return text;
 }
 
 std::string pod_json(const tasks::PodResult& report) {
-  const series::Pod& pod = report.pod;
+  const oscillation::Pod& pod = report.pod;
   Json out = {{"status", "ok"},
               {"samples", pod.samples},
               {"missing", pod.missing},
@@ -113,7 +113,7 @@ std::string pod_json(const tasks::PodResult& report) {
               {"modes_for_99_percent", pod.modes_for(0.99)},
               {"modes_for_99_99_percent", pod.modes_for(0.9999)},
               {"remarks", pod_remarks(report)}};
-  const auto rank = series::rank_above_noise(pod);
+  const auto rank = oscillation::rank_above_noise(pod);
   out["rank_above_noise"] = rank ? Json(*rank) : Json();
   out["modes"] = matrix(pod.modes.transpose());
   if (report.cosines.size() > 0) {

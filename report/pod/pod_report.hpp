@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "oscillation/pod/mode_comparison.hpp"
 #include "report/text/table.hpp"
-#include "series/pod/mode_comparison.hpp"
 #include "tasks/pod/run_pod.hpp"
 
 namespace jointid::report {
@@ -16,7 +16,7 @@ std::string pod_summary(const tasks::PodResult& report);
 std::vector<std::string> pod_remarks(const tasks::PodResult& report);
 
 /// Tables on the terminal and in the page.
-Table pod_values_table(const series::Pod& pod);
+Table pod_values_table(const oscillation::Pod& pod);
 Table pod_shapes_table(const tasks::PodResult& report);
 Table pod_comparison_table(const tasks::PodResult& report);
 

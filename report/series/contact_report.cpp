@@ -14,7 +14,7 @@
 namespace jointid::report {
 
 Table contact_table(const tasks::ContactResult& report) {
-  const series::FrictionLaw& law = report.law;
+  const oscillation::FrictionLaw& law = report.law;
   const auto pm = [](double value, double error) { return fmt::format("{} ± {:.1g}", number(value, error), error); };
   Table table({{"", Align::left}, {"", Align::left}});
   table.add({"slipping samples", fmt::format("{}", law.slip_samples)});
@@ -39,7 +39,7 @@ std::vector<std::string> contact_remarks(const tasks::ContactResult& report) {
 }
 
 std::string contact_json(const tasks::ContactResult& report) {
-  const series::FrictionLaw& law = report.law;
+  const oscillation::FrictionLaw& law = report.law;
   Json out = {{"status", "ok"},
               {"slip_samples", law.slip_samples},
               {"stick_samples", law.stick_samples},
@@ -65,7 +65,7 @@ std::string contact_csv(const tasks::ContactResult& report) {
 }
 
 PlotGroup contact_law_plots(const tasks::ContactResult& report) {
-  const series::FrictionLaw& law = report.law;
+  const oscillation::FrictionLaw& law = report.law;
   ScatterPlot plot;
   plot.title = "Friction coefficient over relative velocity";
   plot.x = {"relative velocity (m/s)", false};

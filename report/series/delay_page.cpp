@@ -27,7 +27,7 @@ CurvePlot neighbours_plot(const tasks::DelayResult& report) {
   plot.x = {"dimension", false};
   plot.y = {"%", false};
   Series either{"Kennel", {}, Style::line};
-  for (const series::FalseNeighbours& row : report.neighbours) {
+  for (const oscillation::FalseNeighbours& row : report.neighbours) {
     plot.x_values.push_back(static_cast<double>(row.dimension));
     either.y.push_back(100.0 * row.either);
   }
@@ -47,13 +47,13 @@ CurvePlot correlation_plot(const tasks::DelayResult& report) {
   return plot;
 }
 
-CurvePlot divergence_plot(const std::string& title, const series::RecordExponent& found) {
+CurvePlot divergence_plot(const std::string& title, const oscillation::RecordExponent& found) {
   CurvePlot plot;
   plot.title = title;
   plot.x = {"time (s)", false};
   plot.y = {"mean ln distance", false};
   if (!found.curves.empty()) plot.x_values = found.curves.front().time;
-  for (const series::DivergenceCurve& curve : found.curves) {
+  for (const oscillation::DivergenceCurve& curve : found.curves) {
     const std::string radius = curve.radius > 0.0 ? fmt::format(", r = {:.3g}", curve.radius) : "";
     plot.series.push_back({fmt::format("d = {}{}", curve.dimension, radius), curve.mean_log, Style::line});
   }

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "report/json_value.hpp"
 #include "report/series/delay_report.hpp"
@@ -11,12 +11,12 @@
 namespace jointid::report {
 namespace {
 
-std::string exponent_text(const series::RecordExponent& found) {
+std::string exponent_text(const oscillation::RecordExponent& found) {
   if (!found.nats_per_second) return "not determined: " + found.reason;
   return fmt::format("{} nats per s (slopes of d, d + 1, d + 2 within ± {:.2g})", number(*found.nats_per_second), found.spread);
 }
 
-Json exponent_json(const series::RecordExponent& found) {
+Json exponent_json(const oscillation::RecordExponent& found) {
   return {{"nats_per_second", value(found.nats_per_second)}, {"spread", value(found.spread)}, {"reason", found.reason}};
 }
 
@@ -28,7 +28,7 @@ void add_curve(std::string& text, const std::string& name, const std::vector<dou
 
 Table neighbours_table(const tasks::DelayResult& report) {
   Table table({{"dimension"}, {"points"}, {"false by ratio %"}, {"by size %"}, {"either %"}});
-  for (const series::FalseNeighbours& row : report.neighbours) {
+  for (const oscillation::FalseNeighbours& row : report.neighbours) {
     table.add({fmt::format("{}", row.dimension), fmt::format("{}", row.points), fmt::format("{:.2f}", 100.0 * row.ratio),
                fmt::format("{:.2f}", 100.0 * row.size), fmt::format("{:.2f}", 100.0 * row.either)});
   }
@@ -37,7 +37,7 @@ Table neighbours_table(const tasks::DelayResult& report) {
 
 Table answers_table(const tasks::DelayResult& report) {
   Table table({{"", Align::left}, {"", Align::left}});
-  const series::Embedding& embedding = report.embedding;
+  const oscillation::Embedding& embedding = report.embedding;
   table.add(
       {"delay", fmt::format("{} samples = {} s{}", embedding.delay, number(static_cast<double>(embedding.delay) / report.rate_hz),
                             report.delay_given ? ", given" : "")});
@@ -63,7 +63,7 @@ Table wolf_table(const tasks::DelayResult& report) {
 
 Table recurrences_table(const tasks::DelayResult& report) {
   Table table({{"period samples"}, {"period s"}, {"how often"}, {"closest"}, {"at sample"}});
-  for (const series::RecurrentPeriod& each : report.recurrences) {
+  for (const oscillation::RecurrentPeriod& each : report.recurrences) {
     table.add({fmt::format("{}", each.best.period), number(static_cast<double>(each.best.period) / report.rate_hz),
                fmt::format("{}", each.count), number(each.best.distance), fmt::format("{}", each.best.start + 1)});
   }
@@ -99,7 +99,7 @@ std::string delay_json(const tasks::DelayResult& report) {
               {"mutual_information_bias_bits", value(report.information_bias)}};
   out["first_minimum"] = report.information.first_minimum ? Json(*report.information.first_minimum) : Json();
   out["false_neighbours"] = Json::array();
-  for (const series::FalseNeighbours& row : report.neighbours) {
+  for (const oscillation::FalseNeighbours& row : report.neighbours) {
     out["false_neighbours"].push_back({{"dimension", row.dimension},
                                        {"points", row.points},
                                        {"ratio", value(row.ratio)},
@@ -123,7 +123,7 @@ std::string delay_json(const tasks::DelayResult& report) {
   }
   out["recurrence_radius"] = value(report.recurrence_radius);
   out["recurrences"] = Json::array();
-  for (const series::RecurrentPeriod& each : report.recurrences) {
+  for (const oscillation::RecurrentPeriod& each : report.recurrences) {
     out["recurrences"].push_back({{"period", each.best.period},
                                   {"count", each.count},
                                   {"distance", value(each.best.distance)},
@@ -139,9 +139,9 @@ std::string delay_csv(const tasks::DelayResult& report) {
   for (std::size_t k = 0; k < report.information.bits.size(); ++k) lag.push_back(static_cast<double>(k) / report.rate_hz);
   add_curve(text, "mutual information bits over s", lag, report.information.bits);
   add_curve(text, "correlation sum", report.correlation.radius, report.correlation.sum);
-  for (const series::DivergenceCurve& curve : report.rosenstein.curves)
+  for (const oscillation::DivergenceCurve& curve : report.rosenstein.curves)
     add_curve(text, fmt::format("Rosenstein d={} ln distance over s", curve.dimension), curve.time, curve.mean_log);
-  for (const series::DivergenceCurve& curve : report.kantz.curves)
+  for (const oscillation::DivergenceCurve& curve : report.kantz.curves)
     add_curve(text, fmt::format("Kantz d={} r={:.4g} ln distance over s", curve.dimension, curve.radius), curve.time,
               curve.mean_log);
   return text;

@@ -80,7 +80,7 @@ std::string strain_text(const tasks::StrainResult& report) {
 }
 
 std::string strain_json(const tasks::StrainResult& report) {
-  const series::StrainMap& map = report.map;
+  const oscillation::StrainMap& map = report.map;
   Json out = {{"status", "ok"},
               {"condition", value(map.condition)},
               {"points", values(report.task.points)},

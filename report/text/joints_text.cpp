@@ -39,8 +39,6 @@ std::string joint_of(const std::string& unknown) {
 /// "K" of "left.K(1,2)".
 std::string kind_of(const std::string& unknown) { return unknown.substr(unknown.find('.') + 1, 1); }
 
-std::optional<double> error_of(const ident::Estimate& unknown) { return unknown.std_error ? unknown.std_error : unknown.error_estimate; }
-
 /// In the order of the unknowns.
 std::vector<JointRow> joint_rows(const ident::Solution& solution) {
   std::vector<JointRow> rows;
@@ -59,7 +57,7 @@ std::vector<JointRow> joint_rows(const ident::Solution& solution) {
     row.undetermined += unknown.determined ? 0 : 1;
     SizeGroup& of_kind = row.by_kind[kind_of(unknown.name)];
     if (of_kind.unit.empty()) of_kind = {unknown.unit, largest[group(unknown)]};
-    const std::optional<double> error = error_of(unknown);
+    const std::optional<double> error = unknown.error();
     if (!error) continue;
     const double share = *error / std::max(std::abs(unknown.value), least_value * largest[group(unknown)]);
     if (share > row.worst_error) {

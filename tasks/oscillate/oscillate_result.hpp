@@ -8,15 +8,15 @@
 
 #include "oscillation/orbit/return_map.hpp"
 #include "oscillation/orbit/sweep.hpp"
-#include "series/pod/fraction_error.hpp"
+#include "oscillation/pod/fraction_error.hpp"
 #include "tasks/oscillate/sampled_motion.hpp"
 
 namespace jointid::tasks {
 
 /// Proper orthogonal modes of the displacements seen.
 struct SeenModes {
-  series::Pod pod;
-  series::Fractions fractions;  ///< of Σσ², with jackknife errors
+  oscillation::Pod pod;
+  oscillation::Fractions fractions;  ///< of Σσ², with jackknife errors
 };
 
 /// A model on fewer coordinates.

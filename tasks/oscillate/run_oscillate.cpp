@@ -24,17 +24,17 @@ using oscillation::ReductionBasis;
 
 std::optional<SeenModes> modes_of(const SampledMotion& motion) {
   if (motion.status != MotionEnd::ok) return std::nullopt;
-  const series::Samples seen = motion.samples.middleCols(1, at(motion.seen));
+  const oscillation::Samples seen = motion.samples.middleCols(1, at(motion.seen));
   if ((seen.rowwise() - seen.row(0)).cwiseAbs().maxCoeff() == 0.0) return std::nullopt;
-  return SeenModes{series::pod(seen), series::square_fractions(seen)};
+  return SeenModes{oscillation::pod(seen), oscillation::square_fractions(seen)};
 }
 
 /// Columns q1 … qn of a record, as the modes of the full model are made of it.
-series::Samples recorded(const ident::Path& file, Eigen::Index degrees) {
+oscillation::Samples recorded(const ident::Path& file, Eigen::Index degrees) {
   const frf::Columns columns = frf::read_columns(file);
   std::vector<const frf::NumberColumn*> chosen;
   for (Eigen::Index k = 0; k < degrees; ++k) chosen.push_back(&columns.column(fmt::format("q{}", k + 1)));
-  series::Samples out(at(chosen.front()->values.size()), degrees);
+  oscillation::Samples out(at(chosen.front()->values.size()), degrees);
   for (Eigen::Index k = 0; k < degrees; ++k) {
     const std::vector<double>& values = chosen[static_cast<std::size_t>(k)]->values;
     if (at(values.size()) != out.rows())
@@ -206,7 +206,7 @@ class Oscillating {
   }
 
   /// The sweep of the models of [reduction]; normal modes move about the static deflection by the kinetic friction.
-  void sweep_reduced(const std::optional<series::Pod>& pod) {
+  void sweep_reduced(const std::optional<oscillation::Pod>& pod) {
     const oscillation::SweepOptions options{control_.threads, control_.interrupted};
     const oscillation::Friction& friction = model_.friction;
     for (const BasisKind kind : scene_.reduction->bases) {
@@ -235,7 +235,7 @@ class Oscillating {
     return out;
   }
 
-  ReductionBasis basis(BasisKind kind, std::size_t order, const std::optional<series::Pod>& pod) const {
+  ReductionBasis basis(BasisKind kind, std::size_t order, const std::optional<oscillation::Pod>& pod) const {
     switch (kind) {
       case BasisKind::pod:
         break;
@@ -256,11 +256,11 @@ class Oscillating {
     const oscillation::ComparedMotion motion = compared();
     const oscillation::Trajectory truth = trajectory(model_, motion);
     ReductionTable table{judged_form(scene_.system), truth.seconds, (motion.observed * truth.q).cwiseAbs().maxCoeff(), {}};
-    std::optional<series::Pod> pod;
+    std::optional<oscillation::Pod> pod;
     if (std::ranges::find(asked.bases, BasisKind::pod) != asked.bases.end()) {
-      const series::PodOptions options{true, model_.mechanics.mass};
+      const oscillation::PodOptions options{true, model_.mechanics.mass};
       pod =
-          series::pod(asked.record ? recorded(*asked.record, system_.degrees()) : series::Samples(truth.q.transpose()), options);
+          oscillation::pod(asked.record ? recorded(*asked.record, system_.degrees()) : oscillation::Samples(truth.q.transpose()), options);
     }
     for (const BasisKind kind : asked.bases) {
       for (const std::size_t order : asked.orders) {

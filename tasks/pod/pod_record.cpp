@@ -47,7 +47,7 @@ PodRecord own_part(const PodTask& task, const ident::Team& team, const std::func
                         "name fewer with --channels; are rows and columns exchanged?"});
     }
     if (!out) {
-      out.emplace(PodRecord{{}, {}, 0, series::RecordTriangle(channels)});
+      out.emplace(PodRecord{{}, {}, 0, oscillation::RecordTriangle(channels)});
       for (const auto& channel : stream->channels()) out->names.push_back(channel.name), out->units.push_back(channel.unit);
     }
     check_same(*out, *stream);
@@ -58,7 +58,7 @@ PodRecord own_part(const PodTask& task, const ident::Team& team, const std::func
       read(samples += count);
       return count;
     };
-    out->triangle.join(series::record_triangle(channels, next, threads_or_cores(task.threads, team.size())));
+    out->triangle.join(oscillation::record_triangle(channels, next, threads_or_cores(task.threads, team.size())));
   }
   return std::move(*out);
 }
@@ -70,9 +70,9 @@ PodRecord read_pod_record(const PodTask& task, ident::Team& team, const std::fun
   std::optional<PodRecord> own;
   ident::start_together(team, [&] { own = own_part(task, team, read, interrupted); });
   if (team.size() == 1) return std::move(*own);
-  series::RecordTriangle all(own->names.size());
+  oscillation::RecordTriangle all(own->names.size());
   for (const std::vector<double>& part : team.gathered(own->triangle.numbers()))
-    all.join(series::RecordTriangle::of_numbers(own->names.size(), part));
+    all.join(oscillation::RecordTriangle::of_numbers(own->names.size(), part));
   own->triangle = std::move(all);
   return std::move(*own);
 }

@@ -5,17 +5,17 @@
 #include <vector>
 
 #include "ident/team/team.hpp"
-#include "series/pod/pod.hpp"
+#include "oscillation/pod/pod.hpp"
 #include "tasks/pod/pod_task.hpp"
 
 namespace jointid::tasks {
 
 /// What `pod` reads: the triangle of the record, and what the files say of its channels. Of samples in memory:
-/// series::record_triangle().
+/// oscillation::record_triangle().
 struct PodRecord {
   std::vector<std::string> names, units;  ///< of the channels
   std::size_t cut = 0;                    ///< samples of longer channels that were left out, of all channels together
-  series::RecordTriangle triangle;        ///< sums of the samples and of their products, n channels: n(n+1)/2 numbers
+  oscillation::RecordTriangle triangle;        ///< sums of the samples and of their products, n channels: n(n+1)/2 numbers
 };
 
 /// Reads the files block by block (records::open_samples()); several files are further samples of the same channels. Each process

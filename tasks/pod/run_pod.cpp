@@ -6,7 +6,7 @@
 #include "base/complex.hpp"
 #include "base/error.hpp"
 #include "dense/eigen.hpp"
-#include "series/pod/mode_comparison.hpp"
+#include "oscillation/pod/mode_comparison.hpp"
 #include "tasks/tell.hpp"
 
 namespace jointid::tasks {
@@ -30,13 +30,13 @@ Eigen::MatrixXd modes_to_compare(const PodTask& task, const Eigen::MatrixXd& mas
 }  // namespace
 
 PodResult run_pod(const PodTask& task, PodRecord record) {
-  series::PodOptions options;
+  oscillation::PodOptions options;
   options.remove_mean = !task.keep_mean;
   if (!task.mass.empty()) options.mass = read_pod_matrix(task.mass, record.names.size(), "--mass");
   PodResult out{std::move(record.names),
                 std::move(record.units),
                 record.cut,
-                series::pod(record.triangle, options),
+                oscillation::pod(record.triangle, options),
                 !task.mass.empty(),
                 task.keep_mean,
                 "",
@@ -45,8 +45,8 @@ PodResult run_pod(const PodTask& task, PodRecord record) {
                 {}};
   if (task.compare.empty() && task.stiffness.empty()) return out;
   const Eigen::MatrixXd modes = modes_to_compare(task, options.mass, out);
-  out.cosines = series::mode_cosines(out.pod.modes, modes, options.mass);
-  out.assurance = series::mode_assurance(out.pod.modes, modes);
+  out.cosines = oscillation::mode_cosines(out.pod.modes, modes, options.mass);
+  out.assurance = oscillation::mode_assurance(out.pod.modes, modes);
   return out;
 }
 

@@ -7,7 +7,7 @@
 
 #include "ident/result/control.hpp"
 #include "ident/team/team.hpp"
-#include "series/pod/pod.hpp"
+#include "oscillation/pod/pod.hpp"
 #include "tasks/pod/pod_record.hpp"
 #include "tasks/pod/pod_task.hpp"
 
@@ -17,7 +17,7 @@ namespace jointid::tasks {
 struct PodResult {
   std::vector<std::string> names, units;  ///< of the channels
   std::size_t cut = 0;                    ///< samples of longer channels left out, of all channels together
-  series::Pod pod;                        ///< modes [n, n], values and means in the units of the channels
+  oscillation::Pod pod;                        ///< modes [n, n], values and means in the units of the channels
   bool weighted = false, mean_kept = false;
   std::string compared;                ///< "the modes of --compare", "the normal modes of --stiffness and --mass"; or empty
   Eigen::MatrixXd cosines, assurance;  ///< cosines and MAC, [modes, compared modes]; empty if there is no comparison

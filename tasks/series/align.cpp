@@ -5,7 +5,7 @@
 
 #include "base/control.hpp"
 #include "frf/file/columns.hpp"
-#include "series/measurement/phase.hpp"
+#include "oscillation/measurement/phase.hpp"
 #include "tasks/tell.hpp"
 
 namespace jointid::tasks {
@@ -33,16 +33,16 @@ double rms_of(const std::vector<double>& samples) {
 AlignResult run_align(const AlignTask& task, records::SeriesRecord record, const ident::Control& control) {
   AlignResult out{task, std::move(record), {}};
   const std::size_t reference = place_of(out.record, task.reference);
-  std::vector<series::Harmonics> fitted;
+  std::vector<oscillation::Harmonics> fitted;
   for (const std::vector<double>& x : out.record.samples) {
     tell(control, "harmonics", fitted.size(), out.record.samples.size());
     stop_if(control.interrupted);
-    fitted.push_back(series::fit_harmonics(x, 1.0 / out.record.rate_hz, task.frequency_hz, task.harmonics));
+    fitted.push_back(oscillation::fit_harmonics(x, 1.0 / out.record.rate_hz, task.frequency_hz, task.harmonics));
   }
   for (std::size_t k = 0; k < fitted.size(); ++k) {
     const double rms = rms_of(out.record.samples[k]);
     out.channels.push_back({out.record.channels[k].name, fitted[k].amplitude.front(),
-                            series::delay_between(fitted[reference], fitted[k], task.frequency_hz),
+                            oscillation::delay_between(fitted[reference], fitted[k], task.frequency_hz),
                             rms > 0.0 ? fitted[k].rest / rms : 0.0});
   }
   return out;
@@ -56,7 +56,7 @@ AlignResult run_align(const AlignTask& task, const ident::Control& control) {
 std::vector<double> aligned(const AlignResult& found, std::size_t channel) {
   const double delay = found.channels[channel].delay;
   const std::vector<double>& measured = found.record.samples[channel];
-  return delay == 0.0 ? measured : series::advanced(measured, 1.0 / found.record.rate_hz, delay);
+  return delay == 0.0 ? measured : oscillation::advanced(measured, 1.0 / found.record.rate_hz, delay);
 }
 
 }  // namespace jointid::tasks

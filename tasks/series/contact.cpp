@@ -5,7 +5,7 @@
 
 #include "base/control.hpp"
 #include "base/error.hpp"
-#include "series/measurement/phase.hpp"
+#include "oscillation/measurement/phase.hpp"
 #include "tasks/tell.hpp"
 
 namespace jointid::tasks {
@@ -28,7 +28,7 @@ ContactResult run_contact(const ContactTask& task, records::SeriesRecord record)
   if (record.samples.size() != wanted)
     throw InputError({ErrorKind::usage, record.file, "", "has " + std::to_string(record.samples.size()) + " channels",
                       "give velocity, force and, where there is no constant load, the normal load"});
-  if (task.force_delay != 0.0) record.samples[1] = series::advanced(record.samples[1], 1.0 / record.rate_hz, task.force_delay);
+  if (task.force_delay != 0.0) record.samples[1] = oscillation::advanced(record.samples[1], 1.0 / record.rate_hz, task.force_delay);
   ContactResult out{record.file, {}, {}, {}, 0, {}};
   for (std::size_t i = 0; i < record.samples[0].size(); ++i) {
     const bool there = std::ranges::all_of(record.samples, [i](const auto& channel) { return std::isfinite(channel[i]); });
@@ -38,7 +38,7 @@ ContactResult run_contact(const ContactTask& task, records::SeriesRecord record)
     out.force.push_back(record.samples[1][i]);
     out.normal.push_back(task.load > 0.0 ? task.load : record.samples[2][i]);
   }
-  out.law = series::friction_law({out.velocity, out.force, out.normal}, {task.stick_speed, 0.0});
+  out.law = oscillation::friction_law({out.velocity, out.force, out.normal}, {task.stick_speed, 0.0});
   return out;
 }
 

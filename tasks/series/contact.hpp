@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "ident/result/control.hpp"
+#include "oscillation/measurement/friction_record.hpp"
 #include "records/file/read_series.hpp"
-#include "series/measurement/friction_record.hpp"
 
 namespace jointid::tasks {
 
@@ -27,7 +27,7 @@ struct ContactResult {
   std::string file;
   std::vector<double> velocity, force, normal;  ///< m/s, N, N
   std::size_t missing = 0;                      ///< samples that are left out
-  series::FrictionLaw law;
+  oscillation::FrictionLaw law;
 };
 
 /// Reads the channels and fits the law. Stages "reading samples" and "law". Throws InputError, and Interrupted between them.

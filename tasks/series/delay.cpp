@@ -8,7 +8,7 @@
 #include "base/control.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "series/delay/checked_series.hpp"
+#include "oscillation/delay/checked_series.hpp"
 #include "tasks/tell.hpp"
 
 namespace jointid::tasks {
@@ -28,7 +28,7 @@ records::SeriesRecord read_channel(const DelayTask& task) {
   return record;
 }
 
-std::size_t dimension_of(const std::vector<series::FalseNeighbours>& rows) {
+std::size_t dimension_of(const std::vector<oscillation::FalseNeighbours>& rows) {
   const auto few = std::ranges::find_if(rows, [](const auto& row) { return row.either <= few_false; });
   return few == rows.end() ? 0 : few->dimension;
 }
@@ -45,10 +45,10 @@ class DelayRun {
     if (record.is_cut) out_.remarks.push_back(fmt::format("the first {} samples are used; --samples takes more", x_.size()));
     step("mutual information", [&] { find_delay(); });
     step("false neighbours", [&] { find_dimension(); });
-    step("correlation dimension", [&] { out_.correlation = series::correlation_dimension(x_, out_.embedding, out_.theiler); });
-    const series::DivergenceOptions divergence{out_.embedding, out_.theiler, task_.steps, 1.0 / out_.rate_hz};
-    step("exponent by Rosenstein", [&] { out_.rosenstein = series::largest_exponent_rosenstein(x_, divergence); });
-    step("exponent by Kantz", [&] { out_.kantz = series::largest_exponent_kantz(x_, divergence); });
+    step("correlation dimension", [&] { out_.correlation = oscillation::correlation_dimension(x_, out_.embedding, out_.theiler); });
+    const oscillation::DivergenceOptions divergence{out_.embedding, out_.theiler, task_.steps, 1.0 / out_.rate_hz};
+    step("exponent by Rosenstein", [&] { out_.rosenstein = oscillation::largest_exponent_rosenstein(x_, divergence); });
+    step("exponent by Kantz", [&] { out_.kantz = oscillation::largest_exponent_kantz(x_, divergence); });
     if (!task_.wolf.empty()) step("exponent by Wolf", [&] { find_wolf(); });
     step("recurrences", [&] { find_recurrences(); });
     return std::move(out_);
@@ -64,8 +64,8 @@ class DelayRun {
 
   void find_delay() {
     const std::size_t most = std::min(task_.most_lag, x_.size() / 4);
-    out_.information = series::information_curve(x_, most, {task_.cells, false});
-    out_.information_bias = series::information_bias(task_.cells, x_.size());
+    out_.information = oscillation::information_curve(x_, most, {task_.cells, false});
+    out_.information_bias = oscillation::information_bias(task_.cells, x_.size());
     out_.delay_given = task_.delay > 0;
     if (out_.delay_given) {
       out_.embedding.delay = task_.delay;
@@ -82,7 +82,7 @@ class DelayRun {
     const std::size_t window =
         task_.theiler > 0 ? task_.theiler : 2 * out_.embedding.delay * std::max<std::size_t>(task_.dimension, 3);
     out_.theiler = window;
-    out_.neighbours = series::false_neighbours(x_, {out_.embedding.delay, task_.most_dimension, window, 10.0, 2.0});
+    out_.neighbours = oscillation::false_neighbours(x_, {out_.embedding.delay, task_.most_dimension, window, 10.0, 2.0});
     out_.dimension_given = task_.dimension > 0;
     out_.embedding.dimension = out_.dimension_given ? task_.dimension : dimension_of(out_.neighbours);
     if (out_.embedding.dimension == 0) {
@@ -95,10 +95,10 @@ class DelayRun {
 
   void find_wolf() {
     constexpr double near = 0.001, far = 0.1;  // of the standard deviation: beyond the noise, within a fold
-    const double sigma = series::deviation(x_);
+    const double sigma = oscillation::deviation(x_);
     out_.wolf_range = task_.wolf_range.value_or(std::array{near * sigma, far * sigma});
     for (const std::size_t evolve : task_.wolf) {
-      out_.wolf.push_back({evolve, series::wolf_exponent(x_, {.embedding = out_.embedding,
+      out_.wolf.push_back({evolve, oscillation::wolf_exponent(x_, {.embedding = out_.embedding,
                                                               .theiler = out_.theiler,
                                                               .evolve = evolve,
                                                               .smallest = out_.wolf_range[0],
@@ -108,9 +108,9 @@ class DelayRun {
   }
 
   void find_recurrences() {
-    const RowMatrixXd points = series::delay_points(x_, out_.embedding);
-    out_.recurrence_radius = series::half_mean_step(points);
-    out_.recurrences = series::recurrent_periods(series::recurrences(points, out_.recurrence_radius), out_.embedding.delay);
+    const RowMatrixXd points = oscillation::delay_points(x_, out_.embedding);
+    out_.recurrence_radius = oscillation::half_mean_step(points);
+    out_.recurrences = oscillation::recurrent_periods(oscillation::recurrences(points, out_.recurrence_radius), out_.embedding.delay);
     out_.recurrences.resize(std::min(out_.recurrences.size(), most_periods));
   }
 

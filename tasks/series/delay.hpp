@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "ident/result/control.hpp"
+#include "oscillation/delay/correlation.hpp"
+#include "oscillation/delay/divergence.hpp"
+#include "oscillation/delay/false_neighbours.hpp"
+#include "oscillation/delay/mutual_information.hpp"
+#include "oscillation/delay/recurrence.hpp"
+#include "oscillation/delay/wolf.hpp"
 #include "records/file/read_series.hpp"
-#include "series/delay/correlation.hpp"
-#include "series/delay/divergence.hpp"
-#include "series/delay/false_neighbours.hpp"
-#include "series/delay/mutual_information.hpp"
-#include "series/delay/recurrence.hpp"
-#include "series/delay/wolf.hpp"
 
 namespace jointid::tasks {
 
@@ -37,7 +37,7 @@ struct DelayTask {
 /// Wolf's exponent by one time of evolution.
 struct WolfRow {
   std::size_t evolve = 0;  ///< samples
-  series::WolfExponent found;
+  oscillation::WolfExponent found;
 };
 
 /// What the tools of series/delay/ say of one channel.
@@ -45,18 +45,18 @@ struct DelayResult {
   std::string file, channel, unit;
   double rate_hz = 0.0;
   std::size_t samples = 0;                          ///< used
-  series::InformationCurve information;             ///< bits over the lag
+  oscillation::InformationCurve information;             ///< bits over the lag
   double information_bias = 0.0;                    ///< bits
-  std::vector<series::FalseNeighbours> neighbours;  ///< a row a dimension
-  series::Embedding embedding;                      ///< used below
+  std::vector<oscillation::FalseNeighbours> neighbours;  ///< a row a dimension
+  oscillation::Embedding embedding;                      ///< used below
   bool delay_given = false, dimension_given = false;
   std::size_t theiler = 0;  ///< samples
-  series::CorrelationDimension correlation;
-  series::RecordExponent rosenstein, kantz;  ///< nats a second
+  oscillation::CorrelationDimension correlation;
+  oscillation::RecordExponent rosenstein, kantz;  ///< nats a second
   std::vector<WolfRow> wolf;                 ///< bits a second, a row a time of evolution
   std::array<double, 2> wolf_range{};        ///< used
   double recurrence_radius = 0.0;            ///< in the unit of the channel
-  std::vector<series::RecurrentPeriod> recurrences;
+  std::vector<oscillation::RecurrentPeriod> recurrences;
   std::vector<std::string> remarks;
 };
 

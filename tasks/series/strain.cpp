@@ -11,16 +11,16 @@
 namespace jointid::tasks {
 namespace {
 
-series::StrainMap map_of(const StrainTask& task) {
+oscillation::StrainMap map_of(const StrainTask& task) {
   if (task.static_shapes && task.shapes < 2)
     throw InputError(
         {ErrorKind::usage, "", "--static-shapes", "are two, and the basis has one shape", "take more gauges, or leave it out"});
-  return series::strain_map({task.length, task.thickness, task.gauges}, series::beam_basis(task.shapes, task.static_shapes),
+  return oscillation::strain_map({task.length, task.thickness, task.gauges}, oscillation::beam_basis(task.shapes, task.static_shapes),
                             task.points);
 }
 
 /// Displacements of the next samples, [samples, points]; no rows at the end.
-Eigen::MatrixXd next_displacements(records::SampleStream& stream, const series::StrainMap& map, std::size_t samples) {
+Eigen::MatrixXd next_displacements(records::SampleStream& stream, const oscillation::StrainMap& map, std::size_t samples) {
   RowMatrixXd block(at(samples), map.matrix.cols());
   const std::size_t count = stream.read({block.data(), static_cast<std::size_t>(block.size())});
   return block.topRows(at(count)) * map.matrix.transpose();

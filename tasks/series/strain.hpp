@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "ident/result/control.hpp"
+#include "oscillation/measurement/strain.hpp"
 #include "records/file/sample_stream.hpp"
-#include "series/measurement/strain.hpp"
 
 namespace jointid::tasks {
 
@@ -28,7 +28,7 @@ struct StrainTask {
 /// What run_strain() finds.
 struct StrainResult {
   StrainTask task;        ///< points and shapes filled in
-  series::StrainMap map;  ///< displacements [points] = matrix · strains [gauges], m per unit strain
+  oscillation::StrainMap map;  ///< displacements [points] = matrix · strains [gauges], m per unit strain
 };
 
 /// The map; reads nothing. Throws InputError.

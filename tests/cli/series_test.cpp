@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "cli/series/series_command.hpp"
 #include "frf/file/columns.hpp"
-#include "series/measurement/beam_shapes.hpp"
+#include "oscillation/measurement/beam_shapes.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::cli {
@@ -92,7 +92,7 @@ TEST(SeriesStrain, GivesTheDisplacementsOfModes) {
   const auto amplitude = [](int i, std::size_t mode) {
     return 1e-3 * std::cos(0.1 * i * static_cast<double>(mode)) / static_cast<double>(mode);
   };
-  const auto shape = [&](std::size_t mode, double x) { return series::deflection({series::ShapeKind::mode, mode}, length, x); };
+  const auto shape = [&](std::size_t mode, double x) { return oscillation::deflection({oscillation::ShapeKind::mode, mode}, length, x); };
   for (int i = 0; i < 50; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       double strain = 0.0;

@@ -5,7 +5,7 @@
 
 #include "base/complex.hpp"
 #include "oscillation/orbit/return_map.hpp"
-#include "series/pod/pod.hpp"
+#include "oscillation/pod/pod.hpp"
 #include "tests/oscillation/golden_systems.hpp"
 
 namespace jointid::oscillation {
@@ -17,7 +17,7 @@ constexpr int per_cycle = 96;
 struct BeamRecord {
   std::vector<Event> events;      ///< times from the start of the stretch
   std::vector<double> quarter;    ///< strain at x = 0.05 with the slider at −A
-  series::Samples displacements;  ///< at x = 0.05 … 0.30
+  oscillation::Samples displacements;  ///< at x = 0.05 … 0.30
   double nub_largest = -1.0, nub_smallest = 1.0;
 };
 
@@ -94,7 +94,7 @@ TEST(Beam, SteadyMotionMeetsTheGoldenValues) {
         EXPECT_EQ(static_cast<int>(found.events[k].to), expected["from_to"][k][1]);
       }
       const auto fractions = expected["pod_fractions"].get<std::vector<double>>();
-      const Eigen::VectorXd ours = series::pod(found.displacements).square_fractions();
+      const Eigen::VectorXd ours = oscillation::pod(found.displacements).square_fractions();
       for (std::size_t k = 0; k < fractions.size(); ++k) EXPECT_NEAR(ours(at(k)), fractions[k], 1e-5);
     }
     EXPECT_TRUE(met) << name;
@@ -125,7 +125,7 @@ TEST(Beam, ChaosMeetsTheGoldenInvariants) {
   EXPECT_NEAR(std::sqrt(square), expected["quarter_phase_strain_std"], 3e-6);
   EXPECT_NEAR(static_cast<double>(stretch.events.size()) / static_cast<double>(cycles), expected["events_per_cycle"], 0.1);
   const auto fractions = expected["pod_fractions"].get<std::vector<double>>();
-  const Eigen::VectorXd ours = series::pod(stretch.displacements).square_fractions();
+  const Eigen::VectorXd ours = oscillation::pod(stretch.displacements).square_fractions();
   for (std::size_t k = 0; k < fractions.size(); ++k) EXPECT_NEAR(ours(at(k)), fractions[k], 5e-4);
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "oscillation/system/thesis_systems.hpp"
+#include "tests/oscillation/golden_series.hpp"
 #include "tests/require.hpp"
-#include "tests/series/golden.hpp"
 
 namespace jointid::oscillation {
 

@@ -5,7 +5,7 @@
 #include "dense/eigen.hpp"
 #include "dense/svd.hpp"
 #include "oscillation/orbit/return_map.hpp"
-#include "series/pod/fraction_error.hpp"
+#include "oscillation/pod/fraction_error.hpp"
 #include "tests/oscillation/golden_systems.hpp"
 
 namespace jointid::oscillation {
@@ -60,7 +60,7 @@ TEST(Orbits, StableOnesMeetTheGoldenValues) {
     ASSERT_TRUE(same.converged);
     StickSlip round(system, same.state, Mode::stick);
     round.break_away();
-    series::Samples samples(256, n);
+    oscillation::Samples samples(256, n);
     Eigen::Index next = 0;
     round.on_piece = [&](const Piece& piece) {
       for (; next < 256 && same.period * static_cast<double>(next) / 256.0 <= piece.start + piece.length; ++next) {
@@ -68,7 +68,7 @@ TEST(Orbits, StableOnesMeetTheGoldenValues) {
       }
     };
     round.advance(same.period);
-    const series::Pod found = series::pod(samples);
+    const oscillation::Pod found = oscillation::pod(samples);
     const auto& expected = golden["expected"];
     const Eigen::VectorXd values = vector_of(expected["pod_values"]), fractions = vector_of(expected["pod_fractions"]);
     EXPECT_LT((found.values.head(values.size()) - values).cwiseAbs().maxCoeff(), 1e-7);
@@ -121,7 +121,7 @@ TEST(Orbits, MultipliersAreThoseOfDifferences) {
 }
 
 struct Statistics {
-  series::Fractions fractions;
+  oscillation::Fractions fractions;
   double slips = 0.0, stick = 0.0;
 };
 
@@ -131,7 +131,7 @@ Statistics statistics(const ContactSystem& system, const Eigen::VectorXd& start,
   motion.advance(transient);
   const Eigen::Index n = system.degrees();
   const auto count = static_cast<Eigen::Index>(std::llround(length / step));
-  series::Samples samples(count, n);
+  oscillation::Samples samples(count, n);
   Eigen::Index next = 0;
   Statistics out;
   motion.on_event = [&](const Event& event) { out.slips += event.from == Mode::stick ? 1.0 / length : 0.0; };
@@ -142,7 +142,7 @@ Statistics statistics(const ContactSystem& system, const Eigen::VectorXd& start,
     }
   };
   motion.advance(transient + length);
-  out.fractions = series::square_fractions(samples);
+  out.fractions = oscillation::square_fractions(samples);
   return out;
 }
 

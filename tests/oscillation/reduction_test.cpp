@@ -18,11 +18,11 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Coordinates at `count` equal times of [0, end), a row a time.
-series::Samples period_samples(const ContactSystem& system, const PeriodicOrbit& orbit, std::size_t count) {
+oscillation::Samples period_samples(const ContactSystem& system, const PeriodicOrbit& orbit, std::size_t count) {
   StickSlip motion(system, orbit.state, Mode::stick);
   motion.break_away();
   const std::vector<double> times = equal_times(orbit.period / static_cast<double>(count), count);
-  series::Samples out(at(count), system.degrees());
+  oscillation::Samples out(at(count), system.degrees());
   std::size_t next = 0;
   motion.on_piece = [&](const Piece& piece) {
     for (; next < count && times[next] <= piece.start + piece.length; ++next)
@@ -42,7 +42,7 @@ TEST(Reduced, MeetsTheGoldenModels) {
   const VectorXd near = system.state(vector_of(orbit_case["expected"]["x"]), vector_of(orbit_case["expected"]["v"]));
   const PeriodicOrbit orbit = break_away_orbit(system, near, 8);
   ASSERT_TRUE(orbit.converged);
-  const series::Pod modes = series::pod(period_samples(system, orbit, 256));
+  const oscillation::Pod modes = oscillation::pod(period_samples(system, orbit, 256));
   const ComparedMotion motion{vector_of(input["x0"]), vector_of(input["v0"]), 0.0, input["t_end"], 600, {}};
   const Trajectory truth = trajectory(full, motion);
   for (const auto& [count, expected] : golden["expected"].items()) {

@@ -7,8 +7,8 @@
 
 #include "base/error.hpp"
 #include "oscillation/integrate/first_root.hpp"
+#include "oscillation/measurement/beam_shapes.hpp"
 #include "oscillation/orbit/return_map.hpp"
-#include "series/measurement/beam_shapes.hpp"
 #include "tests/oscillation/golden_systems.hpp"
 
 namespace jointid::oscillation {
@@ -201,7 +201,7 @@ TEST(Beam, MatricesAndFrequenciesMeetTheGoldenOnes) {
     EXPECT_LT((found.stiffness.row(i).transpose() - vector_of(expected["K"][row])).cwiseAbs().maxCoeff(), 1e-9);
   }
   EXPECT_LT((found.contact - vector_of(expected["P"])).cwiseAbs().maxCoeff(), 1e-9);
-  const std::vector<double> roots = series::clamped_free_roots(beam.modes);
+  const std::vector<double> roots = oscillation::clamped_free_roots(beam.modes);
   EXPECT_LT((vector_of(roots) - vector_of(expected["roots_clamped_free"])).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_LT((natural_frequencies(beam) - vector_of(expected["ritz_frequency_hz"])).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_LT((tip_mass_frequencies(beam) - vector_of(expected["exact_tip_mass_frequency_hz"])).cwiseAbs().maxCoeff(), 1e-9);

@@ -7,11 +7,11 @@
 
 #include "base/control.hpp"
 #include "base/error.hpp"
+#include "oscillation/delay/divergence.hpp"
+#include "oscillation/delay/mutual_information.hpp"
+#include "oscillation/delay/recurrence.hpp"
 #include "oscillation/orbit/return_map.hpp"
 #include "oscillation/system/thesis_systems.hpp"
-#include "series/delay/divergence.hpp"
-#include "series/delay/mutual_information.hpp"
-#include "series/delay/recurrence.hpp"
 
 namespace jointid::oscillation {
 namespace {
@@ -83,10 +83,10 @@ TEST(ChainRecord, LeavesTheExponentUndetermined) {
   const Motion motion = integrate(system, start, 2600.0, equal_times(step, 13000));
   std::vector<double> velocity;
   for (Eigen::Index i = 2500; i < 10500; ++i) velocity.push_back(motion.samples(10, i));
-  const auto curve = series::information_curve(velocity, 30, {16, false});
+  const auto curve = oscillation::information_curve(velocity, 30, {16, false});
   ASSERT_TRUE(curve.first_minimum);
   EXPECT_NEAR(step * static_cast<double>(*curve.first_minimum), 1.2, 0.21);
-  const auto found = series::largest_exponent_rosenstein(velocity, {{6, *curve.first_minimum}, 60, 150, step});
+  const auto found = oscillation::largest_exponent_rosenstein(velocity, {{6, *curve.first_minimum}, 60, 150, step});
   EXPECT_FALSE(found.nats_per_second) << *found.nats_per_second;
 }
 
@@ -106,8 +106,8 @@ TEST(ChainRecord, LeadsToAnUnstableOrbit) {
   motion.advance(4500.0);
   RowMatrixXd points(static_cast<Eigen::Index>(events.size()), 6);
   for (std::size_t k = 0; k < events.size(); ++k) points.row(static_cast<Eigen::Index>(k)) = events[k].state.head(6).transpose();
-  auto returns = series::recurrences(points, 0.5 * series::half_mean_step(points));
-  std::ranges::sort(returns, {}, &series::Recurrence::distance);
+  auto returns = oscillation::recurrences(points, 0.5 * oscillation::half_mean_step(points));
+  std::ranges::sort(returns, {}, &oscillation::Recurrence::distance);
   std::size_t unstable = 0;
   for (std::size_t k = 0; k < std::min<std::size_t>(returns.size(), 60); ++k) {
     if (returns[k].period > 6) continue;

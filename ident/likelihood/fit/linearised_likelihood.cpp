@@ -25,10 +25,6 @@ void share_out(const Eigen::VectorXd& free, double cost, double tie_share, Admis
   for (std::size_t k = 0; k < pulls.size(); ++k) fit.shares[k] = sum > 0.0 ? (cost - fit.tie_cost) * pulls[k] / sum : 0.0;
 }
 
-Eigen::VectorXd vector_of(const std::vector<double>& theta) {
-  return Eigen::Map<const Eigen::VectorXd>(theta.data(), at(theta.size()));
-}
-
 }  // namespace
 
 Eigen::MatrixXd linearise_at(const std::vector<double>& theta, PenalisedLines& all) {

@@ -58,7 +58,7 @@ TEST(RunPod, ComparesARecordInMemoryWithModes) {
   };
   PodTask task;
   task.compare = folder / "modes.csv";
-  const PodResult found = run_pod(task, PodRecord{{"a", "b"}, {"m", "m"}, 0, series::record_triangle(2, next)});
+  const PodResult found = run_pod(task, PodRecord{{"a", "b"}, {"m", "m"}, 0, oscillation::record_triangle(2, next)});
   EXPECT_NEAR(found.pod.values(0), 0.5, 1e-12);
   EXPECT_NEAR(found.assurance(0, 1), 1.0, 1e-12);
   EXPECT_NEAR(found.assurance(0, 0), 0.0, 1e-12);
