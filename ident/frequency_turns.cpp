@@ -80,7 +80,7 @@ void solve_by_method(Plan& plan, const Control& control, Solution& out) {
   plan.method->solve(plan, control, out);
   if (settled || !is_usable(out.status)) return;
   out.status = Status::not_converged;
-  out.message += "The motions at the eigenfrequencies that the scene states did not settle.";
+  out.message += "The motions at the eigenfrequencies that the scene states did not converge.";
 }
 
 }  // namespace jointid::ident

@@ -176,7 +176,7 @@ class OctaveText final : public MatFile {
 
   void sizes(const std::string& name, std::size_t dims, std::vector<std::size_t>& out) {
     const std::vector<std::string_view> cells = split(trimmed(next_line()), ' ');
-    if (cells.size() != dims || dims > most_dims) broken(name, "has other sizes than '# ndims:' says");
+    if (cells.size() != dims || dims > most_dims) broken(name, "has other sizes than '# ndims:' states");
     out.clear();
     for (const std::string_view text : cells) out.push_back(count(name, text));
   }
@@ -216,7 +216,7 @@ class OctaveText final : public MatFile {
     }
     const std::size_t all = size(MatInfo{.name = {}, .dims = dims});
     for (std::size_t i = 0; i < all; ++i) {
-      if (!next_name()) broken(name, "has fewer elements than its sizes say");
+      if (!next_name()) broken(name, "has fewer elements than its sizes state");
       variable(named(i), depth + 1);
     }
     return dims;
@@ -230,7 +230,7 @@ class OctaveText final : public MatFile {
     if (!length) broken(name, "has no line '# length:'");
     const std::size_t fields = count(name, *length);
     for (std::size_t i = 0; i < fields; ++i) {
-      if (!next_name()) broken(name, "has fewer fields than '# length:' says");
+      if (!next_name()) broken(name, "has fewer fields than '# length:' states");
       const std::string field(name_);
       if (!array) {
         variable(name + "." + field, depth + 1);

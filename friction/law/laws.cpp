@@ -95,7 +95,7 @@ const Law& law_to_fit(std::string_view name) {
   const Law& found = single_law(name);
   if (found.start.values != nullptr) return found;
   const Law* shape = find_law(std::string(name) + "-shape");
-  refuse("a measurement does not tell all parameters of law " + std::string(name) + "; fit " +
+  refuse("a measurement does not determine all parameters of law " + std::string(name) + "; fit " +
          std::string(shape != nullptr ? shape->name : "ren"));
 }
 

@@ -116,7 +116,7 @@ TEST_F(CsvFunctions, NumberedColumnsAreOfTheFrfsThatTheySay) {
     }
   }
   EXPECT_THAT(error("f/Hz,Re(H11),Re(H21),Im(H21),Im(H11)\n10,1,2,3,4\n", points({"1:+X", "2:+X"}, {"1:+X"})),
-              HasSubstr("the parts of H11 and H21 stand in different orders"));
+              HasSubstr("the parts of H11 and H21 are in different orders"));
   EXPECT_THAT(error("f/Hz,H31,H21\n10,1+0j,2+0j\n", points({"8:+X", "9:+X"}, {"8:+X"})),
               HasSubstr("H31 … H21 do not say which FRF is of which of the DOFs"));
 }
