@@ -13,8 +13,6 @@
 namespace jointid::frf {
 namespace {
 
-using enum CsvPart;
-
 constexpr std::array<std::string_view, 11> frequency_titles = {"frequency",      "freq",       "frequencies", "frequenz",
                                                                "freq.",          "fréquence",  "frecuencia",  "frequenza",
                                                                "frequency axis", "frequentie", "frekvens"};
@@ -23,19 +21,6 @@ constexpr std::array<std::string_view, 11> frequency_titles = {"frequency",     
 constexpr std::array<std::string_view, 18> index_titles = {"",      "unnamed: 0", "index", "idx",  "#",   "no",
                                                            "no.",   "nr",         "nr.",   "line", "row", "bin",
                                                            "point", "sample",     "id",    "i",    "n",   "k"};
-
-/// Other words for parts, in lower case; `phase` needs a unit.
-constexpr std::array<std::pair<std::string_view, CsvPart>, 11> part_words = {{{"real", re},
-                                                                              {"imag", im},
-                                                                              {"imag.", im},
-                                                                              {"imaginary", im},
-                                                                              {"magnitude", mag},
-                                                                              {"abs", mag},
-                                                                              {"amplitude", mag},
-                                                                              {"realteil", re},
-                                                                              {"imaginärteil", im},
-                                                                              {"imagin\xE4rteil", im},
-                                                                              {"betrag", mag}}};
 
 /// Where the brackets of the unit begin in a title: the last ones that belong together, "Re(H) (m/s^2/N)"; the first where more
 /// follows them or they are part of a ratio, "Re (g)/(lbf)", "Re (g)(lbf)".
@@ -184,16 +169,6 @@ class HeaderSearch {
 
 }  // namespace
 
-std::optional<CsvPart> csv_part(std::string_view word) {
-  const std::string plain = lower_case(word);
-  const auto found = std::ranges::find(csv_part_names, plain);
-  if (found != csv_part_names.end()) return static_cast<CsvPart>(found - csv_part_names.begin());
-  const auto other = std::ranges::find(part_words, plain, [](const auto& pair) { return pair.first; });
-  return other != part_words.end() ? std::optional(other->second) : std::nullopt;
-}
-
-bool is_csv_part(std::string_view word) { return csv_part(word) || lower_case(word) == "phase"; }
-
 char csv_separator(std::string_view line) {
   for (const char separator : {';', '\t', ','}) {
     if (line.find(separator) != std::string_view::npos) return separator;
@@ -240,7 +215,8 @@ std::optional<CsvTitle> frequency_title(std::string_view cell) {
     if (angular) title.unit = "rad/s";
     if (alone) title.unit = title.title;
   }
-  if (angular || alone || ((plain == "f" || plain == "ν") && !title.unit.empty()) || is_known_frequency(lower_case(title.title))) return title;
+  const bool symbol = (plain == "f" || plain == "ν") && !title.unit.empty();
+  if (angular || alone || symbol || is_known_frequency(lower_case(title.title))) return title;
   return std::nullopt;
 }
 

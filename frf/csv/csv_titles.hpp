@@ -1,11 +1,12 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "frf/csv/csv_parts.hpp"
 
 namespace jointid::frf {
 
@@ -18,26 +19,10 @@ char csv_separator(std::string_view line);
 /// The unit "(A)(B)" of analysers as "(A)/(B)".
 std::string as_ratio(std::string unit);
 
-/// What a column holds of its pair of DOFs; a pair is complete with re and im, or with mag and a phase.
-enum class CsvPart : std::size_t { re, im, mag, phase_deg, phase_rad, var_re, var_im, coherence };
-inline constexpr std::array<std::string_view, 8> csv_part_names = {"re",        "im",     "mag",    "phase_deg",
-                                                                   "phase_rad", "var_re", "var_im", "coherence"};
-
-/// The part that a word names, in any case: "re", "Real", "Betrag"; empty for others, and for "phase", which needs a unit.
-std::optional<CsvPart> csv_part(std::string_view word);
-
-/// Whether it names one, "phase" included.
-bool is_csv_part(std::string_view word);
-
 /// The cells of a line, of which some may stand in quotes with separators inside; views into the line.
 std::vector<std::string_view> csv_cells(std::string_view line, char separator);
 
-/// A cell of the row of titles: "Frequency [Hz]", "4:+Y/1:+Y re (g/N)". Brackets that hold a part are of the title: "FRF
-/// (Magnitude)".
-struct CsvTitle {
-  std::string title;
-  std::string unit;  ///< as it stands in brackets; else empty
-};
+/// A cell of the row of titles as one.
 CsvTitle csv_title(std::string_view cell);
 
 /// The same of the first column: "Freq_kHz" has the unit kHz, "omega" rad/s; empty where it is no title of frequencies.

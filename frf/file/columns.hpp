@@ -14,7 +14,7 @@ struct NumberColumn {
   std::vector<double> values;
 };
 
-/// "Position [mm]" and "Position (mm)" into name and unit; no values.
+/// "Position [mm]" and "Position (mm)" into name and unit; "u/mm" and "u in mm" have the unit mm and keep their name; no values.
 NumberColumn titled_column(std::string_view title);
 
 /// The columns of one file, in its order.
@@ -22,8 +22,8 @@ struct Columns {
   std::string file;
   std::vector<NumberColumn> columns;
 
-  /// Index of the column with that name (exact, else in any case), or with that number, from 1. Throws InputError (data), with
-  /// the list of columns, if there is none, and for a name of several columns.
+  /// Index of the column with that name (exact, else in any case, else "u" of "u/mm"), or with that number, from 1. Throws
+  /// InputError (data), with the list of columns, if there is none, and for a name of several columns.
   std::size_t place(std::string_view name_or_number) const;
   const NumberColumn& column(std::string_view name_or_number) const { return columns[place(name_or_number)]; }
 

@@ -69,6 +69,19 @@ TEST_F(ColumnsFile, FreeLinesStandAboveTheTitles) {
   EXPECT_THAT(error("t [s],F [N]\nnow,x\n0,1\n"), AllOf(HasSubstr("line 2, column 1"), HasSubstr("'now' is not a number")));
 }
 
+TEST_F(ColumnsFile, QuantitiesOverTheirUnits) {
+  const std::string titles = "t/ms;F in lbf;a/(m/s²);v/V;AI 1/AI 2;m/s;b in m/s^2\n";
+  const Columns read = read_columns(write_file("a.csv", titles + "0;1;2;3;4;5;6\n1;1;2;3;4;5;6\n"));
+  EXPECT_THAT(names(read), ElementsAre("t/ms", "F in lbf", "a", "v/V", "AI 1/AI 2", "m/s", "b in m/s^2"));
+  std::vector<std::string> units;
+  for (const NumberColumn& column : read.columns) units.push_back(column.unit);
+  EXPECT_THAT(units, ElementsAre("ms", "lbf", "m/s²", "V", "", "", "m/s^2"));
+  EXPECT_EQ(read.place("F"), 1U);
+  EXPECT_EQ(read.place("f in lbf"), 1U);
+  EXPECT_EQ(read.place("b"), 6U);
+  EXPECT_EQ(read.place("3"), 2U);
+}
+
 TEST_F(ColumnsFile, LabViewMeasurementFiles) {
   const std::string head =
       "LabVIEW Measurement\t\nSeparator\tTab\nDecimal_Separator\t,\nX_Columns\tOne\n***End_of_Header***\t\n\t\n"

@@ -105,7 +105,8 @@ TEST_F(CsvFunctions, PolarAndComplexCells) {
 
 /// The four FRFs are 11, 12, 21 and 22 by the numbers of their titles.
 TEST_F(CsvFunctions, NumberedColumnsAreOfTheFrfsThatTheySay) {
-  for (const char* table : {"f/Hz,H11,H21,H12,H22\n10,11+0j,21+0j,12+0j,22+0j\n", "f/Hz;H_2_2;H_1_2;H_2_1;H_1_1\n10;22+0j;12+0j;21+0j;11+0j\n",
+  for (const char* table : {"f/Hz,H11,H21,H12,H22\n10,11+0j,21+0j,12+0j,22+0j\n",
+                            "f/Hz;H_2_2;H_1_2;H_2_1;H_1_1\n10;22+0j;12+0j;21+0j;11+0j\n",
                             "f/Hz,Re(H11),Re(H12),Re(H21),Re(H22),Im(H11),Im(H12),Im(H21),Im(H22)\n10,11,12,21,22,0,0,0,0\n"}) {
     const FrfSet set = read(table, points({"8:+X", "9:+X"}, {"8:+X", "9:+X"}));
     ASSERT_EQ(set.values.size(), 4U);
