@@ -22,7 +22,7 @@ void check(const SweepCase& each) {
 class Watch {
  public:
   Watch(StickSlip& motion, const SweepCase& each, SweepPoint& out) : each_(each), out_(out) {
-    if (each.range) motion.on_piece = [this](const Piece& piece) { see(piece); };
+    if (each.range_form.size() > 0) motion.on_piece = [this](const Piece& piece) { see(piece); };
     motion.on_event = [this](const Event& event) { see(event); };
   }
 
@@ -32,7 +32,7 @@ class Watch {
   }
 
   void finish() {
-    if (!each_.range || !(seen_ > 0.0)) return;
+    if (each_.range_form.size() == 0 || !(seen_ > 0.0)) return;
     range_.stick_share = stuck_ / seen_;
     const std::vector<double>& values = out_.values;
     const double near = 1e-6 * (range_.largest - range_.smallest);
@@ -56,14 +56,14 @@ class Watch {
     constexpr int points = 32;
     if (piece.start + piece.length <= each_.transient) return;
     if (seen_ == 0.0) range_.smallest = std::numeric_limits<double>::infinity(), range_.largest = -range_.smallest;
-    const Eigen::VectorXd series = piece.along(each_.form);
+    const Eigen::VectorXd series = piece.along(each_.range_form);
     for (int i = 0; i <= points; ++i) {
       const double tau = piece.length * i / points;
       if (piece.start + tau < each_.transient) continue;
       double form = 0.0;
       for (Eigen::Index k = series.size() - 1; k >= 0; --k) form = form * tau + series[k];
-      range_.smallest = std::min(range_.smallest, form + each_.offset);
-      range_.largest = std::max(range_.largest, form + each_.offset);
+      range_.smallest = std::min(range_.smallest, form + each_.range_offset);
+      range_.largest = std::max(range_.largest, form + each_.range_offset);
     }
     const double length = piece.start + piece.length - std::max(piece.start, each_.transient);
     seen_ += length;

@@ -11,7 +11,7 @@ namespace jointid::oscillation {
 
 /// What a motion did in the observed time.
 struct SweptRange {
-  double smallest = 0.0, largest = 0.0;  ///< of the observed form
+  double smallest = 0.0, largest = 0.0;  ///< of the form of ranges
   double stick_share = 0.0;              ///< of the time
   std::size_t break_aways = 0;
   std::size_t slips =
@@ -36,7 +36,8 @@ struct SweepCase {
   double length = 0.0;     ///< s, > 0
   double cycle = 0.0;      ///< s: values once a cycle of the drive, at its phase 0; 0: at break-aways
   double offset = 0.0;     ///< added to the form
-  bool range = false;      ///< SweptRange, too
+  Eigen::VectorXd range_form{};  ///< whose SweptRange is found, too; empty: none
+  double range_offset = 0.0;     ///< added to it
 };
 
 struct SweepOptions {

@@ -119,11 +119,12 @@ std::string sweep_line(const tasks::OscillateResult& run) {
     many += count > 20 ? 1 : 0;
   }
   return fmt::format("{} from {:g} to {:g}: {} of {} parameters, {} values; one value at {}, more than 20 at {}, none at {}",
-                     run.swept->parameter, run.swept->from, run.swept->to, run.sweep.size(), run.swept->points, values, single,
-                     many, none);
+                     run.swept->parameter, run.swept->from, run.swept->to, run.sweep.size(),
+                     run.swept->back ? 2 * run.swept->points - 1 : run.swept->points, values, single, many, none);
 }
 
-/// Of each parameter: from where it was reached, the range of the first coordinate, how often it returns, how long it sticks.
+/// Of each parameter: from where it was reached, the range of the contact (a cantilever: the strain), how often it returns, how
+/// long it sticks.
 Table ranges_table(const tasks::OscillateResult& run, const std::vector<oscillation::SweepPoint>& points) {
   Table table({{run.swept->parameter},
                {"from", Align::left},

@@ -122,7 +122,10 @@ class Oscillating {
     const double unit = spec.is_driven() ? out.cycle : 1.0;
     out.transient = unit * scene_.sweep->transient;
     out.length = unit * scene_.sweep->length;
-    out.range = scene_.sweep->ranges();
+    if (scene_.sweep->ranges()) {
+      out.range_form = Eigen::VectorXd::Zero(out.system.size());
+      out.range_form.head(out.system.degrees()) = judged_form(spec).row.transpose();
+    }
     return out;
   }
 
@@ -140,6 +143,10 @@ class Oscillating {
     out.form = Eigen::VectorXd::Zero(out.system.size());
     out.form.head(out.system.degrees()) = basis.columns.transpose() * form;
     out.offset = form.dot(basis.mean);
+    const Eigen::VectorXd judged = whole.range_form.head(whole.system.degrees());
+    out.range_form = Eigen::VectorXd::Zero(out.system.size());
+    out.range_form.head(out.system.degrees()) = basis.columns.transpose() * judged;
+    out.range_offset = judged.dot(basis.mean);
     return out;
   }
 

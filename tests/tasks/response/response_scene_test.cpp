@@ -103,7 +103,8 @@ TEST(ResponseScene, LawsAreTablesOrMadeOfParts) {
       {"law = \"generalised\"\nparameters = { k = 1.0, slip = [[0.0, 1.0], [2.0, 3.0]] }", "point 2: shares are at most 1"},
       {"law = \"generalised\"\nparameters = { k = 1.0, slip = [[0.0]] }", "slip[1]: a point is [share that slips, displacement]"},
       {"law = \"rem\"\nparameters = [1.0]",
-       "valid: ren, shoukry, burdekin, bilinear, iwan, spring, generalised, series, parallel"},
+       "valid: ren, shoukry, burdekin, bilinear, iwan, spring, power, square, exponential-offset, menq, menq-shape, bending-root, "
+       "bending-root-shape, generalised, series, parallel"},
   };
   for (const auto& [law, message] : wrong) EXPECT_THAT(error_of(replaced(chain + rest, ren, law)), HasSubstr(message)) << law;
 }
