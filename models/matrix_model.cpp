@@ -16,7 +16,6 @@ using ComplexSparse = Eigen::SparseMatrix<Complex>;
 
 constexpr Eigen::Index most_full = 60;   ///< rows of matrices that are always factorised as full ones
 constexpr double fullest_sparse = 0.25;  ///< share of elements
-constexpr double infinite = 1e13;
 constexpr std::size_t least_lines = 12;     ///< a reduction takes about as long as three to eight factorisations
 constexpr std::size_t most_dampers = 64;    ///< coordinates of damping that is no combination of mass and stiffness
 constexpr Eigen::Index least_share = 3;     ///< a basis of more than a third of the coordinates is no reduction
@@ -70,7 +69,7 @@ std::optional<Eigen::MatrixXcd> MatrixModel::solve(double omega, std::span<const
   Eigen::MatrixXcd h = sparse_ ? factors_.solve(loads) : dense::solve(Eigen::MatrixXcd(z), loads);
   for (std::size_t j = 0; j < forces.size(); ++j) {
     const Eigen::Index k = at(forces[j]);
-    if (!(std::abs(h(k, at(j)) * z.coeff(k, k)) < infinite)) return std::nullopt;
+    if (!(std::abs(h(k, at(j)) * z.coeff(k, k)) < infinite_receptance)) return std::nullopt;
   }
   if (!h.allFinite()) return std::nullopt;
   return h;

@@ -7,6 +7,9 @@
 
 namespace jointid::models {
 
+/// H_kk |Z_kk| from which on a receptance is infinite to rounding.
+inline constexpr double infinite_receptance = 1e13;
+
 /// What a model was asked to compute so far; tests hold promises against it.
 struct ModelCount {
   std::size_t factorizations = 0;  ///< of dynamic stiffnesses

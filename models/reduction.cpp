@@ -12,6 +12,7 @@
 #include "dense/cholesky.hpp"
 #include "dense/eigen.hpp"
 #include "dense/lu.hpp"
+#include "models/model.hpp"
 
 namespace jointid::models {
 namespace {
@@ -20,7 +21,6 @@ constexpr std::size_t grid_lines = 32;  ///< test lines at equal steps
 constexpr std::size_t most_resonances = 64;
 constexpr double beside_resonance = 1e-4;
 constexpr double sigma_share = 0.1;  ///< σ of the square of the highest frequency
-constexpr double infinite = 1e13;  ///< H_kk |Z_kk|, as of MatrixModel
 
 std::vector<std::size_t> with_dampers(const std::vector<std::size_t>& coordinates, const ProportionalForm& form) {
   std::set<std::size_t> all(coordinates.begin(), coordinates.end());
@@ -187,7 +187,7 @@ std::optional<Eigen::MatrixXcd> Reduction::receptance(double omega, std::span<co
   const Complex alpha = form_.alpha(omega), beta = form_.beta(omega);
   for (const std::size_t column : c) {
     const Complex own = damped(omega, {column}, {column})(0, 0);
-    if (!(std::abs(own * (alpha * stiffness_diagonal_(at(column)) + beta * mass_diagonal_(at(column)))) < infinite)) return std::nullopt;
+    if (!(std::abs(own * (alpha * stiffness_diagonal_(at(column)) + beta * mass_diagonal_(at(column)))) < infinite_receptance)) return std::nullopt;
   }
   Eigen::MatrixXcd h = damped(omega, r, c);
   if (!h.allFinite()) return std::nullopt;
