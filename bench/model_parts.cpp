@@ -18,7 +18,7 @@ using namespace jointid;
 using namespace jointid::models;
 
 void compare(std::size_t about, bool quick, bench::Promises& promises) {
-  const int n = std::max(2, static_cast<int>(std::lround(std::cbrt(static_cast<double>(about) / 24.0))));
+  const int n = std::max(2, static_cast<int>(std::lround(std::cbrt(static_cast<double>(about) / 12.0))));
   StructureMatrices matrices = bench::solid_matrices({2.1e11, 0.3, 7800.0}, {0.5, 0.25, 0.25}, {2 * n, 2 * n, n});
   matrices.loss_factor = 0.005;
   const auto size = static_cast<std::size_t>(matrices.mass.rows());

@@ -19,7 +19,7 @@ constexpr double fullest_sparse = 0.25;  ///< share of elements
 constexpr std::size_t least_lines = 12;     ///< a reduction takes about as long as three to eight factorisations
 constexpr std::size_t most_dampers = 64;    ///< coordinates of damping that is no combination of mass and stiffness
 constexpr Eigen::Index least_share = 3;     ///< a basis of more than a third of the coordinates is no reduction
-constexpr double disagreement = 1e-8;       ///< of the largest FRF: the reduction is not used
+constexpr double disagreement = 10.0;       ///< over the error that a reduction states, at least that it accepts: it is not used
 constexpr Complex i{0.0, 1.0};
 
 bool fits(const Sparse& matrix, Eigen::Index n) { return matrix.rows() == 0 || (matrix.rows() == n && matrix.cols() == n); }
@@ -115,7 +115,8 @@ bool MatrixModel::reduce(double low, double high) {
   high_ = high;
   const std::vector<std::size_t>& all = reduced_between_;
   const auto exact = factorised(reduction_->worst_omega(), all, all), own = reduction_->receptance(reduction_->worst_omega(), all, all);
-  return exact && own && (*exact - *own).cwiseAbs().maxCoeff() <= disagreement * exact->cwiseAbs().maxCoeff();
+  return exact && own && (*exact - *own).cwiseAbs().maxCoeff() <=
+                             disagreement * std::max(reduction_->error(), Reduction::accepted) * exact->cwiseAbs().maxCoeff();
 }
 
 std::optional<Eigen::MatrixXcd> MatrixModel::receptance(double omega, std::span<const std::size_t> rows,

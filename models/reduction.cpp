@@ -137,7 +137,7 @@ bool Reduction::cover(double low, double high, Eigen::Index most_vectors) {
     at_floor.push_back(worst);
     aim = accepted;
   }
-  for (auto line = error.begin(); line != error.end() && line->second > accepted; line = error.begin()) {
+  for (auto line = error.begin(); line != error.end() && line->second > rounding; line = error.begin()) {
     error.erase(line);
     low = error.empty() ? high : error.begin()->first;
   }
@@ -147,7 +147,7 @@ bool Reduction::cover(double low, double high, Eigen::Index most_vectors) {
   error_ = found->second;
   low_ = low;
   high_ = high;
-  return error_ <= accepted;
+  return error_ <= rounding;
 }
 
 Eigen::ArrayXcd Reduction::receptances(double omega) const {

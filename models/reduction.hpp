@@ -20,8 +20,9 @@ class Reduction {
   Reduction(const StructureMatrices& matrices, ProportionalForm form, const std::vector<std::size_t>& coordinates);
 
   /// Shifts are added until the error that is estimated at test lines over [low, high] (rad/s) is at most `bound` of the largest
-  /// FRF of its line, or rounding lets no shift make it smaller. False where that takes more vectors than `most_vectors`, or where
-  /// rounding leaves more than `accepted` but at low frequencies (of a structure that is free to move): those are left out then.
+  /// FRF of its line, or at most `accepted` once a shift makes it no smaller: that is rounding, of which `rounding` is accepted. Lower
+  /// frequencies where it leaves more (a structure that is free to move) are left out. False where that takes more vectors than
+  /// `most_vectors`.
   bool cover(double low, double high, Eigen::Index most_vectors);
 
   bool covers(double omega) const { return omega >= low_ && omega <= high_; }
@@ -38,7 +39,7 @@ class Reduction {
   Eigen::Index vectors() const { return basis_ ? basis_->size() : 0; }
   std::size_t shifts() const { return shifts_; }
 
-  static constexpr double bound = 1e-11, accepted = 1e-9;
+  static constexpr double bound = 1e-11, accepted = 1e-9, rounding = 1e-7;
 
  private:
   /// Modes of the basis: ΨᵀVᵀGVΨ = I and ΨᵀVᵀMVΨ = diag(μ), so that Z becomes α + γμ, γ = β − ασ.
