@@ -1,5 +1,7 @@
 #include "models/matrix_model.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "base/eigen.hpp"
@@ -14,7 +16,10 @@ using ComplexSparse = Eigen::SparseMatrix<Complex>;
 
 constexpr Eigen::Index most_full = 60;   ///< rows of matrices that are always factorised as full ones
 constexpr double fullest_sparse = 0.25;  ///< share of elements
-constexpr double infinite = 1e13;
+constexpr std::size_t least_lines = 12;     ///< a reduction takes about as long as three to eight factorisations
+constexpr std::size_t most_dampers = 64;    ///< coordinates of damping that is no combination of mass and stiffness
+constexpr Eigen::Index least_share = 3;     ///< a basis of more than a third of the coordinates is no reduction
+constexpr double disagreement = 10.0;       ///< over the error that a reduction states, at least that it accepts: it is not used
 constexpr Complex i{0.0, 1.0};
 
 bool fits(const Sparse& matrix, Eigen::Index n) { return matrix.rows() == 0 || (matrix.rows() == n && matrix.cols() == n); }
@@ -44,7 +49,8 @@ bool chooses_sparse(const StructureMatrices& of) {
 
 MatrixModel::MatrixModel(StructureMatrices matrices, Factors factors)
     : matrices_(std::move(matrices)),
-      sparse_(factors == Factors::sparse || (factors == Factors::by_size && chooses_sparse(matrices_))) {
+      sparse_(factors == Factors::sparse || (factors == Factors::by_size && chooses_sparse(matrices_))),
+      may_reduce_(sparse_) {
   const Eigen::Index n = matrices_.stiffness.rows();
   if (n == 0 || matrices_.mass.rows() == 0 || !fits(matrices_.mass, n) || !fits(matrices_.stiffness, n) ||
       !fits(matrices_.viscous_damping, n) || !fits(matrices_.hysteretic_damping, n)) {
@@ -63,13 +69,66 @@ std::optional<Eigen::MatrixXcd> MatrixModel::solve(double omega, std::span<const
   Eigen::MatrixXcd h = sparse_ ? factors_.solve(loads) : dense::solve(Eigen::MatrixXcd(z), loads);
   for (std::size_t j = 0; j < forces.size(); ++j) {
     const Eigen::Index k = at(forces[j]);
-    if (!(std::abs(h(k, at(j)) * z.coeff(k, k)) < infinite)) return std::nullopt;
+    if (!(std::abs(h(k, at(j)) * z.coeff(k, k)) < infinite_receptance)) return std::nullopt;
   }
   if (!h.allFinite()) return std::nullopt;
   return h;
 }
 
+void MatrixModel::expect(const Request& request) {
+  if (!may_reduce_) return;
+  lines_asked_ += request.omega.size();
+  const auto positive = [](double omega) { return omega > 0.0; };
+  if (lines_asked_ < least_lines || std::ranges::none_of(request.omega, positive)) return;
+  double low = request.highest, high = request.lowest;
+  for (const double omega : request.omega) {
+    if (positive(omega)) low = std::min(low, omega);
+    high = std::max(high, omega);
+  }
+  const bool is_new = !std::ranges::includes(reduced_between_, request.coordinates);
+  if (reduction_ && !is_new && low >= low_ && high <= high_) return;
+  if (reduction_) {  // what is read in pieces is prepared for in pieces of twice the size
+    const double reach = 2.0 * (std::max(high, high_) - std::min(low, low_));
+    if (high > high_) high = std::max(high, std::min(request.highest, low_ + reach));
+    if (low < low_) low = std::min(low, std::max(request.lowest, high_ - reach));
+    low = std::min(low, low_);
+    high = std::max(high, high_);
+  }
+  if (is_new) {
+    std::vector<std::size_t> all;
+    std::ranges::set_union(reduced_between_, request.coordinates, std::back_inserter(all));
+    reduced_between_ = std::move(all);
+    reduction_.reset();
+  }
+  may_reduce_ = reduce(low, high);
+  if (!may_reduce_) reduction_.reset();
+}
+
+bool MatrixModel::reduce(double low, double high) {
+  if (!reduction_) {
+    std::optional<ProportionalForm> form = proportional_form(matrices_, most_dampers);
+    if (!form) return false;
+    reduction_ = std::make_unique<Reduction>(matrices_, std::move(*form), reduced_between_);
+  }
+  if (!reduction_->cover(low, high, matrices_.mass.rows() / least_share)) return false;
+  low_ = low;
+  high_ = high;
+  const std::vector<std::size_t>& all = reduced_between_;
+  const auto exact = factorised(reduction_->worst_omega(), all, all), own = reduction_->receptance(reduction_->worst_omega(), all, all);
+  return exact && own && (*exact - *own).cwiseAbs().maxCoeff() <=
+                             disagreement * std::max(reduction_->error(), Reduction::accepted) * exact->cwiseAbs().maxCoeff();
+}
+
 std::optional<Eigen::MatrixXcd> MatrixModel::receptance(double omega, std::span<const std::size_t> rows,
+                                                        std::span<const std::size_t> columns) {
+  if (!reduction_ || !reduction_->covers(omega) || !reduction_->has(rows) || !reduction_->has(columns)) {
+    return factorised(omega, rows, columns);
+  }
+  ++count_.reduced;
+  return reduction_->receptance(omega, rows, columns);
+}
+
+std::optional<Eigen::MatrixXcd> MatrixModel::factorised(double omega, std::span<const std::size_t> rows,
                                                         std::span<const std::size_t> columns) {
   const bool by_row = rows.size() < columns.size();
   const auto found = solve(omega, by_row ? rows : columns);

@@ -1,21 +1,18 @@
 #pragma once
 
-#include <Eigen/SparseCore>
+#include <memory>
+#include <vector>
 
 #include "models/model.hpp"
+#include "models/reduction.hpp"
 #include "models/sparse_factors.hpp"
+#include "models/structure_matrices.hpp"
 
 namespace jointid::models {
 
-/// Symmetric N × N matrices in SI units: M ẍ + C ẋ + (K(1 + iη) + iD) x = p.
-struct StructureMatrices {
-  Eigen::SparseMatrix<double> mass, stiffness;
-  Eigen::SparseMatrix<double> viscous_damping, hysteretic_damping;  ///< of no rows: none
-  double loss_factor = 0.0;                                         ///< η ≥ 0
-};
-
 /// H = (K(1 + iη) + iD + iωC − ω²M)⁻¹, at each ω by one factorisation and a solution for each row or column asked for, whichever
-/// are fewer: H is symmetric. Matrices of few rows or many elements are factorised as full ones.
+/// are fewer: H is symmetric. Matrices of few rows or many elements are factorised as full ones. Of sparse ones many lines are
+/// taken from a Reduction where C and D permit it, one line of which is compared with a factorisation.
 class MatrixModel final : public Model {
  public:
   enum class Factors { by_size, full, sparse };
@@ -30,15 +27,27 @@ class MatrixModel final : public Model {
   std::optional<Eigen::MatrixXcd> receptance(double omega, std::span<const std::size_t> rows,
                                              std::span<const std::size_t> columns) override;
 
+  /// Prepares a Reduction where the lines are so many that it costs less.
+  void expect(const Request& request) override;
+
   bool is_sparse() const { return sparse_; }
+  const Reduction* reduction() const { return reduction_.get(); }
 
  private:
   std::optional<Eigen::MatrixXcd> solve(double omega, std::span<const std::size_t> forces);
+  std::optional<Eigen::MatrixXcd> factorised(double omega, std::span<const std::size_t> rows, std::span<const std::size_t> columns);
+  /// False where there is no reduction, or it disagrees with a factorisation at its worst line.
+  bool reduce(double low, double high);
 
   StructureMatrices matrices_;
   Eigen::SparseMatrix<Complex> stiffness_;  ///< K(1 + iη) + iD
   bool sparse_;
   SparseFactors factors_;
+  bool may_reduce_;
+  std::size_t lines_asked_ = 0;
+  double low_ = 0.0, high_ = 0.0;             ///< range that was reduced, rad/s
+  std::vector<std::size_t> reduced_between_;  ///< ascending
+  std::unique_ptr<Reduction> reduction_;
 };
 
 }  // namespace jointid::models

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "base/complex.hpp"
@@ -42,6 +43,7 @@ void ModelSource::do_read(const frf::Block& block, std::span<Complex> out) {
     const std::vector<std::size_t> rows = picked(named_.coordinates.coordinates, block.responses),
                                    columns = picked(named_.coordinates.coordinates, block.references);
     last_lines_.clear();  // in case that a line throws
+    announce(block, rows, columns);
     last_.resize(block.size());
     Complex* to = last_.data();
     for (const std::size_t line : block.lines) {
@@ -56,6 +58,17 @@ void ModelSource::do_read(const frf::Block& block, std::span<Complex> out) {
     last_references_.assign(block.references.begin(), block.references.end());
   }
   std::ranges::copy(last_, out.begin());
+}
+
+void ModelSource::announce(const frf::Block& block, const std::vector<std::size_t>& rows, const std::vector<std::size_t>& columns) {
+  std::vector<double> omega;
+  for (const std::size_t line : block.lines) omega.push_back(angular(header_.frequency_hz[line]));
+  const auto lowest = std::ranges::upper_bound(header_.frequency_hz, 0.0);
+  if (lowest == header_.frequency_hz.end()) return;
+  std::set<std::size_t> coordinates(rows.begin(), rows.end());
+  coordinates.insert(columns.begin(), columns.end());
+  const std::vector<std::size_t> all(coordinates.begin(), coordinates.end());
+  named_.model->expect({omega, angular(*lowest), angular(header_.frequency_hz.back()), all});
 }
 
 void ModelSource::do_read_variance(const frf::Block& block, std::span<Complex> out) {

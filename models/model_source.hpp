@@ -28,6 +28,7 @@ class ModelSource final : public frf::FrfSource {
   const ModelCount& model_count() const { return named_.model->count(); }
 
  private:
+  void announce(const frf::Block& block, const std::vector<std::size_t>& rows, const std::vector<std::size_t>& columns);
   void do_read(const frf::Block& block, std::span<Complex> out) override;
   void do_read_variance(const frf::Block& block, std::span<Complex> out) override;
   void do_read_coherence(const frf::Block& block, std::span<double> out) override;
