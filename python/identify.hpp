@@ -8,8 +8,8 @@
 
 namespace jointid::python {
 
-/// `jointid solve`, of scenes of friction laws and of the joint at every line too. Throws InputError and Interrupted, as all of these do; `so_far`
-/// gets what there is to be kept where it is interrupted.
+/// `jointid solve`, of scenes of friction laws and of the joint at every line too. Throws InputError and Interrupted, as all of
+/// these do; `so_far` gets what there is to be kept where it is interrupted.
 Outcome solve(const SceneText& scene, const ident::Control& control, SoFar& so_far);
 
 /// `jointid check`

@@ -142,6 +142,8 @@ Outcome oscillate(const SceneText& text, const ident::Control& control, SoFar& s
       kept.remarks.emplace_back("INTERRUPTED: only what was found so far");
       Outcome out = outcome_of(kept);
       out.message = "Interrupted: what was found so far.";
+      out.status = "unusable";
+      out.usable = false;
       return out;
     });
   };

@@ -127,7 +127,7 @@ void run_watched(const py::object& progress, std::function<void(const ident::Con
     std::exception_ptr error;
     try {
       const ident::Control control = run->control();
-      const StopScope::Ask ask = lasting(control.interrupted, 600ms);  // work that keeps something looks at `control` before
+      const StopScope::Ask ask = lasting(control.interrupted, 400ms);  // work that keeps something looks at `control` before
       const StopScope scope(&ask);
       work(control);
     } catch (...) {

@@ -9,7 +9,6 @@
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "study/shared_trials.hpp"
-#include "study/study_part.hpp"
 #include "study/study_records.hpp"
 #include "study/study_row.hpp"
 #include "study/trial_threads.hpp"

@@ -26,10 +26,10 @@ struct StudyRun {
 };
 
 /// Runs the missing trials of OUT, those of options.part, on all threads of all processes of the team. Each trial is a row of OUT
-/// (frf/table_file.hpp): status, unknowns, per judged matrix RJCF, ARVF and rms relative error, and both ends of the 95 % intervals if the method has
-/// them (trial 0 decides). The file has the same bytes for any number of threads, processes and interruptions. Only the leader of
-/// a team writes, and only its StudyRun is complete. Throws InputError, and ToldElsewhere if another process of the team throws
-/// it.
+/// (frf/table_file.hpp): status, unknowns, per judged matrix RJCF, ARVF and rms relative error, and both ends of the 95 %
+/// intervals if the method has them (trial 0 decides). The file has the same bytes for any number of threads, processes and
+/// interruptions. Only the leader of a team writes, and only its StudyRun is complete. Throws InputError, and ToldElsewhere if
+/// another process of the team throws it.
 StudyRun run_study(const std::shared_ptr<const TrialData>& data, const StudyOptions& options, ident::Team& team,
                    const StudyControl& control = {});
 

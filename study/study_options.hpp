@@ -15,7 +15,7 @@ struct StudyPart {
 
 struct StudyOptions {
   std::size_t trials = 1000;  ///< ≥ 1; trial numbers 0 … trials−1
-  StudyPart part = {};        ///< the trials of this part alone (study_part.hpp); OUT then has these
+  StudyPart part = {};        ///< the trials of this part alone (study_records.hpp); OUT then has these
   std::uint64_t seed = 1;
   std::size_t threads = 0;  ///< per process; 0: all cores. The result does not depend on it.
   bool resume = false;      ///< take up what a run of the same study left, interrupted or of fewer trials

@@ -1,5 +1,3 @@
-#include "study/study_part.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "frf/hdf5/table_file.hpp"
+#include "study/study_records.hpp"
 
 namespace jointid::study {
 namespace {
@@ -104,7 +103,9 @@ void require_each_once(const std::vector<PartFile>& parts) {
       missing += (missing.empty() ? "" : ", ") + name_of({number, count});
     }
   }
-  if (!missing.empty()) fail("", "--merge", "parts are missing: " + missing, "run them by `jointid study SCENE --part`, and give all files");
+  if (!missing.empty()) {
+    fail("", "--merge", "parts are missing: " + missing, "run them by `jointid study SCENE --part`, and give all files");
+  }
 }
 
 std::vector<std::string> lines_of(std::string_view text) {
@@ -136,8 +137,10 @@ StudyPart parse_part(const std::string& text) {
   const std::size_t slash = text.find('/');
   const auto number = whole(std::string_view(text).substr(0, slash));
   const auto count = slash == std::string::npos ? std::nullopt : whole(std::string_view(text).substr(slash + 1));
-  if (!number || !count || *number < 1 || *number > *count || *count > most_parts)
-    fail("", "--part", "'" + text + "' is no part of a study", fmt::format("give e.g. 3/16, the third of 16 parts, {} at most", most_parts));
+  if (!number || !count || *number < 1 || *number > *count || *count > most_parts) {
+    fail("", "--part", "'" + text + "' is no part of a study",
+         fmt::format("give e.g. 3/16, the third of 16 parts, {} at most", most_parts));
+  }
   return {*number, *count};
 }
 

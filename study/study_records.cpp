@@ -8,7 +8,6 @@
 
 #include "base/error.hpp"
 #include "study/study_options.hpp"
-#include "study/study_part.hpp"
 
 namespace jointid::study {
 namespace {

@@ -25,7 +25,7 @@
 #include "report/text/display_of_tasks.hpp"
 #include "scene/kind.hpp"
 #include "scene/text.hpp"
-#include "study/study_part.hpp"
+#include "study/study_records.hpp"
 #include "study/trial_data.hpp"
 #include "tasks/study/run_law_study.hpp"
 

@@ -10,7 +10,7 @@
 #include "base/error.hpp"
 #include "frf/hdf5/record_journal.hpp"
 #include "scene/kind.hpp"
-#include "study/study_part.hpp"
+#include "study/study_records.hpp"
 
 namespace jointid::tasks {
 

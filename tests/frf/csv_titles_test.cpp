@@ -105,7 +105,7 @@ TEST_F(CsvTitles, UnitsInTitlesAndInARowUnderThem) {
   EXPECT_THAT(error(key_line + "# unit = g/N\nFrequency,1:+Z/2:+Z re [m/s^2/N],1:+Z/2:+Z im\n" + two_rows),
               HasSubstr("the unit 'm/s^2/N' is not that of # unit, 'g/N'"));
   EXPECT_THAT(refused("Frequency,1:+Z/2:+Z mag,1:+Z/2:+Z phase", ""),
-              HasSubstr("does not say whether it is in degrees or radians"));
+              HasSubstr("does not state whether it is in degrees or radians"));
   EXPECT_THAT(refused("Frequency,1:+Z/2:+Z mag,1:+Z/2:+Z phase_deg [rad]", ""),
               HasSubstr("a column phase_deg in 'rad' is not understood"));
 }

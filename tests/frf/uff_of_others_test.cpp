@@ -275,7 +275,7 @@ TEST(UffOfOthers, DofsThatTheFileDoesNotHaveAreGiven) {
               ElementsAre(Dof::parse("4:+Y"), Dof::parse("5:-Y")));
   const std::string same = nameless("NONE").str() + nameless("NONE").str();
   EXPECT_THAT(read(same, named({"4:+Y", "5:-Y"}, {"1:+X"})).header.response, ElementsAre(Dof::parse("4:+Y"), Dof::parse("5:-Y")));
-  EXPECT_THAT(refusal_of(same, named({"4:+Y", "5:-Y"}, {"1:+X", "2:+X"})), HasSubstr("nothing says which is which"));
+  EXPECT_THAT(refusal_of(same, named({"4:+Y", "5:-Y"}, {"1:+X", "2:+X"})), HasSubstr("the records do not state which is which"));
   EXPECT_THAT(refusal_of(several, named({"4:+Y"}, {"1:+X"})),
               HasSubstr("1 responses are given, and its records without a direction have 2: 'A', 'B'"));
   EXPECT_THAT(refusal_of(nameless("Pt1Z-").str()),
@@ -414,7 +414,7 @@ TEST(UffOfOthers, SystemsThatAreNotDescribedAreNeverTheGlobalOne) {
   EXPECT_FALSE(
       first_node(dataset18(7, 1, {0, 0, 0, 1, 0, 0, 0, 0, 1}) + node15(1, 0, 7)).axes);  // 1 is global where nothing else is 1
   EXPECT_THAT(refusal_of(dataset18(1, 0, {0, 0, 0, 1, 0, 0, 2, 0, 0}) + node15(1, 0, 1) + accelerance().str()),
-              HasSubstr("do not say a plane"));
+              HasSubstr("do not define a plane"));
 }
 
 TEST(UffOfOthers, AUnitOfTheAxisThatIsGivenStandsInPlaceOfItsLabel) {

@@ -198,7 +198,7 @@ TEST(DirectIdentification, SaysWhatNoStateTells) {
   const DirectIdentification found = identify_directly(scene);
   EXPECT_EQ(name(found.status), "doubtful");
   EXPECT_EQ(found.known[0], 0u);
-  EXPECT_THAT(found.message, HasSubstr("joint: no state tells its stiffness"));
+  EXPECT_THAT(found.message, HasSubstr("joint: no state determines its stiffness"));
 }
 
 }  // namespace

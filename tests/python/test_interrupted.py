@@ -84,7 +84,7 @@ def test_the_bound_that_was_predicted(noisy_a1):
 def test_the_motion_that_was_found(tmp_path):
     """The motion is there, and its exponents go on."""
     scene = jointid._joint.Scene.table_of(jointid.write_problem("chain-3", tmp_path))
-    scene["exponents"] = {"count": 2, "length": 1e7, "interval": 1.0}
+    scene["exponents"] = {"count": 2, "length": 9e5, "interval": 1.0}
     work = lambda progress: jointid.oscillate(scene, progress=progress)
     partial = stopped(work, lambda stage, done, total: stage == "exponents").partial
     scene.pop("exponents")

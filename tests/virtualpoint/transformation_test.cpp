@@ -87,13 +87,13 @@ TEST(Transformation, RotationalSensorsTellTheRotation) {
 TEST(Transformation, NamesTheMotionThatIsNotSeen) {
   Interface in(6, 2);
   const std::string error = error_of([&] { transformation(in.point, Side::sensors, in.set.header); });
-  EXPECT_THAT(error, HasSubstr("VP1: its 6 sensors in the file tell 5 of its 6 motions"));
+  EXPECT_THAT(error, HasSubstr("VP1: its 6 sensors in the file determine 5 of its 6 motions"));
   // Three sensors along z on a line along x.
   for (std::int64_t node = 1; node <= 4; ++node) {
     in.set.header.nodes[static_cast<std::size_t>(node - 1)].position = {0.1 * static_cast<double>(node), -0.2, 0.1};
   }
   EXPECT_THAT(error_of([&] { transformation(in.point, Side::sensors, in.set.header); }),
-              HasSubstr("VP1:+RX cannot be told apart"));
+              HasSubstr("VP1:+RX cannot be separated"));
 }
 
 TEST(Transformation, AsksForAPosition) {

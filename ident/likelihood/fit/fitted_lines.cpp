@@ -8,7 +8,6 @@
 #include <cmath>
 #include <utility>
 
-#include "base/control.hpp"
 #include "base/eigen.hpp"
 #include "base/stop_scope.hpp"
 #include "ident/likelihood/model/corrected_line.hpp"
@@ -70,7 +69,8 @@ void FittedLines::for_all(const std::function<void(std::size_t, LineModel&)>& wo
   const StopScope::Ask* const asked = StopScope::current();
   const auto work_on = [&](std::size_t i, LineModel& model) {
     if (!is_looked_at(i)) return;
-    if (asked != nullptr) stop_if(*asked);
+    const StopScope scope(asked);  // threads of the arena have none
+    stop_point();
     if (watch_) watch_(begun++, own_.size());
     work(i, model);
   };

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/eigen.hpp"
+#include "base/stop_scope.hpp"
 #include "ident/likelihood/model/guess_y.hpp"
 #include "ident/likelihood/model/line_gradient.hpp"
 
@@ -100,6 +101,7 @@ LineState first_state(const LineLayout& layout, const LineData& data, const Comp
 }
 
 ReducedLine linearised(const LineData& data, const ComplexMatrix& z, LineModel& model, const FittedLine& line, bool with_joint) {
+  stop_point();
   model.linearise(data, line.joint, z, line.state, with_joint);
   std::optional<ReducedLine> reduced = model.reduce(0.0);
   for (double damping = 1e-3; !reduced && damping < 1e12; damping *= 10.0) reduced = model.reduce(damping);
@@ -171,6 +173,7 @@ void relax(const LineData& data, const ComplexMatrix& z, LineModel& model, Fitte
     model.linearise(data, line.joint, z, line.state, false);
     double gain = 0.0;
     while (damping < 1e12) {
+      stop_point();
       if (const auto reduced = model.reduce(damping)) {
         if (const auto gained = take(data, z, layout, reduced->own, line)) {
           gain = *gained;

@@ -45,7 +45,7 @@ def set_of_pairs(pairs: Iterable[tuple[Dof, Dof, Any, Any]], **options: Any) -> 
             raise InputError(f"{response}/{reference} has other lines than {pairs[0][0]}/{pairs[0][1]}", place="bridge", kind="data",
                              remedy="give FRFs of the same frequencies")
         if (response, reference) in seen:
-            raise InputError(f"{response}/{reference} stands there twice", place="bridge", kind="data", remedy="leave one out")
+            raise InputError(f"{response}/{reference} is there twice", place="bridge", kind="data", remedy="leave one out")
         seen.add((response, reference))
         frfs[:, responses.index(response), references.index(reference)] = frf
     return FrfSet(frfs, frequency, responses, references, **options)

@@ -36,7 +36,7 @@ def from_pyuff(datasets: Iterable[Mapping[str, Any]] | Mapping[str, Any], *, qua
                       each["x"], each["data"]))
         quantities.add(_QUANTITIES.get(each.get("ordinate_spec_data_type", 0), None))
     if quantity is None and (len(quantities) != 1 or None in quantities) and pairs:
-        raise InputError("ordinate_spec_data_type says no quantity, or several", place="datasets", kind="data",
+        raise InputError("ordinate_spec_data_type states no quantity, or several", place="datasets", kind="data",
                          remedy='give quantity="accelerance", "mobility" or "receptance"')
     return set_of_pairs(pairs, quantity=quantity or next(iter(quantities), "receptance"), nodes=nodes, name=name)
 

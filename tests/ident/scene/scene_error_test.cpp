@@ -171,7 +171,7 @@ TEST(SceneErrors, SeveralJoints) {
            {joint("name = 'a'", "1:X") + joint("name = 'b'", "1:-X"), "line 7, [joints[2]]", "a DOF of joint 'a'"},
            {joint("name = 'a.b'", "1:X"), "line 4, [joints[1]] name", "has a dot"},
            {joint("name = ''", "1:X"), "line 4, [joints[1]] name", "the string is empty"},
-           {"[joints]", "line 3, [joints]", "[joints] is one table; it should say [[joints]]"},
+           {"[joints]", "line 3, [joints]", "[joints] is one table; write [[joints]]"},
            {joint("name = 'a'", "1:X") + "mass.matrix = [['a*b']]", "line 7, [joints[1].mass] matrix[1][1]",
             "'a*b' multiplies"},
        }) {
@@ -251,7 +251,7 @@ TEST(SceneErrors, TablesAndListsOfTables) {
                "line 3, joint",
                "[[joint]] is a list of tables; one joint is [joint]; each of several is [[joints]]");
   expect_error("data.substructures = ['a.h5']\ndata.assembly = ['b.h5']\n[joints]\ndofs = ['4:+Y']\nstiffness.pattern = 'full'\n",
-               "line 3, [joints]", "it should say [[joints]], once for each joint");
+               "line 3, [joints]", "write [[joints]], once for each joint");
   expect_error("[[data]]\nsubstructures = ['a.h5']\n", "line 1, data", "expected a table, found an array of 1; [[data]] should be [data]");
   expect_error(right_data + right_joint + "[virtual_points]\nname = 'VP1'\n", "line 5, [virtual_points]",
                "[virtual_points] should be [[virtual_points]]");

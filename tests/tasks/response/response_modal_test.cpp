@@ -77,7 +77,7 @@ TEST(ResponseModal, SaysWhereThereIsNoModel) {
   EXPECT_THROW(run_parts(parts_scene("modal_model = true\nvalues = [50.0]\n", "[1]"), folder), InputError);
   EXPECT_THAT(error_of(parts_scene("modal_model = true\n", "[1]")), HasSubstr("neither range nor values"));
   EXPECT_THAT(error_of(chain + replaced(rest, "points = 41", "modal_model = true")), HasSubstr("matrices need no modal model"));
-  EXPECT_THAT(error_of(parts_scene("range = [2.0, 3.0]\npoints = 5\n", "[1]")), HasSubstr("points stand in a range"));
+  EXPECT_THAT(error_of(parts_scene("range = [2.0, 3.0]\npoints = 5\n", "[1]")), HasSubstr("points belong to a range"));
 }
 
 /// One line each: FRFs that are not reciprocal, and such as would feed the joint with energy.

@@ -52,7 +52,7 @@ TEST(ResponseScene, SaysInOneLineWhatIsWrong) {
       {"harmonics = [1, 3, 5]", "harmonics = [3, 5]", "harmonic 1 of the force is not among them"},
       {"harmonics = [1, 3, 5]", "harmonics = [1, 5, 3]", "harmonic 3 does not ascend"},
       {"range = [2.0, 4.0]", "range = [0.0, 4.0]", "begins at 0 Hz"},
-      {"range = [2.0, 4.0]", "values = [2.0]", "points stand in a range"},
+      {"range = [2.0, 4.0]", "values = [2.0]", "points belong to a range"},
       {"[frequency]\nrange = [2.0, 4.0]\npoints = 41", "", "'frequency' is missing"},
       {"mass = [[1.0, 0.0, 0.0]", "mass = [[1.0, 0.1, 0.0]", "not symmetric"},
       {"damping = [[0.5, -0.16, 0.0], [-0.16, 0.32, -0.04], [0.0, -0.04, 0.21]]", "damping = [[0.5]]", "the mass matrix 3"},

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "problems/problem.hpp"
-#include "study/study_part.hpp"
+#include "study/study_records.hpp"
 #include "study/trial_data.hpp"
 #include "tasks/study/run_study.hpp"
 #include "tests/test_folder.hpp"
