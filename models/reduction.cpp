@@ -184,12 +184,13 @@ std::optional<Eigen::MatrixXcd> Reduction::receptance(double omega, std::span<co
   std::vector<std::size_t> r, c;
   for (const std::size_t row : rows) r.push_back(place_of(row));
   for (const std::size_t column : columns) c.push_back(place_of(column));
-  const Complex alpha = form_.alpha(omega), beta = form_.beta(omega);
-  for (const std::size_t column : c) {
-    const Complex own = damped(omega, {column}, {column})(0, 0);
-    if (!(std::abs(own * (alpha * stiffness_diagonal_(at(column)) + beta * mass_diagonal_(at(column)))) < infinite_receptance)) return std::nullopt;
-  }
   Eigen::MatrixXcd h = damped(omega, r, c);
+  const Eigen::VectorXcd own = (r == c ? h : damped(omega, c, c)).diagonal();
+  const Complex alpha = form_.alpha(omega), beta = form_.beta(omega);
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    const Complex stiffness = alpha * stiffness_diagonal_(at(c[k])) + beta * mass_diagonal_(at(c[k]));
+    if (!(std::abs(own(at(k)) * stiffness) < infinite_receptance)) return std::nullopt;
+  }
   if (!h.allFinite()) return std::nullopt;
   return h;
 }
