@@ -19,7 +19,7 @@ bool is_negligible(const Symmetric<Measured>& line, Element element, Complex val
 
 }  // namespace
 
-FrfSlopes::FrfSlopes(std::size_t coordinates, const std::vector<double>& frequency, std::vector<const Symmetric<Measured>*> lines,
+FrfSlopes::FrfSlopes(const std::vector<std::size_t>& coordinates, const std::vector<double>& frequency, std::vector<const Symmetric<Measured>*> lines,
                      std::size_t own)
     : lines_(std::move(lines)), place_(at(lines_.size())) {
   const Eigen::Index count = place_.size(), degree = (count - 1) / 2;
@@ -43,15 +43,15 @@ bool FrfSlopes::take(Element element, Values& values) const {
 }
 
 /// q = 1 + Σ c_j w^j so that q H is nearly a polynomial: `across` takes what is one off.
-void FrfSlopes::find_denominator(std::size_t coordinates, const Square& across) {
+void FrfSlopes::find_denominator(const std::vector<std::size_t>& coordinates, const Square& across) {
   const Eigen::Index count = place_.size(), degree = (count - 1) / 2;
   Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Identity(degree, degree);
   Eigen::VectorXcd right = Eigen::VectorXcd::Zero(degree);
   Values values;
   std::array<Values, most> off;  // of w^j H
-  for (std::size_t r = 0; r < coordinates; ++r) {
+  for (std::size_t r = 0; r < coordinates.size(); ++r) {
     for (std::size_t s = 0; s <= r; ++s) {
-      const Element element{r, s};
+      const Element element{coordinates[r], coordinates[s]};
       if (!take(element, values)) continue;
       double variance = 0.0;
       for (const Symmetric<Measured>* line : lines_) {
