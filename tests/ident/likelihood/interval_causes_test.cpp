@@ -161,27 +161,39 @@ TEST(UnstatedErrors, AnotherTemperatureIsFoundBetweenLinesOf24Hz) {
   EXPECT_GE(inside, 18.0);  // of 20
 }
 
-/// A line on a resonance alone tells K(3,3) of A1, and takes the shift of the part's frequencies for it: the interval has to know.
-TEST(UnstatedErrors, AnotherTemperatureIsInTheIntervalOfWhatOneLineTells) {
-  const std::size_t told_by_one_line = 7;  // K(3,3)
-  for (const bool of_one : {true, false}) {
-    LikelihoodCase a1("A1", 0.01);
-    problems::Problem problem = warmed("A1", of_one ? 2e-4 : 3e-4, of_one);
-    std::get<frf::NoiseModel>(problem.noise).level = 0.01;
-    Control control;
-    control.threads = 1;
-    control.judgement = Judgement::fit;
-    std::size_t inside = 0;
-    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-      const Solution found = solve(*problems::plan(a1.scene, problems::polluted(problem, seed, 0)), control);
-      EXPECT_EQ(found.status, Status::doubtful) << seed << found.message;
-      EXPECT_THAT(found.message, testing::HasSubstr("with frequencies 0.0")) << seed;
-      const auto [low, high] = *found.unknowns[told_by_one_line].ci95;
-      const double truth = problem.unknowns[told_by_one_line].value;
-      inside += low <= truth && truth <= high;
-    }
-    EXPECT_GE(inside, 8u) << of_one;
+/// Lines on resonances tell K(3,3) of A1, and take the shift of the parts' frequencies for it; the fit sets some of them aside. Of ten
+/// seeds nine intervals of 95 % hold, and fewer than seven one time in a thousand.
+TEST(UnstatedErrors, AnotherTemperatureIsInTheIntervalOfWhatFewLinesTell) {
+  constexpr std::size_t told_by_few = 7;  // K(3,3)
+  LikelihoodCase a1("A1", 0.01);
+  problems::Problem problem = warmed("A1", 3e-4);
+  std::get<frf::NoiseModel>(problem.noise).level = 0.01;
+  Control control;
+  control.threads = 1;
+  control.judgement = Judgement::fit;
+  std::size_t inside = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Solution found = solve(*problems::plan(a1.scene, problems::polluted(problem, seed, 0)), control);
+    EXPECT_EQ(found.status, Status::doubtful) << seed << found.message;
+    EXPECT_THAT(found.message, testing::HasSubstr("The assembly fits the parts better with frequencies 0.0")) << seed;
+    const auto [low, high] = *found.unknowns[told_by_few].ci95;
+    const double truth = problem.unknowns[told_by_few].value;
+    inside += low <= truth && truth <= high;
   }
+  EXPECT_GE(inside, 7u);
+}
+
+/// The last part alone: the slopes of its FRFs are its own, not those of all parts together.
+TEST(UnstatedErrors, AnotherTemperatureOfOnePartIsToldOfThatPart) {
+  LikelihoodCase a1("A1", 0.01);
+  problems::Problem problem = warmed("A1", 2e-4, true);
+  std::get<frf::NoiseModel>(problem.noise).level = 0.01;
+  Control control;
+  control.threads = 1;
+  control.judgement = Judgement::fit;
+  const Solution found = solve(*problems::plan(a1.scene, problems::polluted(problem, 4, 0)), control);
+  EXPECT_EQ(found.status, Status::doubtful);
+  EXPECT_THAT(found.message, testing::HasSubstr("substructure_2")) << found.message;
 }
 
 }  // namespace
