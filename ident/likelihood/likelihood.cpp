@@ -445,22 +445,22 @@ double excess_of(const Plan& plan, const Fitted& all, const std::vector<double>&
   return excess;
 }
 
-/// A stretch of a file's frequencies that is seen, with the scores that tell it.
+/// A stretch of a file's frequencies that is seen.
 struct SeenStretch {
-  std::optional<TriedErrors> whole = {};  ///< where all lines count in full; empty: as in the fit
-  const FileGain* stretch = nullptr;      ///< of `whole`, or of the fit's; nullptr: none is seen
-  std::vector<double> weights = {};       ///< of the lines
-  Eigen::VectorXd step = {};              ///< of the unknowns by the lines' weights, without the stretch
+  const FileGain* stretch = nullptr;     ///< as the lines count in the fit; nullptr: none is seen
+  FileGain told = {};                    ///< the same where lines that it explains count in full
+  Eigen::VectorXd step = {};             ///< of the unknowns by the lines' weights, without the stretch
 };
 
 /// A stretch makes lines on resonances outliers, and the fit sets aside what tells most of it. Where it explains half of what is set
 /// aside, the lines count in full.
 SeenStretch seen_stretch(const Plan& plan, const Fitted& all, const Control& control) {
   const LikelihoodFit& fit = all.found.fit;
-  SeenStretch seen{.stretch = seen_stretch(*all.tried), .weights = fit.line_weight};
+  SeenStretch seen{.stretch = seen_stretch(*all.tried)};
   const Eigen::Index known = at(fit.theta.size());
   seen.step = Eigen::VectorXd::Zero(known);
   if (seen.stretch == nullptr) return seen;
+  seen.told = *seen.stretch;
   LikelihoodFit whole = fit;
   std::vector<double> aside;
   for (double& weight : whole.line_weight) {
@@ -469,23 +469,20 @@ SeenStretch seen_stretch(const Plan& plan, const Fitted& all, const Control& con
   }
   const double set_aside = excess_of(plan, all, aside);
   if (!(set_aside > 0.0)) return seen;
-  auto more = try_errors(plan, all.found, whole, all.ratio, control);
+  const auto more = try_errors(plan, all.found, whole, all.ratio, control);
   const FileGain* const found = more ? more->stretch() : nullptr;
   if (found == nullptr || found - more->stretches.data() != seen.stretch - all.tried->stretches.data()) return seen;
   const double explained = found->score * found->score - seen.stretch->score * seen.stretch->score;
   if (!(explained * all.tried->inflation * all.tried->inflation > 0.5 * set_aside)) return seen;
   seen.step = minimise::covariance_of(more->scores.information.topLeftCorner(known, known)) * more->scores.gradient.head(known);
-  seen.weights = std::move(whole.line_weight);
-  const auto place = found - more->stretches.data();
-  seen.whole = std::move(more);
-  seen.stretch = seen.whole->stretches.data() + place;
+  seen.told = *found;
   return seen;
 }
 
 /// χ² over degrees of freedom once a stretch is taken off: as much of its excess goes as of the lines as they count.
-double ratio_without(const Plan& plan, const Fitted& all, const SeenStretch& seen) {
-  if (seen.stretch == nullptr) return all.ratio;
-  const double excess = excess_of(plan, all, seen.weights), explained = std::pow(seen.stretch->score * all.tried->inflation, 2);
+double ratio_without(const Plan& plan, const Fitted& all, const FileGain* stretch) {
+  if (stretch == nullptr) return all.ratio;
+  const double excess = excess_of(plan, all, all.found.fit.line_weight), explained = std::pow(stretch->score * all.tried->inflation, 2);
   return explained >= excess ? std::min(all.ratio, 1.0) : 1.0 + (all.ratio - 1.0) * (1.0 - explained / excess);
 }
 
@@ -503,13 +500,12 @@ Widened widened(const Plan& plan, const Fitted& all, const Eigen::MatrixXd& info
   note_calibration(to.intervals.cost(), all.without, tried, out);
   tell_shared_errors(plan, tried, information, to.intervals, out);
   const SeenStretch seen = seen_stretch(plan, all, control);
-  if (seen.stretch != nullptr) tell_stretch(plan, all.found.fit, *seen.stretch, seen.step, to.intervals, out);
+  if (seen.stretch != nullptr) tell_stretch(plan, all.found.fit, seen.told, seen.step, to.intervals, out);
   if (!all.without && !tried.is_calibration_stated) tell_unexplained_gain(tried, to.intervals, out);
-  const double left = ratio_without(plan, all, seen);
+  const double left = ratio_without(plan, all, seen.stretch);
   to.includes_misfit = all.ratio > to.likely;
   const bool exceeds = to.includes_misfit && left > 1.0 + still_there * (to.likely - 1.0);
-  auto jackknife = (seen.whole ? *seen.whole : tried).jackknife(all.found.fit.theta.size(), seen.stretch);
-  if (jackknife && seen.whole) jackknife->step.setZero();  // to where lines that the stretch explains would draw it
+  const auto jackknife = tried.jackknife(all.found.fit.theta.size(), seen.stretch);
   const bool scatters = jackknife && jackknife->tells_more() && !tried.shared.are_seen();
   if (jackknife && (exceeds || scatters)) to.intervals.include_misfit(*jackknife, exceeds ? std::sqrt(std::max(1.0, left)) : 1.0);
   const auto sensors = exceeds ? sensor_scatter(plan, all.found, all.found.fit, all.found.fit.information, control) : std::nullopt;

@@ -31,7 +31,7 @@ Eigen::MatrixXd basis_of(Eigen::MatrixXd projector, Eigen::Index count) {
 
 }  // namespace
 
-FrfSlopes::FrfSlopes(std::size_t coordinates, const std::vector<double>& frequency, std::vector<const Symmetric<Measured>*> lines,
+FrfSlopes::FrfSlopes(const std::vector<std::size_t>& coordinates, const std::vector<double>& frequency, std::vector<const Symmetric<Measured>*> lines,
                      std::size_t own)
     : lines_(std::move(lines)), place_(at(lines_.size())) {
   const Eigen::Index count = place_.size(), degree = (count - 1) / 2;
@@ -67,14 +67,14 @@ double FrfSlopes::variance(Element element) const {
 }
 
 /// q = 1 + Σ c_j w^j so that q H is nearly a polynomial: what it is off is its part along the columns of `off`.
-FrfSlopes::Sums FrfSlopes::sums(std::size_t coordinates, const Square& off) const {
+FrfSlopes::Sums FrfSlopes::sums(const std::vector<std::size_t>& coordinates, const Square& off) const {
   const std::size_t count = lines_.size(), degree = count / 2;
   Sums out;
   OnLines values{};
   std::array<std::array<Complex, most_lines / 2>, most_lines / 2 + 1> parts{};  // [j][column], of w^j H
-  for (std::size_t r = 0; r < coordinates; ++r) {
+  for (std::size_t r = 0; r < coordinates.size(); ++r) {
     for (std::size_t s = 0; s <= r; ++s) {
-      const Element element{r, s};
+      const Element element{coordinates[r], coordinates[s]};
       if (!take(element, values)) continue;
       const double variance = this->variance(element);
       if (!(variance > 0.0)) continue;

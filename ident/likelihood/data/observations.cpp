@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <numeric>
 
 #include "base/complex.hpp"
 #include "base/statistics.hpp"
@@ -40,6 +42,29 @@ Symmetric<Measured> promised_frfs(const frf::FrfSystem& system, const Dofs& coor
       const bool is_read = row < others ? blocks.nn : column < others ? blocks.jn : blocks.jj;
       if (is_read && (has(row, column) || has(column, row))) out.at(row, column) = {1.0, 1.0};
     }
+  }
+  return out;
+}
+
+/// Of each coordinate the first of its structure: FRFs between structures are zero, or not measured.
+std::vector<std::size_t> structures(const Symmetric<Measured>& frfs, std::size_t coordinates) {
+  std::vector<std::size_t> of(coordinates);
+  std::iota(of.begin(), of.end(), std::size_t{0});
+  for (std::size_t row = 0; row < coordinates; ++row) {
+    for (std::size_t column = 0; column < row; ++column) {
+      const Measured& m = frfs.at(row, column);
+      if (of[row] == of[column] || !m.known() || m.is_zero()) continue;
+      const std::size_t first = std::min(of[row], of[column]), other = std::max(of[row], of[column]);
+      std::ranges::replace(of, other, first);
+    }
+  }
+  return of;
+}
+
+std::vector<std::size_t> places_of(const std::vector<std::size_t>& all, std::size_t value) {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i] == value) out.push_back(i);
   }
   return out;
 }
@@ -160,9 +185,10 @@ void Observations::read_chunk(std::span<const std::size_t> substructure_lines, s
 }
 
 /// From the lines around, at either end from those beside; empty of fewer than three lines.
-std::optional<FrfSlopes> Observations::slopes(std::size_t own_line, bool of_assembly) const {
-  const std::size_t count = raw_.size() < FrfSlopes::most_lines ? 3 : FrfSlopes::most_lines;
-  if (raw_.size() < count) return std::nullopt;
+std::optional<FrfSlopes> Observations::slopes(std::size_t own_line, bool of_assembly,
+                                              const std::vector<std::size_t>& coordinates) const {
+  if (raw_.size() < 3) return std::nullopt;
+  const std::size_t count = std::min(FrfSlopes::most_lines, raw_.size() - (raw_.size() + 1) % 2);
   const std::size_t first = std::min(own_line - std::min(own_line, count / 2), raw_.size() - count);
   std::vector<double> frequency;
   std::vector<const Symmetric<Measured>*> lines;
@@ -170,17 +196,24 @@ std::optional<FrfSlopes> Observations::slopes(std::size_t own_line, bool of_asse
     frequency.push_back(plan_lines_[own_lines_.first + k].frequency_hz);
     lines.push_back(of_assembly ? &raw_[k].assembly : &raw_[k].substructures);
   }
-  return FrfSlopes(layout_.coordinates.size(), frequency, std::move(lines), own_line - first);
+  return FrfSlopes(coordinates, frequency, std::move(lines), own_line - first);
 }
 
 void Observations::write_systematic_frfs(std::size_t line, const SystematicLines& errors, SystematicFrfs& out) const {
   const std::size_t own = line - own_lines_.first;
-  std::array<std::optional<FrfSlopes>, 2> slopes;
+  struct System {
+    std::vector<std::size_t> structure;                       ///< of each coordinate
+    std::map<std::size_t, std::optional<FrfSlopes>> slopes;  ///< by structure
+  };
+  std::array<System, 2> systems;
   const auto slope = [&](bool of_assembly, Element at) -> Complex {
-    std::optional<FrfSlopes>& of = slopes[of_assembly ? 1 : 0];
-    if (!of) of = this->slopes(own, of_assembly);
-    const Complex value = (of_assembly ? raw_[own].assembly : raw_[own].substructures).at(at.row, at.column).value;
-    return of ? -(plan_lines_[line].frequency_hz * of->of(at) / value + 2.0) : Complex(nan);
+    System& system = systems[of_assembly ? 1 : 0];
+    const Symmetric<Measured>& frfs = of_assembly ? raw_[own].assembly : raw_[own].substructures;
+    if (system.structure.empty()) system.structure = structures(frfs, layout_.coordinates.size());
+    const std::size_t structure = system.structure[at.row];
+    const auto [of, is_new] = system.slopes.try_emplace(structure);
+    if (is_new) of->second = slopes(own, of_assembly, places_of(system.structure, structure));
+    return of->second ? -(plan_lines_[line].frequency_hz * of->second->of(at) / frfs.at(at.row, at.column).value + 2.0) : Complex(nan);
   };
   errors.write(own, layout_, raw_[own], slope, out);
 }

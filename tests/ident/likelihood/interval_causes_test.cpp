@@ -83,7 +83,7 @@ TEST(FrfSlopes, HoldWhereLinesAreFartherApartThanResonancesAreWide) {
   std::vector<const Symmetric<Measured>*> all;
   for (const auto& line : lines) all.push_back(&line);
   for (std::size_t own = 0; own < lines.size(); ++own) {
-    const FrfSlopes slopes(coordinates, frequency, all, own);
+    const FrfSlopes slopes({0, 1, 2, 3, 4}, frequency, all, own);
     for (std::size_t r = 0; r < coordinates; ++r) {
       const double h = 1e-3, f = frequency[own];
       const Complex exact = (frf_of(r, 0, f + h) - frf_of(r, 0, f - h)) / (2.0 * h);
@@ -95,7 +95,7 @@ TEST(FrfSlopes, HoldWhereLinesAreFartherApartThanResonancesAreWide) {
 TEST(FrfSlopes, AreNotKnownWhereALineIsNot) {
   std::vector<Symmetric<Measured>> lines(3, Symmetric<Measured>(2, {1.0, 1e-6}));
   lines[0].at(1, 0) = Measured{jointid::nan, jointid::nan};
-  const FrfSlopes slopes(2, {1.0, 2.0, 3.0}, {&lines[0], &lines[1], &lines[2]}, 1);
+  const FrfSlopes slopes({0, 1}, {1.0, 2.0, 3.0}, {&lines[0], &lines[1], &lines[2]}, 1);
   EXPECT_TRUE(std::isnan(slopes.of({1, 0}).real()));
   EXPECT_NEAR(std::abs(slopes.of({1, 1})), 0.0, 1e-9);
 }
@@ -107,7 +107,7 @@ TEST(FrfSlopes, AreNotKnownOfAnFrfThatIsZeroBySymmetry) {
     const double value = 1e-14 * std::pow(-3.0, static_cast<double>(l));
     lines[l].at(1, 0) = Measured{value, {1e-6 * value * value, 1e-6 * value * value}};
   }
-  const FrfSlopes slopes(2, {1.0, 2.0, 3.0}, {&lines[0], &lines[1], &lines[2]}, 1);
+  const FrfSlopes slopes({0, 1}, {1.0, 2.0, 3.0}, {&lines[0], &lines[1], &lines[2]}, 1);
   EXPECT_TRUE(std::isnan(slopes.of({1, 0}).real()));
   EXPECT_NEAR(std::abs(slopes.of({1, 1})), 0.0, 1e-9);
 }
@@ -126,12 +126,11 @@ TEST(Intervals, OfABiasBetweenNoneAndAllHoldAtBothEnds) {
   EXPECT_NEAR(0.5 * (std::erf((c + 1.0) / std::sqrt(2.0)) + std::erf(c / std::sqrt(2.0))), 0.95, 1e-6);
 }
 
-/// The parts, or the last one alone, were warmer when the assembly was measured: their frequencies are lower in it.
-problems::Problem warmed(const std::string& name, double shift, bool of_one = false) {
+/// The parts were warmer when the assembly was measured: their frequencies are lower in it.
+problems::Problem warmed(const std::string& name, double shift) {
   const std::vector<problems::Case> all = problems::all_cases();
   problems::Case rig = *std::ranges::find(all, name, &problems::Case::name);
   for (const problems::Structure& part : rig.substructures) {
-    if (of_one && &part != &rig.substructures.back()) continue;
     const std::vector<double> stiffness = part.matrix(problems::Kind::stiffness);
     problems::Matrix change(part.size(), std::vector<double>(part.size()));
     for (std::size_t i = 0; i < stiffness.size(); ++i) change[i / part.size()][i % part.size()] = -2.0 * shift * stiffness[i];
@@ -161,27 +160,26 @@ TEST(UnstatedErrors, AnotherTemperatureIsFoundBetweenLinesOf24Hz) {
   EXPECT_GE(inside, 18.0);  // of 20
 }
 
-/// A line on a resonance alone tells K(3,3) of A1, and takes the shift of the part's frequencies for it: the interval has to know.
-TEST(UnstatedErrors, AnotherTemperatureIsInTheIntervalOfWhatOneLineTells) {
-  const std::size_t told_by_one_line = 7;  // K(3,3)
-  for (const bool of_one : {true, false}) {
-    LikelihoodCase a1("A1", 0.01);
-    problems::Problem problem = warmed("A1", of_one ? 2e-4 : 3e-4, of_one);
-    std::get<frf::NoiseModel>(problem.noise).level = 0.01;
-    Control control;
-    control.threads = 1;
-    control.judgement = Judgement::fit;
-    std::size_t inside = 0;
-    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-      const Solution found = solve(*problems::plan(a1.scene, problems::polluted(problem, seed, 0)), control);
-      EXPECT_EQ(found.status, Status::doubtful) << seed << found.message;
-      EXPECT_THAT(found.message, testing::HasSubstr("with frequencies 0.0")) << seed;
-      const auto [low, high] = *found.unknowns[told_by_one_line].ci95;
-      const double truth = problem.unknowns[told_by_one_line].value;
-      inside += low <= truth && truth <= high;
-    }
-    EXPECT_GE(inside, 8u) << of_one;
+/// Lines on resonances tell K(3,3) of A1, and take the shift of the parts' frequencies for it; the fit sets some of them aside. Of ten
+/// seeds nine intervals of 95 % hold, and fewer than seven one time in a thousand.
+TEST(UnstatedErrors, AnotherTemperatureIsInTheIntervalOfWhatFewLinesTell) {
+  constexpr std::size_t told_by_few = 7;  // K(3,3)
+  LikelihoodCase a1("A1", 0.01);
+  problems::Problem problem = warmed("A1", 3e-4);
+  std::get<frf::NoiseModel>(problem.noise).level = 0.01;
+  Control control;
+  control.threads = 1;
+  control.judgement = Judgement::fit;
+  std::size_t inside = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Solution found = solve(*problems::plan(a1.scene, problems::polluted(problem, seed, 0)), control);
+    EXPECT_EQ(found.status, Status::doubtful) << seed << found.message;
+    EXPECT_THAT(found.message, testing::HasSubstr("The assembly fits the parts better with frequencies 0.0")) << seed;
+    const auto [low, high] = *found.unknowns[told_by_few].ci95;
+    const double truth = problem.unknowns[told_by_few].value;
+    inside += low <= truth && truth <= high;
   }
+  EXPECT_GE(inside, 7u);
 }
 
 }  // namespace
