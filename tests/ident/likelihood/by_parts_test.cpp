@@ -178,8 +178,8 @@ TEST(ByParts, NoisyFrfsGiveEstimatesAsGoodAsTheirErrors) {
 TEST(ByParts, FrfsThatAreMissingLeaveTheRest) {
   const Problem problem = chain(3);
   problems::Measurement data{problem.substructures, problem.assembly};
-  data.assembly.values[data.assembly.index(2, 1, 0)] = {nan, nan};
-  data.substructures[1].values[data.substructures[1].index(4, 2, 1)] = {nan, nan};
+  data.assembly.values[data.assembly.index(2, 1, 0)] = Complex(std::nan(""), std::nan(""));
+  data.substructures[1].values[data.substructures[1].index(4, 2, 1)] = Complex(std::nan(""), std::nan(""));
   const auto plan = problems::plan(by_parts(problem), std::move(data));
   const Solution found = solve(*plan);
   const auto whole = problems::plan(by_parts(problem), {problem.substructures, problem.assembly});
