@@ -328,7 +328,8 @@ Eigen::VectorXd coupled_frequencies(const problems::Problem& problem, const Matr
     for (Eigen::Index j = 0; j < joint; ++j) spring(i, j) = stiffness[std::size_t(i)][std::size_t(j)];
   }
   const Eigen::MatrixXd whole = k + shapes.transpose() * spring * shapes;
-  return dense::symmetric_eigen(whole, Eigen::MatrixXd::Identity(modes, modes)).values.cwiseMax(0.0).cwiseSqrt() / (2.0 * 3.141592653589793);
+  const Eigen::VectorXd squares = dense::symmetric_eigen(whole, Eigen::MatrixXd::Identity(modes, modes)).values;
+  return squares.cwiseMax(0.0).cwiseSqrt() / (2.0 * 3.141592653589793);
 }
 
 /// Of exact parts: the joint has the frequency that the scene states, which a noisy assembly alone misses.
