@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "beam_chain.hpp"
 #include "dense/eigen.hpp"
+#include "ident/admissible/admissible_set.hpp"
 #include "ident/admissible/constraint_phrases.hpp"
 #include "ident/admissible/tie.hpp"
 #include "ident/judgement/loose_joints.hpp"
