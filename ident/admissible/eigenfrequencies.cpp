@@ -67,6 +67,11 @@ MatrixXd part_stiffness(const Plan& plan, double hz) {
 void require_frequencies(const Plan& plan) {
   const std::vector<double>& stated = plan.scene.identify.frequencies_hz;
   if (stated.empty()) return;
+  const MethodTraits& method = traits(plan.scene.identify.method);
+  if (method.iterates && !method.uses_variances) {
+    fail(plan.scene, frequencies_key, "eigenfrequencies of the assembly are no conditions of " + method.phrase,
+         "use method \"likelihood\", \"one\", \"two\" or \"direct\", or leave frequencies out");
+  }
   const std::vector<double>& axis = plan.substructures->frequency_hz();
   for (const double hz : stated) {
     if (hz >= axis.front() && hz <= axis.back()) continue;

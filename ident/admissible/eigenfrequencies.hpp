@@ -35,7 +35,8 @@ class Eigenfrequencies {
   std::vector<Mode> modes_;
 };
 
-/// Throws InputError for a scene whose frequencies cannot be conditions: outside the lines of the substructures, or without H_bb.
+/// Throws InputError for a scene whose frequencies cannot be conditions: outside the lines of the substructures, without H_bb, or of
+/// method "newton".
 void require_frequencies(const Plan& plan);
 
 }  // namespace jointid::ident
