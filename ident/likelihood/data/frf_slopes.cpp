@@ -10,6 +10,8 @@
 namespace jointid::ident {
 namespace {
 
+using Columns = Lanes<4>;  // parts along the columns of what polynomials leave, zero beyond the degree
+
 /// An FRF that is zero by symmetry, and rounding in it: its slope would be that of rounding, and its own size says nothing of its error.
 bool is_negligible(const Symmetric<Measured>& line, Element element, Complex value) {
   constexpr double negligible = 1e-12;  // of |H_rr H_cc|
@@ -68,35 +70,47 @@ double FrfSlopes::variance(Element element) const {
 
 /// q = 1 + Σ c_j w^j so that q H is nearly a polynomial: what it is off is its part along the columns of `off`.
 FrfSlopes::Sums FrfSlopes::sums(const std::vector<std::size_t>& coordinates, const Square& off) const {
+  static_assert(most_degree == 4);
   const std::size_t count = lines_.size(), degree = count / 2;
-  Sums out;
+  Columns factor[most_lines][most_degree + 1] = {};  // what w^j H on a line adds to its parts along the columns
+  for (std::size_t k = 0; k < count; ++k) {
+    double power = 1.0;
+    for (std::size_t j = 0; j <= degree; ++j, power *= place_[at(k)]) {
+      for (std::size_t c = 0; c < degree; ++c) factor[k][j][c] = off(at(k), at(c)) * power;
+    }
+  }
   OnLines values{};
-  std::array<std::array<Complex, most_lines / 2>, most_lines / 2 + 1> parts{};  // [j][column], of w^j H
+  Columns sum_re[most_degree + 1][most_degree] = {}, sum_im[most_degree + 1][most_degree] = {};
   for (std::size_t r = 0; r < coordinates.size(); ++r) {
     for (std::size_t s = 0; s <= r; ++s) {
       const Element element{coordinates[r], coordinates[s]};
       if (!take(element, values)) continue;
       const double variance = this->variance(element);
       if (!(variance > 0.0)) continue;
-      for (std::size_t j = 0; j <= degree; ++j) {
-        for (std::size_t c = 0; c < degree; ++c) {
-          Complex sum = 0.0;
-          for (std::size_t k = 0; k < count; ++k) sum += off(at(k), at(c)) * values[k];
-          parts[j][c] = sum;
+      Columns re[most_degree + 1] = {}, im[most_degree + 1] = {};
+      for (std::size_t k = 0; k < count; ++k) {
+        for (std::size_t j = 0; j <= degree; ++j) {
+          re[j] += values[k].real() * factor[k][j];
+          im[j] += values[k].imag() * factor[k][j];
         }
-        for (std::size_t k = 0; k < count; ++k) values[k] *= place_[at(k)];
       }
       const double weight = 1.0 / variance;
-      const auto dot = [&](std::size_t i, std::size_t j) {
-        Complex sum = 0.0;
-        for (std::size_t c = 0; c < degree; ++c) sum += product(std::conj(parts[i][c]), parts[j][c]);
-        return weight * sum;
-      };
-      for (std::size_t j = 1; j <= degree; ++j) {
-        for (std::size_t l = 1; l <= degree; ++l) out.matrix[j - 1][l - 1] += dot(j, l);
-        out.right[j - 1] -= dot(j, 0);
+      for (std::size_t i = 0; i <= degree; ++i) {
+        for (std::size_t j = 1; j <= degree; ++j) {
+          sum_re[i][j - 1] += weight * (re[j] * re[i] + im[j] * im[i]);
+          sum_im[i][j - 1] += weight * (re[j] * im[i] - im[j] * re[i]);
+        }
       }
     }
+  }
+  Sums out;
+  const auto total = [&](std::size_t i, std::size_t j) {
+    const Columns re = sum_re[i][j], im = sum_im[i][j];
+    return Complex((re[0] + re[1]) + (re[2] + re[3]), (im[0] + im[1]) + (im[2] + im[3]));
+  };
+  for (std::size_t j = 0; j < degree; ++j) {
+    for (std::size_t l = 0; l < degree; ++l) out.matrix[j][l] = total(l + 1, j);
+    out.right[j] = -total(0, j);
   }
   return out;
 }

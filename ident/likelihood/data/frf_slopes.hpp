@@ -25,6 +25,7 @@ class FrfSlopes {
 
  private:
   static constexpr int most = static_cast<int>(most_lines);
+  static constexpr std::size_t most_degree = most_lines / 2;
   using Numbers = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1>;
   using Values = Eigen::Matrix<Complex, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1>;
   using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, most>;
@@ -34,8 +35,8 @@ class FrfSlopes {
 
   /// Normal equations of the denominator's coefficients.
   struct Sums {
-    std::array<std::array<Complex, most_lines / 2>, most_lines / 2> matrix{};
-    std::array<Complex, most_lines / 2> right{};
+    std::array<std::array<Complex, most_degree>, most_degree> matrix{};
+    std::array<Complex, most_degree> right{};
   };
 
   bool take(Element element, OnLines& values) const;

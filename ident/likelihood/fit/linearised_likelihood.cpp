@@ -80,7 +80,10 @@ void LinearisedLikelihood::take_nearby(std::size_t line, LineModel& model, Nearb
 }
 
 Eigen::MatrixXd LinearisedLikelihood::godambe_information(NearbyGradients begun) {
-  const std::vector<FittedLine> there = all_.lines.snapshot();
+  const bool saves = all_.lines.layout().is_large();  // and moves the lines
+  std::vector<FittedLine> kept;
+  if (saves) kept = all_.lines.snapshot();
+  const std::vector<FittedLine>& there = saves ? kept : all_.lines.snapshot();
   const auto exact = [&](const std::vector<Eigen::VectorXd>& offsets) {
     const bool is_begun = offsets == std::exchange(begun.offsets, {});
     const Eigen::MatrixXd sums = all_.lines.gradients_nearby(
@@ -104,9 +107,8 @@ Eigen::MatrixXd LinearisedLikelihood::godambe_information(NearbyGradients begun)
     all_.sum(theta, information, gradient);
     return gradient;
   };
-  const bool saves = all_.lines.layout().is_large();
   Eigen::MatrixXd curvature = jointid::ident::godambe_information(exact, fit.information, saves ? GradientAt(quick) : GradientAt());
-  all_.lines.restore(there);
+  if (saves) all_.lines.restore(std::move(kept));
   return curvature;
 }
 

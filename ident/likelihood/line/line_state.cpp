@@ -3,6 +3,7 @@
 #include "base/eigen.hpp"
 #include "base/kernel.hpp"
 #include "coupling/joint_loop.hpp"
+#include "ident/likelihood/line/lane_matrix.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -115,9 +116,16 @@ double cost_on_constraint(const LineLayout& layout, const LineData& data, const 
   double cost = block_cost(layout.x, data.x, state.x) + block_cost(layout.y, data.y, state.y) + block_cost(layout.a, data.a, state.a);
   if (!layout.b.empty()) cost += block_cost(layout.b, data.b, state.b);
   const ComplexMatrix za = z * state.a;
-  for (std::size_t i = 0; i < layout.d.size(); ++i) {
-    cost += square(data.d, i, predicted_difference(state, za, layout.d[i]));
+  if (8 * layout.d.size() < layout.others * layout.others) {
+    for (std::size_t i = 0; i < layout.d.size(); ++i) cost += square(data.d, i, predicted_difference(state, za, layout.d[i]));
+    return cost;
   }
+  const auto number = [](const ComplexMatrix& of) { return [&of](std::size_t i, std::size_t j) { return of(at(i), at(j)); }; };
+  const LaneMatrix g(layout.joint, layout.others, number(za));
+  const LaneMatrix x(layout.others, layout.joint, [&](std::size_t i, std::size_t j) { return state.x(at(j), at(i)); });
+  LaneMatrix all(layout.others, layout.others);
+  all.add_product(x.plain(), g.plain());
+  for (std::size_t i = 0; i < layout.d.size(); ++i) cost += square(data.d, i, all(layout.d[i].row, layout.d[i].column));
   return cost;
 }
 

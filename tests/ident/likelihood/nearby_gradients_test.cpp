@@ -12,7 +12,7 @@ namespace {
 double difference(const Eigen::MatrixXd& one, const Eigen::MatrixXd& other) { return (one - other).norm() / other.norm(); }
 
 struct Case {
-  std::unique_ptr<Plan> plan = SolverCase("A1", 0.05).plan("gauss_helmert", 1, true);
+  std::unique_ptr<Plan> plan = SolverCase("A1", 0.05).plan("gauss-helmert", 1, true);
   Control control;
   std::vector<double> theta;
 
