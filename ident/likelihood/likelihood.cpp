@@ -469,7 +469,8 @@ SeenStretch seen_stretch(const Plan& plan, const Fitted& all, const Control& con
   }
   const double set_aside = excess_of(plan, all, aside);
   if (!(set_aside > 0.0)) return seen;
-  const auto more = try_errors(plan, all.found, whole, all.ratio, control);
+  LinearisedLikelihood::NearbyGradients of_no_use;
+  const auto more = try_errors(plan, all.found, whole, all.ratio, control, of_no_use);
   const FileGain* const found = more ? more->stretch() : nullptr;
   if (found == nullptr || found - more->stretches.data() != seen.stretch - all.tried->stretches.data()) return seen;
   const double explained = found->score * found->score - seen.stretch->score * seen.stretch->score;
