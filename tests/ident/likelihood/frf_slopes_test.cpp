@@ -40,7 +40,7 @@ double largest_error(const std::vector<double>& frequency, std::size_t own, doub
   for (const double f : frequency) lines.push_back(line_at(f, deviation));
   std::vector<const Symmetric<Measured>*> all;
   for (const Symmetric<Measured>& line : lines) all.push_back(&line);
-  const FrfSlopes slopes(coordinates, frequency, all, own);
+  const FrfSlopes slopes({0, 1, 2}, frequency, all, own);
   double largest = 0.0;
   for (std::size_t r = 0; r < coordinates; ++r) {
     for (std::size_t c = 0; c <= r; ++c) {
@@ -68,7 +68,7 @@ TEST(FrfSlopes, AreNotKnownWhereALineIsNot) {
   const std::vector<double> frequency = {100.0, 101.0, 102.0};
   for (const double f : frequency) lines.push_back(line_at(f, 1e-3));
   lines[2].at(1, 0).value = {NAN, NAN};
-  const FrfSlopes slopes(coordinates, frequency, {&lines[0], &lines[1], &lines[2]}, 1);
+  const FrfSlopes slopes({0, 1, 2}, frequency, {&lines[0], &lines[1], &lines[2]}, 1);
   EXPECT_TRUE(std::isnan(slopes.of({1, 0}).real()));
   EXPECT_TRUE(std::isfinite(slopes.of({2, 0}).real()));
 }
