@@ -23,6 +23,14 @@ class Stop:
             raise KeyboardInterrupt
 
 
+def nothing_goes_on():
+    """Loops look for a stop every few milliseconds of work, which other work on the machine may stretch."""
+    end = time.perf_counter() + 30.0
+    while _jointid.runs_left() > 0 and time.perf_counter() < end:
+        time.sleep(0.01)
+    return _jointid.runs_left() == 0
+
+
 def stopped(work, when):
     with pytest.raises(KeyboardInterrupt) as caught:
         work(Stop(when))
@@ -100,7 +108,7 @@ def test_work_that_hands_on_no_interruption_ends(tmp_path):
     for work in (lambda: jointid.read(path), lambda: frfs.save(tmp_path / "again.csv")):
         with interrupted_after(0.1), pytest.raises(KeyboardInterrupt):
             work()
-        assert _jointid.runs_left() == 0
+        assert nothing_goes_on()
 
 
 def test_the_laws_that_were_fitted():
@@ -108,7 +116,8 @@ def test_the_laws_that_were_fitted():
     force = np.minimum(1e7 * u, 200.0) + 0.5 * np.sin(1.7 * np.arange(30_000))
     work = lambda progress: jointid.loading_curve((u, force), law=["bilinear", "iwan", "ren", "shoukry"], progress=progress)
     partial = stopped(work, lambda stage, done, total: "bilinear" not in stage).partial
-    assert "bilinear" in partial.text() and len(partial["fits"]) < 4 and _jointid.runs_left() == 0
+    assert "bilinear" in partial.text() and len(partial["fits"]) < 4
+    assert nothing_goes_on()
 
 
 def test_the_modes_so_far():
@@ -125,7 +134,7 @@ def test_a_large_modal_fit_ends():
     start = time.perf_counter()
     raised = stopped(lambda progress: jointid.modalfit(large, progress=progress), lambda *told: time.perf_counter() - start > 0.3)
     assert raised.partial is None or raised.partial.status == "not_converged"
-    assert _jointid.runs_left() == 0
+    assert nothing_goes_on()
 
 
 def test_nothing_so_far(a1):
