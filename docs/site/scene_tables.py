@@ -117,8 +117,9 @@ RESPONSE = Kind("response", "Scenes of `response`", ["response"], ["response"], 
     T("response", {"dofs": "[1]"}, always=True),
     T("curves", {"along": '"force"', "range": "[1, 2]", "frequency": "1.5"}, several=True),
     T("equivalent", {"amplitudes": "[1e-6]"}),
-    T("transient", {"duration": "1.0"}),
+    T("transient", {"duration": "1.0", "method": '"one"', "delta": "0.001"}),
     T("transient.forces", {"dof": "1", "file": '"x.csv"', "column": '"x"'}, several=True),
+    T("transient.normal", {"joint": "1", "load": "[[0, 1.0], [1, 2.0]]", "nominal": "1.0"}, several=True),
     T("transient.pulses", {"dof": "1", "amplitude": "1.0", "length": "0.1"}, several=True),
 ])
 
