@@ -7,7 +7,6 @@
 #include "ident/automatic_method.hpp"
 #include "ident/check/check.hpp"
 #include "ident/check/rest.hpp"
-#include "ident/frequency_turns.hpp"
 #include "ident/judgement/loose_joints.hpp"
 #include "ident/judgement/judge.hpp"
 #include "ident/judgement/tell_errors.hpp"
@@ -199,7 +198,7 @@ Solution solve(Plan& plan, const Control& asked) {
   out.warnings.insert(out.warnings.end(), plan.warnings.begin(), plan.warnings.end());
   out.used = {plan.scene.identify.method, plan.equations, plan.scene.identify.weighting,
               plan.scene.identify.delta,  name(plan.solver), plan.chosen};
-  solve_by_method(plan, control, out);
+  plan.method->solve(plan, control, out);
   find_loose_joints(plan, out);
   tell_wild_lines(wild, out);
   check_briefly(plan, control, out);

@@ -67,10 +67,11 @@ MatrixXd part_stiffness(const Plan& plan, double hz) {
 void require_frequencies(const Plan& plan) {
   const std::vector<double>& stated = plan.scene.identify.frequencies_hz;
   if (stated.empty()) return;
-  const MethodTraits& method = traits(plan.scene.identify.method);
-  if (method.iterates && !method.uses_variances) {
-    fail(plan.scene, frequencies_key, "eigenfrequencies of the assembly are no conditions of " + method.phrase,
-         "use method \"likelihood\", \"one\", \"two\" or \"direct\", or leave frequencies out");
+  if (traits(plan.scene.identify.method).iterates) {
+    fail(plan.scene, frequencies_key,
+         "eigenfrequencies of the assembly are conditions of the linear methods, not of " +
+             traits(plan.scene.identify.method).phrase,
+         "use method \"one\", \"two\" or \"direct\", or leave frequencies out");
   }
   const std::vector<double>& axis = plan.substructures->frequency_hz();
   for (const double hz : stated) {
@@ -110,35 +111,29 @@ void Eigenfrequencies::add_condition(const Mode& mode, const VectorXd& theta, Ma
   values[row] = rows.row(row).dot(theta) - motion.dot(whole * motion);
 }
 
-AdmissibleSet Eigenfrequencies::tied_at(const AdmissibleSet& set, const VectorXd& theta) const {
-  const Index n = theta.size();
-  const VectorXd offset = set.offset.size() > 0 ? set.offset : VectorXd(VectorXd::Zero(n));
-  const MatrixXd directions = set.directions.size() > 0 ? set.directions : MatrixXd(MatrixXd::Identity(n, n));
-  MatrixXd rows = MatrixXd::Zero(at(modes_.size()), n);
-  VectorXd values(at(modes_.size()));
-  std::vector<Tie> ties;
-  for (std::size_t k = 0; k < modes_.size(); ++k) {
-    const Index row = at(k);
-    add_condition(modes_[k], theta, rows, values, row);
-    ties.push_back({(rows.row(row) * directions).transpose(), values[row] - rows.row(row).dot(offset)});
-  }
-  const TiedUnknowns left = eliminate(std::move(ties), directions.cols());
-  AdmissibleSet out = set;
-  out.offset = offset + directions * left.offset;
-  out.directions = directions * left.directions;
-  for (const Mode& mode : modes_) out.ties.push_back(plain_number(mode.frequency_hz) + " Hz is an eigenfrequency");
-  return out;
-}
-
 AdmissibleFit Eigenfrequencies::nearest(const AdmissibleSet* set, const VectorXd& theta, const MatrixXd& root, double unit,
                                         AdmissibleSet& within) const {
   constexpr int most = 50;
   const AdmissibleSet base = set != nullptr ? *set : AdmissibleSet();
+  const Index n = theta.size();
+  const VectorXd offset = base.offset.size() > 0 ? base.offset : VectorXd(VectorXd::Zero(n));
+  const MatrixXd directions = base.directions.size() > 0 ? base.directions : MatrixXd(MatrixXd::Identity(n, n));
   AdmissibleFit out;
   out.theta = theta;
   bool settled = false;
   for (int turn = 0; turn < most && !settled; ++turn) {
-    within = tied_at(base, out.theta);
+    MatrixXd rows = MatrixXd::Zero(at(modes_.size()), n);
+    VectorXd values(at(modes_.size()));
+    std::vector<Tie> ties;
+    for (std::size_t k = 0; k < modes_.size(); ++k) {
+      add_condition(modes_[k], out.theta, rows, values, at(k));
+      ties.push_back({(rows.row(at(k)) * directions).transpose(), values[at(k)] - rows.row(at(k)).dot(offset)});
+    }
+    const TiedUnknowns left = eliminate(std::move(ties), directions.cols());
+    within = base;
+    within.offset = offset + directions * left.offset;
+    within.directions = directions * left.directions;
+    for (const Mode& mode : modes_) within.ties.push_back(plain_number(mode.frequency_hz) + " Hz is an eigenfrequency");
     const VectorXd before = out.theta;
     out = nearest_admissible(within, theta, root, unit);
     settled = (out.theta - before).cwiseAbs().maxCoeff() <= 1e-10 * out.theta.cwiseAbs().maxCoeff() ||

@@ -13,9 +13,6 @@ class Eigenfrequencies {
   /// Reads H_bb about each frequency. Throws InputError where it is not measured there.
   explicit Eigenfrequencies(const Plan& plan);
 
-  /// `set` with the conditions at the motions of a joint θ among its ties: they are linear.
-  AdmissibleSet tied_at(const AdmissibleSet& set, const Eigen::VectorXd& theta) const;
-
   /// The estimate θ̂ moved to the nearest joint of `set` (empty: any) that has them, in the metric ‖R(θ − θ̂)‖: each turn has the
   /// motions at these frequencies of the turn before, with which a condition is vᵀ Re(H_bb⁻¹ + Z(θ)) v = 0, linear in θ. `within`
   /// gets the set with the last of these conditions among its ties. `converged` is false where motions did not settle.
@@ -35,8 +32,8 @@ class Eigenfrequencies {
   std::vector<Mode> modes_;
 };
 
-/// Throws InputError for a scene whose frequencies cannot be conditions: outside the lines of the substructures, without H_bb, or of
-/// method "newton".
+/// Throws InputError for a scene whose frequencies cannot be conditions: outside the lines of the substructures, of a method that
+/// is not linear, or without H_bb.
 void require_frequencies(const Plan& plan);
 
 }  // namespace jointid::ident

@@ -7,8 +7,8 @@
 namespace jointid::ident {
 
 /// Whether one of `tried` numbers is by chance as many standard deviations from what it should be, in more than one of a thousand checks:
-/// tried · P(|t_ν| > deviations) ≥ 10⁻³, t_ν of Student's law (Bonferroni's bound). `freedom`: ν, the degrees of freedom of the scatter that
-/// told the standard deviation; of fewer than one nothing is beyond chance.
+/// tried · P(|t_ν| > deviations) ≥ 10⁻³, t_ν of Student's law (Bonferroni's bound). `freedom`: ν, the degrees of freedom of the scatter
+/// that told the standard deviation; of fewer than one nothing is beyond chance.
 bool may_be_chance(double deviations, double freedom, double tried);
 
 /// Degrees of freedom of a standard deviation from the median of so many absolute values, for it has 0.37 of the efficiency of the root of

@@ -80,7 +80,7 @@ std::vector<MistakeTrial> group_trials(const Files& files, const Dofs& joint, co
     with_group[f] = part_of(files[f], files[f].responses, references);
     const std::vector<SpanSetup> group_setups = span_setups(with_group, joint);
     Screening of_group = screen(with_group, group_setups, threads);
-    of_group.chosen_from = screening.chosen_from * static_cast<double>(1 + files[f].references.size());  // cuts of the order of their levels
+    of_group.chosen_from = screening.chosen_from * static_cast<double>(1 + files[f].references.size());  // cuts of their order
     const Misfit misfit = misfit_of(with_group, group_setups, of_group.noise, threads);
     for (MistakeTrial& trial : trials_of(with_group, group_setups, of_group, misfit)) {
       if (trial.files == std::vector{f} && !trial.leave) out.push_back(in_group(std::move(trial), files[f].name, references));

@@ -33,8 +33,8 @@ Eigen::MatrixXd basis_of(Eigen::MatrixXd projector, Eigen::Index count) {
 
 }  // namespace
 
-FrfSlopes::FrfSlopes(const std::vector<std::size_t>& coordinates, const std::vector<double>& frequency, std::vector<const Symmetric<Measured>*> lines,
-                     std::size_t own)
+FrfSlopes::FrfSlopes(const std::vector<std::size_t>& coordinates, const std::vector<double>& frequency,
+                     std::vector<const Symmetric<Measured>*> lines, std::size_t own)
     : lines_(std::move(lines)), place_(at(lines_.size())) {
   const Eigen::Index count = place_.size(), degree = (count - 1) / 2;
   const double unit = (frequency.back() - frequency.front()) / static_cast<double>(count - 1);

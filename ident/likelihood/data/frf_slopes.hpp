@@ -8,17 +8,17 @@
 
 namespace jointid::ident {
 
-/// Derivatives of the FRFs of a structure on a line by the frequency. Its FRFs have poles in common: through 2d + 1 neighbouring lines, nine
-/// or fewer of them, each is a polynomial of degree d over one denominator of degree d for all, which least squares weighed by the
+/// Derivatives of the FRFs of a structure on a line by the frequency. Its FRFs have poles in common: through 2d + 1 neighbouring lines,
+/// nine or fewer of them, each is a polynomial of degree d over one denominator of degree d for all, which least squares weighed by the
 /// errors find. Lines may be farther apart than resonances are wide.
 class FrfSlopes {
  public:
   static constexpr std::size_t most_lines = 9;  ///< four poles: close resonances are told apart
 
-  /// `frequency` of the lines, an odd number of them, and their FRFs, of which those between `coordinates` are the structure's; `own`: where
-  /// the derivatives are.
-  FrfSlopes(const std::vector<std::size_t>& coordinates, const std::vector<double>& frequency, std::vector<const Symmetric<Measured>*> lines,
-            std::size_t own);
+  /// `frequency` of the lines, an odd number of them, and their FRFs, of which those between `coordinates` are the structure's; `own`:
+  /// where the derivatives are.
+  FrfSlopes(const std::vector<std::size_t>& coordinates, const std::vector<double>& frequency,
+            std::vector<const Symmetric<Measured>*> lines, std::size_t own);
 
   /// By the unit of `frequency`; NaN where the FRF is not known on all lines, or zero by symmetry on one.
   Complex of(Element element) const;

@@ -96,7 +96,7 @@ TEST_F(CsvFunctions, PolarAndComplexCells) {
   ASSERT_EQ(near_pi.values.size(), 1U);
   EXPECT_NEAR(std::arg(-near_pi.values[0]), 3.1, 1e-12);
   for (const char* open : {"10,1 cis(0.7)\n", "10,1 cis(40)\n", "10,1<0.7\n"})
-    EXPECT_THAT(error(titles + open), HasSubstr("line 2, column 2: an angle does not say whether"));
+    EXPECT_THAT(error(titles + open), HasSubstr("line 2, column 2: an angle does not state whether"));
   const std::string plain = "frequency_hz;1:+Z/1:+Z\n";
   expect_right(plain + "10;complex(2.0,-1.0)\n20;Complex(3.0, 4.0)\n");
   expect_right(plain + "10;np.complex128(2-1j)\n20;np.complex128(3+4j)\n");
@@ -119,7 +119,7 @@ TEST_F(CsvFunctions, NumberedColumnsAreOfTheFrfsThatTheySay) {
   EXPECT_THAT(error("f/Hz,Re(H11),Re(H21),Im(H21),Im(H11)\n10,1,2,3,4\n", points({"1:+X", "2:+X"}, {"1:+X"})),
               HasSubstr("the parts of H11 and H21 are in different orders"));
   EXPECT_THAT(error("f/Hz,H31,H21\n10,1+0j,2+0j\n", points({"8:+X", "9:+X"}, {"8:+X"})),
-              HasSubstr("H31 … H21 do not say which FRF is of which of the DOFs"));
+              HasSubstr("H31 … H21 do not state which FRF is of which of the DOFs"));
 }
 
 TEST(NumberedLabels, ReadByNodesOrInOrder) {

@@ -8,13 +8,10 @@
 #include "base/error.hpp"
 #include "beam_chain.hpp"
 #include "dense/eigen.hpp"
-#include "ident/admissible/admissible_set.hpp"
 #include "ident/admissible/constraint_phrases.hpp"
 #include "ident/admissible/tie.hpp"
 #include "ident/judgement/loose_joints.hpp"
 #include "ident/scene/read_scene.hpp"
-#include "problems/case/in_memory.hpp"
-#include "problems/problem.hpp"
 #include "tests/ident/likelihood_case.hpp"
 #include "tests/ident/memory_systems.hpp"
 
@@ -307,65 +304,7 @@ TEST(Frequencies, AreThoseOfTheJointThatIsFound) {
   };
   EXPECT_THAT(refused([](IdentifySection& identify) { identify.frequencies_hz = {5.0}; }),
               HasSubstr("5 Hz is outside the lines of the substructures"));
-}
-
-/// Undamped eigenfrequencies of the parts of a problem with springs at the joint, by all modes of the parts.
-Eigen::VectorXd coupled_frequencies(const problems::Problem& problem, const Matrix& stiffness) {
-  std::size_t count = 0;
-  for (const problems::Modes& part : problem.substructure_modes) count += part.count();
-  const auto joint = Eigen::Index(problem.joint_dofs.size()), modes = Eigen::Index(count);
-  Eigen::MatrixXd shapes = Eigen::MatrixXd::Zero(joint, modes), k = Eigen::MatrixXd::Zero(modes, modes), spring(joint, joint);
-  Eigen::Index first = 0;
-  for (const problems::Modes& part : problem.substructure_modes) {
-    for (std::size_t r = 0; r < part.count(); ++r, ++first) {
-      k(first, first) = std::pow(2.0 * 3.141592653589793 * part.frequency_hz[r], 2);
-      for (Eigen::Index j = 0; j < joint; ++j) {
-        const std::size_t at = frf::find_coordinate(part.dofs, problem.joint_dofs[std::size_t(j)]);
-        if (at != frf::npos) shapes(j, first) = part.shapes[at * part.count() + r];
-      }
-    }
-  }
-  for (Eigen::Index i = 0; i < joint; ++i) {
-    for (Eigen::Index j = 0; j < joint; ++j) spring(i, j) = stiffness[std::size_t(i)][std::size_t(j)];
-  }
-  const Eigen::MatrixXd whole = k + shapes.transpose() * spring * shapes;
-  const Eigen::VectorXd squares = dense::symmetric_eigen(whole, Eigen::MatrixXd::Identity(modes, modes)).values;
-  return squares.cwiseMax(0.0).cwiseSqrt() / (2.0 * 3.141592653589793);
-}
-
-/// Of exact parts: the joint has the frequency that the scene states, which a noisy assembly alone misses.
-TEST(Frequencies, AreConditionsOfTheLikelihood) {
-  const problems::Problem problem = problems::make("A1");
-  const Eigen::VectorXd exact = coupled_frequencies(problem, problem.truth.at(restrictions::Kind::stiffness));
-  const auto inside = std::ranges::find_if(exact, [](double hz) { return hz > 600.0 && hz < 900.0; });
-  ASSERT_NE(inside, exact.end());
-  const auto mode = inside - exact.begin();
-  Scene scene = problems::scene(problem);
-  scene.identify.method = Method::likelihood;
-  const auto frequency = [&](const Scene& of) {
-    const auto plan = problems::plan(of, {problem.substructures, problems::polluted(problem, 1, 0).assembly});
-    Control control;
-    control.judgement = Judgement::none;
-    const Solution found = solve(*plan, control);
-    EXPECT_TRUE(is_usable(found.status)) << found.message;
-    if (!of.identify.frequencies_hz.empty()) {
-      EXPECT_EQ(found.admissibility->equations, 1u);
-      EXPECT_TRUE(plan->admissible->ties.empty()) << "the plan is as it was";
-    }
-    return coupled_frequencies(problem, found.bands.front().matrices.at(restrictions::Kind::stiffness))[mode] / exact[mode] - 1.0;
-  };
-  const double free = frequency(scene);
-  scene.identify.frequencies_hz = {exact[mode]};
-  const double held = frequency(scene);
-  EXPECT_LT(std::abs(held), 0.3 * std::abs(free) + 1e-4) << "free " << free;
-  scene.identify.method = Method::newton;
-  scene.identify.equations = {};
-  try {
-    problems::plan(scene, {problem.substructures, problem.assembly});
-    ADD_FAILURE() << "newton takes none";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("no conditions of method \"newton\""));
-  }
+  EXPECT_THAT(refused([](IdentifySection& identify) { identify.method = Method::likelihood; }), HasSubstr("use method \"one\""));
 }
 
 TEST(Loose, TakesANominalStiffnessByNumbers) {
