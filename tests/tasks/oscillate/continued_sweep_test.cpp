@@ -99,8 +99,9 @@ TEST(ContinuedSweep, OfReducedModelsHasTheGoldenPeriods) {
   std::map<std::string, const std::vector<oscillation::SweepPoint>*> models = {{"full", &found.sweep}};
   for (const ReducedSweep& each : found.reduced_sweeps)
     models[(each.basis == BasisKind::pod ? "POM " : "normal ") + std::to_string(each.order)] = &each.points;
-  for (const auto& [velocity, rows] : expected["points"].items()) {
-    for (const auto& [model, row] : rows.items()) {
+  for (const auto& point : expected["points"].items()) {
+    const std::string velocity = point.key();
+    for (const auto& [model, row] : point.value().items()) {
       const auto& points = *models.at(model);
       const auto at =
           std::ranges::find_if(points, [&](const auto& p) { return std::abs(p.parameter - std::stod(velocity)) < 1e-9; });
