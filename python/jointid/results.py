@@ -261,15 +261,27 @@ class Solution(Result):
 
         Scenes with several bands raise InputError; see `bands`.
         """
-        if self["matrices"] is None:
+        if self["matrices"] is None and "blocks" not in self.to_dict():
             raise InputError("the joint has several frequency bands", place="matrices", remedy="see solution.bands")
-        return {kind: np.array(rows, dtype=float) for kind, rows in self["matrices"].items()}
+        return self._whole(self.to_dict())
 
     @property
     def bands(self) -> list[tuple[tuple[float, float] | None, dict[str, np.ndarray]]]:
         """(band in Hz or None, matrices) of each band of the scene."""
-        bands = self.to_dict().get("bands") or [{"band_hz": None, "matrices": self["matrices"]}]
-        return [(_pair(band["band_hz"]), {kind: np.array(rows, dtype=float) for kind, rows in band["matrices"].items()}) for band in bands]
+        bands = self.to_dict().get("bands") or [{"band_hz": None, **{key: self.to_dict().get(key) for key in ("matrices", "blocks")}}]
+        return [(_pair(band["band_hz"]), self._whole(band)) for band in bands]
+
+    def _whole(self, band: dict[str, Any]) -> dict[str, np.ndarray]:
+        """Matrices as they are, or put together of blocks, which joints of many DOFs have."""
+        if band.get("matrices") is not None:
+            return {kind: np.array(rows, dtype=float) for kind, rows in band["matrices"].items()}
+        place = {name: at for at, name in enumerate(self["dofs"])}
+        out: dict[str, np.ndarray] = {}
+        for block in band["blocks"]:
+            at = [place[name] for name in block["dofs"]]
+            for kind, rows in block["matrices"].items():
+                out.setdefault(kind, np.zeros((len(place), len(place))))[np.ix_(at, at)] = np.array(rows, dtype=float)
+        return out
 
     def dynamic_stiffness(self, frequency: Any) -> np.ndarray:
         """Z_J(ω) = K − ω²M + i(ωC + D) of the joint, [line, DOF, DOF], N/m, at frequencies in Hz.

@@ -171,3 +171,30 @@ def test_plots(sets, joint):
     assert len(axes[0].get_lines()) == 2
     with pytest.raises(jointid.InputError, match="it has stiffness"):
         solution.plot_matrix("mass")
+
+
+class OfManyDofs(jointid.Solution):
+    """What the JSON of a joint of more than 300 DOFs has in place of whole matrices."""
+
+    def __init__(self, table):
+        self.table = table
+
+    def to_dict(self):
+        return self.table
+
+    def __getitem__(self, key):
+        return self.table[key]
+
+
+def test_matrices_of_many_dofs_are_put_together_of_blocks():
+    blocks = [{"dofs": ["1:+X", "3:+X"], "matrices": {"stiffness": [[2.0, -2.0], [-2.0, 2.0]]}},
+              {"dofs": ["2:+X"], "matrices": {"stiffness": [[None]]}}]
+    expected = [[2.0, 0.0, -2.0], [0.0, np.nan, 0.0], [-2.0, 0.0, 2.0]]
+    dofs = ["1:+X", "2:+X", "3:+X"]
+    whole = OfManyDofs({"dofs": dofs, "matrices": None, "blocks": blocks})
+    np.testing.assert_array_equal(whole.matrices["stiffness"], expected)
+    np.testing.assert_array_equal(whole.bands[0][1]["stiffness"], expected)
+    banded = OfManyDofs({"dofs": dofs, "matrices": None, "bands": [{"band_hz": [1.0, 2.0], "blocks": blocks}]})
+    np.testing.assert_array_equal(banded.bands[0][1]["stiffness"], expected)
+    with pytest.raises(jointid.InputError, match="several frequency bands"):
+        banded.matrices
