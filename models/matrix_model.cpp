@@ -19,6 +19,7 @@ constexpr double fullest_sparse = 0.25;  ///< share of elements
 constexpr std::size_t least_lines = 12;     ///< a reduction takes about as long as three to eight factorisations
 constexpr std::size_t most_dampers = 64;    ///< coordinates of damping that is no combination of mass and stiffness
 constexpr Eigen::Index least_share = 3;     ///< a basis of more than a third of the coordinates is no reduction
+constexpr double least_range = 0.125;       ///< of all lines, that is prepared for at once
 constexpr double disagreement = 10.0;       ///< over the error that a reduction states, at least that it accepts: it is not used
 constexpr Complex i{0.0, 1.0};
 
@@ -87,6 +88,7 @@ void MatrixModel::expect(const Request& request) {
   }
   const bool is_new = !std::ranges::includes(reduced_between_, request.coordinates);
   if (reduction_ && !is_new && low >= low_ && high <= high_) return;
+  high = std::max(high, std::min(request.highest, low + least_range * (request.highest - request.lowest)));
   if (reduction_) {  // what is read in pieces is prepared for in pieces of twice the size
     const double reach = 2.0 * (std::max(high, high_) - std::min(low, low_));
     if (high > high_) high = std::max(high, std::min(request.highest, low_ + reach));

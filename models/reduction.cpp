@@ -116,16 +116,14 @@ bool Reduction::cover(double low, double high, Eigen::Index most_vectors) {
     high = std::max(high, high_);
   }
   const double near = 0.5 * (high - low) / static_cast<double>(grid_lines - 1);
-  std::vector<double> at_floor;  // lines that a shift of their own did not improve
   const auto settled = [&](double omega) {
-    return std::ranges::any_of(at_floor, [&](double each) { return std::abs(each - omega) <= near; });
+    return std::ranges::any_of(at_rounding_, [&](double each) { return std::abs(each - omega) <= near; });
   };
   std::map<double, double> error;
-  double aim = bound;  // until a shift changes nothing: then all that is accepted is left as it is
   for (;;) {
     error.clear();
     for (const double omega : test_lines(low, high)) error[omega] = errors(omega).cwiseAbs().maxCoeff();
-    double worst = -1.0, largest = aim;
+    double worst = -1.0, largest = aim_;
     for (const auto& [omega, each] : error) {
       if (each <= largest || settled(omega)) continue;
       largest = each;
@@ -134,8 +132,8 @@ bool Reduction::cover(double low, double high, Eigen::Index most_vectors) {
     if (worst < 0.0) break;
     if (basis_->size() + 2 * at(inputs_.size()) > most_vectors || !add_shift(worst) || !find_modes()) return false;
     if (errors(worst).cwiseAbs().maxCoeff() < 0.3 * largest) continue;
-    at_floor.push_back(worst);
-    aim = accepted;
+    at_rounding_.push_back(worst);
+    aim_ = std::max({aim_, accepted, std::min(largest, rounding)});
   }
   for (auto line = error.begin(); line != error.end() && line->second > rounding; line = error.begin()) {
     error.erase(line);

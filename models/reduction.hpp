@@ -70,6 +70,8 @@ class Reduction {
   std::size_t shifts_ = 0;
   double low_ = 1.0, high_ = 0.0;  ///< nothing yet
   double error_ = 0.0, worst_ = 0.0;
+  double aim_ = bound;               ///< what shifts did not mend is rounding, and so is what is smaller
+  std::vector<double> at_rounding_;  ///< rad/s, lines that a shift of their own did not mend
 };
 
 }  // namespace jointid::models
