@@ -108,9 +108,9 @@ void MatrixModel::expect(const Request& request) {
 
 bool MatrixModel::reduce(double low, double high) {
   if (!reduction_) {
-    std::optional<ProportionalForm> form = proportional_form(matrices_, most_dampers);
-    if (!form) return false;
-    reduction_ = std::make_unique<Reduction>(matrices_, std::move(*form), reduced_between_);
+    if (!form_) form_ = proportional_form(matrices_, most_dampers);
+    if (!form_) return false;
+    reduction_ = std::make_unique<Reduction>(matrices_, *form_, reduced_between_);
   }
   if (!reduction_->cover(low, high, matrices_.mass.rows() / least_share)) return false;
   low_ = low;

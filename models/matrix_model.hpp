@@ -47,6 +47,7 @@ class MatrixModel final : public Model {
   std::size_t lines_asked_ = 0;
   double low_ = 0.0, high_ = 0.0;             ///< range that was reduced, rad/s
   std::vector<std::size_t> reduced_between_;  ///< ascending
+  std::optional<ProportionalForm> form_;      ///< once a reduction was asked for
   std::unique_ptr<Reduction> reduction_;
 };
 

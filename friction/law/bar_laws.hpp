@@ -7,82 +7,75 @@
 /// Menq's bar and the bending root as laws of the list: by their dimensions, and by what a loading curve tells of them.
 namespace jointid::friction {
 
+/// A law E of the list with the path of an element of other parameters.
+template <class E, class Of>
+class LawOf : public ListedLaw<E> {
+ public:
+  Response response(double u) const final { return element_.response(u); }
+  double energy(double u) const final { return element_.energy(u); }
+  double displacement(double force) const final { return element_.displacement(force); }
+  double limit() const override { return element_.limit(); }
+  std::vector<double> kinks() const final { return element_.kinks(); }
+  double cycle_energy(double u) const final { return element_.cycle_energy(u); }
+
+ protected:
+  /// `make` gives the element of values that the law admits.
+  LawOf(std::span<const double> values, Of (*make)(std::span<const double>)) : ListedLaw<E>(values), element_(make(values)) {}
+
+  Of element_;
+};
+
 /// "menq": {EA, L, k, tau, beta}, a bar by its dimensions. A curve tells three of the five numbers, so it is no law of fits.
-class MenqByDimensions final : public ListedLaw<MenqByDimensions> {
+class MenqByDimensions final : public LawOf<MenqByDimensions, MenqBar> {
  public:
   static const Law law;
 
   explicit MenqByDimensions(std::span<const double> values);
 
-  Response response(double u) const override { return bar_.response(u); }
-  double energy(double u) const override { return bar_.energy(u); }
-  double displacement(double force) const override { return bar_.displacement(force); }
-  double limit() const override { return bar_.limit(); }
-  std::vector<double> kinks() const override { return bar_.kinks(); }
-  std::vector<Parameter> parameters() const override { return bar_.parameters(); }
-  void derivative(double u, std::span<double> out) const override { bar_.derivative(u, out); }
-
- private:
-  MenqBar bar_;
+  std::vector<Parameter> parameters() const override { return element_.parameters(); }
+  void derivative(double u, std::span<double> out) const override { element_.derivative(u, out); }
 };
 
 /// "menq-shape": {f, u, lambda}: limit f = τL (N), displacement where slip begins u = τ/k (m), λ = L√(k/EA); far end free.
-class MenqShape final : public ListedLaw<MenqShape> {
+/// The bar has L = 1 m.
+class MenqShape final : public LawOf<MenqShape, MenqBar> {
  public:
   static const Law law;
 
   explicit MenqShape(std::span<const double> values);
 
-  Response response(double u) const override { return bar_.response(u); }
-  double energy(double u) const override { return bar_.energy(u); }
-  double displacement(double force) const override { return bar_.displacement(force); }
   double limit() const override { return limit_; }
-  std::vector<double> kinks() const override { return bar_.kinks(); }
   std::vector<Parameter> parameters() const override;
   void derivative(double u, std::span<double> out) const override;
 
  private:
   double limit_, slip_, length_;  ///< f, u, λ
-  MenqBar bar_;                   ///< of L = 1 m
 };
 
 /// "bending-root": {EI, tau, L0}, a clamped root by its dimensions. A curve tells two of the three numbers.
-class RootByDimensions final : public ListedLaw<RootByDimensions> {
+class RootByDimensions final : public LawOf<RootByDimensions, BendingRoot> {
  public:
   static const Law law;
 
   explicit RootByDimensions(std::span<const double> values);
 
-  Response response(double u) const override { return root_.response(u); }
-  double energy(double u) const override { return root_.energy(u); }
-  double displacement(double force) const override { return root_.displacement(force); }
-  double limit() const override { return infinity; }
-  std::vector<Parameter> parameters() const override { return root_.parameters(); }
-  void derivative(double u, std::span<double> out) const override { root_.derivative(u, out); }
-  double cycle_energy(double u) const override { return root_.cycle_energy(u); }
-
- private:
-  BendingRoot root_;
+  std::vector<Parameter> parameters() const override { return element_.parameters(); }
+  void derivative(double u, std::span<double> out) const override { element_.derivative(u, out); }
 };
 
 /// "bending-root-shape": {k, f}: initial stiffness k = 3EI/L₀³ (N/m) and f = τL₀ (N); u = (f/k) times a function of F/f.
-class RootShape final : public ListedLaw<RootShape> {
+/// The root has L₀ = 1 m.
+class RootShape final : public LawOf<RootShape, BendingRoot> {
  public:
   static const Law law;
 
   explicit RootShape(std::span<const double> values);
 
-  Response response(double u) const override { return root_.response(u); }
-  double energy(double u) const override { return root_.energy(u); }
-  double displacement(double force) const override { return root_.displacement(force); }
-  double limit() const override { return infinity; }
   std::vector<Parameter> parameters() const override;
   void derivative(double u, std::span<double> out) const override;
-  double cycle_energy(double u) const override { return root_.cycle_energy(u); }
 
  private:
   double stiffness_, force_;
-  BendingRoot root_;  ///< of L₀ = 1 m
 };
 
 }  // namespace jointid::friction
