@@ -58,11 +58,11 @@ bool parse_plain(const std::string& text, double& value) {
 
 std::string read_text(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
-  constexpr std::size_t piece = 1U << 22U;
+  constexpr std::size_t smallest = 1U << 14U, largest = 1U << 22U;
   std::string text;
   while (in) {
     stop_point();
-    const std::size_t before = text.size();
+    const std::size_t before = text.size(), piece = std::clamp(before, smallest, largest);
     text.resize(before + piece);
     in.read(text.data() + before, static_cast<std::streamsize>(piece));
     text.resize(before + static_cast<std::size_t>(in.gcount()));

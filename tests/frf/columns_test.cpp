@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "file_fixture.hpp"
+#include "frf/text/number_text.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -27,6 +28,16 @@ std::vector<std::string> names(const Columns& columns) {
   std::vector<std::string> out;
   for (const NumberColumn& column : columns.columns) out.push_back(column.name);
   return out;
+}
+
+TEST_F(ColumnsFile, SmallTextTakesLittleMemory) {
+  EXPECT_LT(read_text(write_file("a.csv", "time,F,a\n0,0,0\n")).capacity(), std::size_t{1} << 16);
+}
+
+TEST_F(ColumnsFile, TextLongerThanAnyPieceIsWhole) {
+  std::string text;
+  for (int row = 0; text.size() < 9'000'000; ++row) text += std::to_string(row) + ",1.5\n";
+  EXPECT_EQ(read_text(write_file("a.csv", text)), text);
 }
 
 TEST_F(ColumnsFile, HeaderWithUnitsAndTabs) {
