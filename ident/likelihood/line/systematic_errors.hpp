@@ -25,9 +25,9 @@ struct SystematicUnknown {
 struct SystematicFactor {
   std::size_t unknown = 0;
   Complex driving{};              ///< of a mass: H(p,p) as measured; of an angle: the FRF along the other axis over this one
-  Complex own{};                  ///< of a stretch, whose driving is −(ω H' + 2 H)/H: what of it comes from the value of H itself
   std::size_t point = 0;          ///< which driving point of the line that is
   double driving_variance = 0.0;  ///< E|e|² of it; 0: not known, or exact
+  Complex own{};                  ///< of a stretch, whose driving is −(ω H' + 2 H)/H: what of it comes from the value of H itself
 };
 
 /// A way in which an FRF was measured, there or back.
