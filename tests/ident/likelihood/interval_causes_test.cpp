@@ -188,7 +188,7 @@ TEST(UnstatedErrors, AnotherTemperatureIsInTheIntervalOfWhatFewLinesTell) {
 }
 
 /// One line of the part is on a resonance. There its slopes are nearly all in proportion to its FRFs, and with their noise of 1 % the
-/// stretch was found at a tenth of itself, mostly below three deviations.
+/// stretch was found at a fifth of itself, in every other seed below three deviations.
 TEST(UnstatedErrors, AnotherTemperatureOfOnePartIsFoundThoughItsFrfsHaveNoise) {
   LikelihoodCase a1("A1", 0.01);
   problems::Problem problem = warmed("A1", 2e-4, true);
