@@ -50,7 +50,11 @@ struct MeasuredChannel {
 
 const Dofs& dofs_of(const CheckedFile& file, Role role) { return role == Role::response ? file.responses : file.references; }
 
+bool has_role(const CheckedFile& file, Role role, const frf::Dof& dof) { return place_of(dofs_of(file, role), dof) != frf::npos; }
+
+/// Nothing where the file, a group of references for example, does not have the channel.
 void scale_channel(CheckedFile& file, Role role, const frf::Dof& dof, std::complex<double> factor) {
+  if (!has_role(file, role, dof)) return;
   const auto at = static_cast<Eigen::Index>(place_of(dofs_of(file, role), dof));
   for (Eigen::MatrixXcd& line : file.frfs) {
     if (role == Role::response) {
@@ -61,7 +65,9 @@ void scale_channel(CheckedFile& file, Role role, const frf::Dof& dof, std::compl
   }
 }
 
+/// Nothing where the file does not have both.
 void swap_channels(CheckedFile& file, Role role, const frf::Dof& a, const frf::Dof& b) {
+  if (!has_role(file, role, a) || !has_role(file, role, b)) return;
   const auto i = static_cast<Eigen::Index>(place_of(dofs_of(file, role), a)),
              j = static_cast<Eigen::Index>(place_of(dofs_of(file, role), b));
   for (Eigen::MatrixXcd& line : file.frfs) {
@@ -94,8 +100,6 @@ void take_out_mass(CheckedFile& file, double mass) {
     }
   }
 }
-
-bool has_role(const CheckedFile& file, Role role, const frf::Dof& dof) { return place_of(dofs_of(file, role), dof) != frf::npos; }
 
 /// The rows that a span test would rather be without, and the coordinates whose pairs are least reciprocal.
 struct Candidates {

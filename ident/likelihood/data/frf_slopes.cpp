@@ -35,7 +35,7 @@ Eigen::MatrixXd basis_of(Eigen::MatrixXd projector, Eigen::Index count) {
 
 FrfSlopes::FrfSlopes(const std::vector<std::size_t>& coordinates, const std::vector<double>& frequency,
                      std::vector<const Symmetric<Measured>*> lines, std::size_t own)
-    : lines_(std::move(lines)), place_(at(lines_.size())) {
+    : lines_(std::move(lines)), place_(at(lines_.size())), own_(own) {
   const Eigen::Index count = place_.size(), degree = (count - 1) / 2;
   const double unit = (frequency.back() - frequency.front()) / static_cast<double>(count - 1);
   for (Eigen::Index k = 0; k < count; ++k) place_[k] = (frequency[static_cast<std::size_t>(k)] - frequency[own]) / unit;
@@ -45,8 +45,8 @@ FrfSlopes::FrfSlopes(const std::vector<std::size_t>& coordinates, const std::vec
   Complex rate;  // of the denominator at own, where it is 1
   const Values on_lines =
       denominator(sums(coordinates, basis_of(Eigen::MatrixXd::Identity(count, count) - powers * inverse, degree)), rate);
-  for (Eigen::Index k = 0; k < count; ++k)
-    factor_[static_cast<std::size_t>(k)] = on_lines[k] * (inverse(1, k) - rate * inverse(0, k)) / unit;
+  for (Eigen::Index k = 0; k < count; ++k) factor_[static_cast<std::size_t>(k)] = on_lines[k] * inverse(1, k) / unit;
+  factor_[own] -= rate / unit;
 }
 
 bool FrfSlopes::take(Element element, OnLines& values) const {

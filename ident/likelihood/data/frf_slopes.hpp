@@ -10,7 +10,7 @@ namespace jointid::ident {
 
 /// Derivatives of the FRFs of a structure on a line by the frequency. Its FRFs have poles in common: through 2d + 1 neighbouring lines,
 /// nine or fewer of them, each is a polynomial of degree d over one denominator of degree d for all, which least squares weighed by the
-/// errors find. Lines may be farther apart than resonances are wide.
+/// errors find. Lines may be farther apart than resonances are wide. With the denominator q, 1 on the own line, H' = (q H)' − q' H.
 class FrfSlopes {
  public:
   static constexpr std::size_t most_lines = 9;  ///< four poles: close resonances are told apart
@@ -22,6 +22,8 @@ class FrfSlopes {
 
   /// By the unit of `frequency`; NaN where the FRF is not known on all lines, or zero by symmetry on one.
   Complex of(Element element) const;
+  /// What every derivative has of the value of its FRF on the line itself, a factor: nearly all of it on a resonance.
+  Complex of_own_value() const { return factor_[own_]; }
 
  private:
   static constexpr int most = static_cast<int>(most_lines);
@@ -47,6 +49,7 @@ class FrfSlopes {
   std::vector<const Symmetric<Measured>*> lines_;
   Numbers place_;    ///< of the lines, 0: own
   OnLines factor_{};  ///< of the FRF on a line in the derivative
+  std::size_t own_;
 };
 
 }  // namespace jointid::ident

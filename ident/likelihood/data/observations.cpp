@@ -206,14 +206,16 @@ void Observations::write_systematic_frfs(std::size_t line, const SystematicLines
     std::map<std::size_t, std::optional<FrfSlopes>> slopes;  ///< by structure
   };
   std::array<System, 2> systems;
-  const auto slope = [&](bool of_assembly, Element at) -> Complex {
+  const auto slope = [&](bool of_assembly, Element at) -> StretchFactor {
     System& system = systems[of_assembly ? 1 : 0];
     const Symmetric<Measured>& frfs = of_assembly ? raw_[own].assembly : raw_[own].substructures;
     if (system.structure.empty()) system.structure = structures(frfs, layout_.coordinates.size());
     const std::size_t structure = system.structure[at.row];
     const auto [of, is_new] = system.slopes.try_emplace(structure);
     if (is_new) of->second = slopes(own, of_assembly, places_of(system.structure, structure));
-    return of->second ? -(plan_lines_[line].frequency_hz * of->second->of(at) / frfs.at(at.row, at.column).value + 2.0) : Complex(nan);
+    if (!of->second) return {nan, nan};
+    const double frequency = plan_lines_[line].frequency_hz;
+    return {-(frequency * of->second->of(at) / frfs.at(at.row, at.column).value + 2.0), -(frequency * of->second->of_own_value() + 2.0)};
   };
   errors.write(own, layout_, raw_[own], slope, out);
 }

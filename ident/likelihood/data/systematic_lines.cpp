@@ -135,7 +135,11 @@ void SystematicLines::add_factors(std::size_t i, const SensorRole& sensor, std::
     SystematicFactor factor{u, {}};
     if (unknowns_[u].kind == Systematic::mass) factor = mass_factor(i, u, sensor, measured);
     if (unknowns_[u].kind == Systematic::angle) factor.driving = along_other_axis(i, sensor, u, other) / value;
-    if (unknowns_[u].kind == Systematic::stretch) factor.driving = slope ? slope(sensor.of_assembly, {coordinate, other}) : nan;
+    if (unknowns_[u].kind == Systematic::stretch) {
+      const StretchFactor stretch = slope ? slope(sensor.of_assembly, {coordinate, other}) : StretchFactor{nan, nan};
+      factor.driving = stretch.all;
+      factor.own = stretch.own;
+    }
     if (!std::isfinite(factor.driving.real())) continue;
     out.factors.push_back(factor);
     if (unknowns_[u].kind == Systematic::mass && coordinates_[other].same_coordinate(sensor.dof)) out.measures = factor.point;

@@ -15,8 +15,13 @@ struct FrfOrigin {
   bool transposed = false;
 };
 
-/// −(ω H' + 2 H)/H of a measured FRF at a place of one system, what a stretch needs; NaN where it is not known.
-using SlopeOf = std::function<Complex(bool of_assembly, Element at)>;
+/// What a stretch needs of a measured FRF: −(ω H' + 2 H)/H, NaN where it is not known, and what of it is in proportion to the value of H.
+struct StretchFactor {
+  Complex all, own;
+};
+
+/// At a place of one system.
+using SlopeOf = std::function<StretchFactor(bool of_assembly, Element at)>;
 
 /// Brings the systematic errors of sensors to the elements of a line.
 class SystematicLines {

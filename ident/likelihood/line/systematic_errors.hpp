@@ -27,6 +27,7 @@ struct SystematicFactor {
   Complex driving{};              ///< of a mass: H(p,p) as measured; of an angle: the FRF along the other axis over this one
   std::size_t point = 0;          ///< which driving point of the line that is
   double driving_variance = 0.0;  ///< E|e|² of it; 0: not known, or exact
+  Complex own{};                  ///< of a stretch, whose driving is −(ω H' + 2 H)/H: what of it comes from the value of H itself
 };
 
 /// A way in which an FRF was measured, there or back.
@@ -51,11 +52,10 @@ struct SystematicFrf {
 using SystematicFrfs = std::vector<SystematicFrf>;
 
 /// How an element changes with an unknown: ∂value/∂φ = rate · (base − share · residual). What is in brackets is the FRF that the
-/// residual leaves for true: with the measured one instead the noise in it would bias gains towards zero.
+/// residual leaves for true: with the measured one instead the noise in it would bias gains and stretches towards zero.
 struct SystematicTerm {
   std::size_t unknown = 0;
-  Complex rate, base;
-  double share = 1.0;
+  Complex rate, base, share = 1.0;
 
   Complex derivative(Complex residual) const { return rate * (base - share * residual); }
 };

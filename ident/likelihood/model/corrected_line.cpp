@@ -32,6 +32,12 @@ LogFactor log_factor(const SystematicUnknown& unknown, const SystematicFactor& f
   return {-std::log(1.0 + phi * load), -load / (1.0 + phi * load)};
 }
 
+/// Of the value of an FRF in what a factor changes it by: what noise in the value does to that.
+Complex own_share(const SystematicUnknown& unknown, const SystematicFactor& factor) {
+  if (unknown.kind == Systematic::stretch) return factor.own / factor.driving;
+  return unknown.kind == Systematic::angle ? 0.0 : 1.0;
+}
+
 /// The derivative of log_factor() at φ = 0.
 Complex rate_of(const SystematicUnknown& unknown, const SystematicFactor& factor, double omega) {
   const double sigma = unknown.deviation;
@@ -97,7 +103,8 @@ Correction correction(const SystematicFrf& frf, std::span<const SystematicUnknow
       const bool turns = kind == Systematic::angle || kind == Systematic::stretch;
       log += of.value;
       if (!turns) own_log += of.value;
-      terms.push_back({factor.unknown, frf.sign * way.share * of.derivative, {}, turns ? 0.0 : frf.sign * frf.share});
+      terms.push_back({factor.unknown, frf.sign * way.share * of.derivative, {},
+                       frf.sign * frf.share * own_share(unknowns[factor.unknown], factor)});
     }
     const Complex multiplier = std::exp(log);
     error += way.share * std::exp(own_log);
@@ -264,9 +271,8 @@ void write_terms(const LineData& measured, std::span<const SystematicUnknown> un
     for (const SystematicWay& way : frf.ways) {
       for (const SystematicFactor& factor : way.factors) {
         const SystematicUnknown& unknown = unknowns[factor.unknown];
-        const bool turns = unknown.kind == Systematic::angle || unknown.kind == Systematic::stretch;
         out.terms.push_back({factor.unknown, frf.sign * way.share * rate_of(unknown, factor, measured.omega), frf.value,
-                             turns ? 0.0 : frf.sign * frf.share});
+                             frf.sign * frf.share * own_share(unknown, factor)});
       }
     }
   }

@@ -89,6 +89,10 @@ TEST(FrfSlopes, HoldWhereLinesAreFartherApartThanResonancesAreWide) {
       const Complex exact = (frf_of(r, 0, f + h) - frf_of(r, 0, f - h)) / (2.0 * h);
       EXPECT_LT(std::abs(slopes.of({r, 0}) - exact), 0.05 * std::abs(exact)) << own << " " << r;
     }
+    const Complex before = slopes.of({4, 2}), value = lines[own].at(4, 2).value;
+    lines[own].at(4, 2) = Measured{1.01 * value, {1e-18, 1e-18}};
+    EXPECT_LT(std::abs(slopes.of({4, 2}) - before - 0.01 * slopes.of_own_value() * value), 1e-9 * std::abs(before)) << own;
+    lines[own].at(4, 2) = Measured{value, {1e-18, 1e-18}};
   }
 }
 
@@ -126,11 +130,12 @@ TEST(Intervals, OfABiasBetweenNoneAndAllHoldAtBothEnds) {
   EXPECT_NEAR(0.5 * (std::erf((c + 1.0) / std::sqrt(2.0)) + std::erf(c / std::sqrt(2.0))), 0.95, 1e-6);
 }
 
-/// The parts were warmer when the assembly was measured: their frequencies are lower in it.
-problems::Problem warmed(const std::string& name, double shift) {
+/// The parts, or the last one alone, were warmer when the assembly was measured: their frequencies are lower in it.
+problems::Problem warmed(const std::string& name, double shift, bool last_alone = false) {
   const std::vector<problems::Case> all = problems::all_cases();
   problems::Case rig = *std::ranges::find(all, name, &problems::Case::name);
   for (const problems::Structure& part : rig.substructures) {
+    if (last_alone && &part != &rig.substructures.back()) continue;
     const std::vector<double> stiffness = part.matrix(problems::Kind::stiffness);
     problems::Matrix change(part.size(), std::vector<double>(part.size()));
     for (std::size_t i = 0; i < stiffness.size(); ++i) change[i / part.size()][i % part.size()] = -2.0 * shift * stiffness[i];
@@ -180,6 +185,27 @@ TEST(UnstatedErrors, AnotherTemperatureIsInTheIntervalOfWhatFewLinesTell) {
     inside += low <= truth && truth <= high;
   }
   EXPECT_GE(inside, 7u);
+}
+
+/// One line of the part is on a resonance. There its slopes are nearly all in proportion to its FRFs, and with their noise of 1 % the
+/// stretch was found at a fifth of itself, in every other seed below three deviations.
+TEST(UnstatedErrors, AnotherTemperatureOfOnePartIsFoundThoughItsFrfsHaveNoise) {
+  LikelihoodCase a1("A1", 0.01);
+  problems::Problem problem = warmed("A1", 2e-4, true);
+  std::get<frf::NoiseModel>(problem.noise).level = 0.01;
+  Control control;
+  control.threads = 1;
+  control.judgement = Judgement::fit;
+  const std::string found_text = "A1_substructure_2.h5 fits the other files better with frequencies ";
+  double mean = 0.0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const Solution found = solve(*problems::plan(a1.scene, problems::polluted(problem, seed, 0)), control);
+    EXPECT_EQ(found.status, Status::doubtful) << seed << found.message;
+    const std::size_t place = found.message.find(found_text);
+    ASSERT_NE(place, std::string::npos) << seed << found.message;
+    mean += std::stod(found.message.substr(place + found_text.size())) / 4.0;
+  }
+  EXPECT_NEAR(mean, 0.02, 0.007);  // %
 }
 
 }  // namespace
