@@ -134,7 +134,7 @@ void Project::check_other_kinds(const std::string& text) {
 }
 
 void Project::protect_inputs(QWidget& page) const {
-  for (CellTable* table : page.findChildren<CellTable*>()) table->protect(inputs_of(checked_.scene));
+  for (CellTable* table : page.findChildren<CellTable*>()) table->protect(inputs_of(checked_.seen()));
 }
 
 void Project::show_scene() {
@@ -145,10 +145,10 @@ void Project::show_scene() {
   plan_page_.tell();
   study_page_.tell();
   modal_page_.tell();
-  if (!checked_.scene) return;
+  if (!checked_.seen()) return;
   const std::string files = path().parent_path().string() + '\n' + tables_below(editor_->text(), "data");
-  data_page_->set_scene(*checked_.scene, files);
-  geometry_page_->set_scene(*checked_.scene, files);
+  data_page_->set_scene(*checked_.seen(), files);
+  geometry_page_->set_scene(*checked_.seen(), files);
 }
 
 /// Planning and solving know more than the reader of scenes: what they say stands below its line, too.

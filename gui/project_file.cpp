@@ -73,8 +73,8 @@ bool Project::save() { return !file_.isEmpty() && save_as(file_); }
 bool Project::save_as(const QString& file) {
   const QString target = QFileInfo(file).absoluteFilePath();
   std::vector<std::filesystem::path> inputs;
-  if (checked_.scene) {
-    for (const auto& [input, place] : ident::files_of(*checked_.scene)) {
+  if (checked_.seen()) {
+    for (const auto& [input, place] : ident::files_of(*checked_.seen())) {
       if (input != path()) inputs.push_back(input);
     }
   }
