@@ -53,6 +53,7 @@ class MainWindow : public QMainWindow {
   void show_dropped(const DroppedFiles& dropped, const QString& folder);
   Project* start_project(const std::string& text, const QString& folder);
   Project* project_for_pages();
+  void show_page(int page);
   void choose_files();
   bool save(Project& project);
   bool save_as(Project& project);

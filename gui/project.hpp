@@ -79,6 +79,13 @@ class Project : public QWidget {
   RecordsPage* records_page() { return records_page_.get(); }
   QTabWidget* pages() const { return pages_; }
   MessageBar* messages() const { return messages_; }
+  /// To the pages that need no scene, with these files.
+  void open_curves(const QStringList& files);
+  void open_records(const QStringList& files);
+  /// Asks for the bolts of the joint and writes them into the text, one step that can be undone.
+  void open_joint_assistant();
+  /// That the scene is a proposal, and how to change its joint.
+  void say_proposed();
   /// Stops what runs on any page.
   void cancel();
   const CheckedScene& checked() const { return checked_; }

@@ -21,6 +21,7 @@
 #include "gui/solve/solution_tables.hpp"
 #include "gui/table/cell_table.hpp"
 #include "ident/identify.hpp"
+#include "tasks/joint_layout.hpp"
 
 namespace jointid::gui {
 
@@ -147,8 +148,20 @@ void SolvePage::bound() {
   });
 }
 
+/// Says once of a joint with many unknowns that it has them.
+bool SolvePage::is_doubtful() {
+  const std::size_t unknowns = unknowns_of(*scene_);
+  if (unknowns <= tasks::many_unknowns || unknowns == unknowns_warned_) return false;
+  unknowns_warned_ = unknowns;
+  line_->say(tr("The joint has %1 unknowns: few tests determine so many, and solving takes long. The joint assistant (Ctrl+J) makes "
+                "springs of them. Solve again (F5) solves it as it is.")
+                 .arg(unknowns),
+             true);
+  return true;
+}
+
 void SolvePage::solve() {
-  if (!scene_) return;
+  if (!scene_ || is_doubtful()) return;
   renew_status_ = false;
   line_->say(tr("Solving …"));
   line_->worker().add([this, scene = *scene_](const Worker::Watch& watch) -> Worker::Deliver {

@@ -33,6 +33,7 @@ class SolvePage : public QWidget {
   /// What the data, or those of a model, can fix before anything is solved: needs a joint to assume ([truth] or [identify]
   /// start).
   void bound();
+  /// A joint of more than tasks::many_unknowns is solved when it is asked for a second time.
   void solve();
   void cancel();
   bool is_busy() const;
@@ -60,6 +61,7 @@ class SolvePage : public QWidget {
 
  private:
   QWidget* make_top();
+  bool is_doubtful();
   void add_run(Solved solved);
   void plan_if_quick();
   void add_plan();
@@ -83,6 +85,7 @@ class SolvePage : public QWidget {
   std::vector<Solved> runs_;
   QString file_;
   bool renew_status_ = true;  ///< by the next plan
+  std::size_t unknowns_warned_ = 0;  ///< of the joint that was not solved at once
   bool stale_ = false;        ///< the scene changed while something ran
 };
 
