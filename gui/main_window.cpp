@@ -12,12 +12,15 @@
 #include <QTextDocument>
 #include <QVBoxLayout>
 
+#include "gui/data/data_page.hpp"
+#include "gui/geometry/geometry_page.hpp"
 #include "gui/look/dialogs.hpp"
 #include "gui/look/file_drop.hpp"
 #include "gui/look/language.hpp"
 #include "gui/look/message_bar.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/paths.hpp"
+#include "gui/look/quiet_wheel.hpp"
 #include "gui/look/said.hpp"
 #include "gui/open/dropped_files.hpp"
 #include "gui/project.hpp"
@@ -50,6 +53,7 @@ bool is_scene(const QString& file) { return QFileInfo(file).suffix().compare(QSt
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   named(this, "main_window", tr("jointid workbench"));
+  keep_wheel_from_fields(*this);
   let_drop_files(*this, [this](const QStringList& files) { open(files); });
   auto* hint = named(new QLabel(tr("Drop FRF files of the substructures and of the assembly here, one file to look at, or a scene.\n\nCtrl+O opens "
                                    "files, Ctrl+N starts an empty scene.")),
@@ -148,7 +152,9 @@ void MainWindow::show_dropped(const DroppedFiles& dropped, const QString& folder
       project->say_proposed();
     } else {
       project->pages()->setCurrentWidget(project->data_page());
-      project->messages()->say(tr("Data, Geometry and Modes show what the files hold. %1").arg(q(dropped.why)));
+      project->messages()->say(
+          dropped.why.empty() ? tr("Data, Geometry and Modes show the file. Open those of the parts and of the assembly together for a joint.")
+                              : tr("Data, Geometry and Modes show the files. %1").arg(q(dropped.why)));
     }
   }
   if (!dropped.curves.isEmpty()) project_for_pages()->open_curves(dropped.curves);
@@ -210,6 +216,7 @@ void MainWindow::show_titles() {
   }
   stack_->setCurrentIndex(tabs_->count() > 0 ? 1 : 0);
   const Project* project = current();
+  if (project != nullptr && !project->folder().isEmpty()) begin_dialogs_in(project->folder());
   setWindowTitle(project == nullptr ? tr("jointid workbench") : tr("%1[*] – jointid workbench").arg(project->title()));
   setWindowModified(project != nullptr && project->is_modified());
 }

@@ -48,6 +48,7 @@ class Project : public QWidget {
   bool save_as(const QString& file);
 
   const QString& file() const { return file_; }
+  const QString& folder() const { return folder_; }
   /// Where a new scene is best saved: the paths in it are relative to that folder.
   QString suggested_file() const;
   QString title() const;
@@ -121,6 +122,8 @@ class Project : public QWidget {
   void watch();
   void file_changed();
   bool load(QString& why);
+  bool write(const QString& target);
+  bool is_changed_outside() const;
   void reload();
 
   SceneEditor* editor_;
@@ -144,6 +147,7 @@ class Project : public QWidget {
   Later<RecordsPage> records_page_;
   QFileSystemWatcher watcher_;
   QString file_, folder_;
+  QString on_disk_;  ///< the text of the file as it was read or written last
   QStringList dofs_;  ///< of the files
   CheckedScene checked_;
 };

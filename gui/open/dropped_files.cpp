@@ -5,7 +5,7 @@
 #include "frf/set/frf_source.hpp"
 #include "gui/look/paths.hpp"
 #include "gui/look/said.hpp"
-#include "tasks/file_kind.hpp"
+#include "tasks/open/file_kind.hpp"
 #include "tasks/propose_scene.hpp"
 
 namespace jointid::gui {
@@ -13,7 +13,7 @@ namespace {
 
 using Paths = std::vector<std::filesystem::path>;
 
-const char* const one_file = "One file is shown. Open those of the parts and of the assembly together for a joint.";
+const char* const one_file = "One file. A joint needs those of the parts and of the assembly.";
 const char* const nodes_alone = "The nodes of a file without FRFs.";
 
 /// Why a file that is nothing known has no FRFs.
@@ -28,7 +28,6 @@ void add_failure(const std::filesystem::path& file, DroppedFiles& dropped) {
 /// A scene of a joint where the files allow one, else one that shows them.
 void make_scene(const Paths& frfs, const QString& folder, const std::function<bool()>& interrupted, DroppedFiles& dropped) {
   const std::filesystem::path from = as_path(folder);
-  dropped.why = one_file;
   if (frfs.size() > 1) {
     try {
       dropped.scene = tasks::scene_text(tasks::propose_scene(frfs, interrupted), from);
@@ -39,7 +38,7 @@ void make_scene(const Paths& frfs, const QString& folder, const std::function<bo
       dropped.why = "No joint is proposed: " + parts.problem + "; " + parts.remedy + ".";
     }
   }
-  dropped.scene = tasks::look_text(frfs, from, dropped.why);
+  dropped.scene = tasks::look_text(frfs, from, dropped.why.empty() ? one_file : dropped.why);
 }
 
 }  // namespace

@@ -11,9 +11,9 @@ namespace jointid::gui {
 struct DroppedFiles {
   QStringList records, curves;  ///< for the pages of time records and of loading curves
   std::optional<std::string> scene;     ///< of the files with FRFs
-  bool is_proposal = false;             ///< of a joint; else the scene only shows the files, for the reason `why`
+  bool is_proposal = false;             ///< of a joint; else the scene only shows the files
   std::optional<std::string> geometry;  ///< a scene that shows files which have nodes only
-  std::string why;
+  std::string why;     ///< no joint is proposed for several files
   QStringList failed;  ///< why other files were left out
 };
 

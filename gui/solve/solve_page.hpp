@@ -42,6 +42,7 @@ class SolvePage : public QWidget {
   QString status() const;
   FrfPlot* plot() const;
   CellTable* unknowns() const { return unknowns_; }
+  CellTable* springs() const { return springs_; }
   CellTable* matrix() const;
   CellTable* runs_table() const { return run_table_; }
   CellTable* findings() const { return findings_; }
@@ -71,6 +72,7 @@ class SolvePage : public QWidget {
   void save_json();
   void save_report();
   void save_table();
+  QString proposed_name(const QString& ending) const;
   void save(const QString& file, const std::string& text);
   const Solved* current() const;
 
@@ -78,7 +80,7 @@ class SolvePage : public QWidget {
   QComboBox* run_choice_;
   JobLine* line_;
   QTabWidget* results_;
-  CellTable *plan_, *bounds_, *unknowns_, *findings_, *run_table_;
+  CellTable *plan_, *bounds_, *unknowns_, *springs_, *findings_, *run_table_;
   JointTab* joint_tab_;
   FrfTab* frf_tab_;
   std::optional<ident::Scene> scene_;

@@ -5,6 +5,7 @@
 #include <QTabWidget>
 #include <QTest>
 #include <QTextDocument>
+#include <QWheelEvent>
 #include <cmath>
 
 #include "frf/uff/uff_lines.hpp"
@@ -99,7 +100,7 @@ TEST(FirstSteps, OneFileIsShownToItsModes) {
   Project* const project = steps.open({rig.file("A1_assembly.h5")});
   ASSERT_NE(project, nullptr);
   EXPECT_EQ(project->pages()->currentWidget(), project->data_page());
-  EXPECT_THAT(project->messages()->text().toStdString(), HasSubstr("One file is shown"));
+  EXPECT_THAT(project->messages()->text().toStdString(), HasSubstr("show the file."));
   ASSERT_TRUE(is_read(*project));
   EXPECT_EQ(project->data_page()->plot()->curves().size(), 1U);
   ModalPage* const modal = project->modal_page();
@@ -165,6 +166,19 @@ TEST(FirstSteps, PagesThatNeedNoSceneOpenWithoutOne) {
   EXPECT_EQ(project.pages()->currentWidget(), project.records_page());
   QTest::keyClick(&steps.window, Qt::Key_9, Qt::AltModifier);
   EXPECT_EQ(project.pages()->currentWidget(), project.loading_curve_page());
+}
+
+TEST(FirstSteps, TheWheelChangesNoChoice) {
+  FirstSteps steps;
+  QComboBox box(&steps.window);
+  box.addItems({"one", "two", "three"});
+  box.show();
+  box.setFocus();
+  QWheelEvent wheel(QPointF(5, 5), box.mapToGlobal(QPointF(5, 5)), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+  QApplication::sendEvent(&box, &wheel);
+  EXPECT_EQ(box.currentIndex(), 0);
+  QTest::keyClick(&box, Qt::Key_Down);
+  EXPECT_EQ(box.currentIndex(), 1);
 }
 
 /// A drop of plain files of bolts, the pairs chosen by keys, solved by F5.

@@ -1,4 +1,4 @@
-#include "tasks/file_kind.hpp"
+#include "tasks/open/file_kind.hpp"
 
 #include "base/error.hpp"
 #include "frf/set/frf_source.hpp"
