@@ -55,7 +55,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   named(this, "main_window", tr("jointid workbench"));
   keep_wheel_from_fields(*this);
   let_drop_files(*this, [this](const QStringList& files) { open(files); });
-  auto* hint = named(new QLabel(tr("Drop FRF files of the substructures and of the assembly here, one file to look at, or a scene.\n\nCtrl+O opens "
+  auto* hint = named(new QLabel(tr("Drop FRF files of the substructures and of the assembly here, one file to look at, or a scene.\n\n"
+                                   "Ctrl+O opens "
                                    "files, Ctrl+N starts an empty scene.")),
                      "hint", tr("Getting started"));
   hint->setAlignment(Qt::AlignCenter);
@@ -153,7 +154,8 @@ void MainWindow::show_dropped(const DroppedFiles& dropped, const QString& folder
     } else {
       project->pages()->setCurrentWidget(project->data_page());
       project->messages()->say(
-          dropped.why.empty() ? tr("Data, Geometry and Modes show the file. Open those of the parts and of the assembly together for a joint.")
+          dropped.why.empty() ? tr("Data, Geometry and Modes show the file. Open those of the parts and of the assembly together "
+                                   "for a joint.")
                               : tr("Data, Geometry and Modes show the files. %1").arg(q(dropped.why)));
     }
   }

@@ -17,7 +17,8 @@ struct Structure {
   std::vector<frf::Dof> unplaced;    ///< of nodes without a position, or whose directions the files do not tell
 };
 
-/// Files without positions add their DOFs only, those without FRFs their nodes. `lines`: as the files draw them; where none does, the nodes of each file are
+/// Files without positions add their DOFs only, those without FRFs their nodes. `lines`: as the files draw them; where none does, the
+/// nodes of each file are
 /// joined in the order of their numbers, when they are on one straight line.
 Structure structure_of(const std::vector<LoadedFile>& files, const std::vector<frf::NodeLine>& lines);
 

@@ -52,7 +52,8 @@ JointAssistant::JointAssistant(std::vector<frf::FrfHeader> parts, QWidget* paren
   hint->setWordWrap(true);
   word_ = named(new QLabel, "joint_word", tr("About the number of unknowns"));
   word_->setWordWrap(true);
-  buttons_ = named(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel), "joint_buttons", tr("Write the joint, or leave it"));
+  buttons_ = named(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel), "joint_buttons",
+                   tr("Write the joint, or leave it"));
   auto* all = new QVBoxLayout(this);
   all->addWidget(hint);
   all->addWidget(list_, 1);

@@ -1999,7 +1999,7 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode entfern
     </message>
     <message>
         <source>There is no scene. The pages Curves and Records need none.</source>
-        <translation>Es gibt keine Szene. Die Seiten Kurven und Zeitdaten brauchen keine.</translation>
+        <translation>Es gibt keine Szene. Die Seiten Kurven und Verläufe brauchen keine.</translation>
     </message>
     <message>
         <source>%1 was changed by another program, and is not saved over.</source>

@@ -15,7 +15,8 @@ JointTab::JointTab(QWidget* parent) : QWidget(parent) {
   choice_ = named(new QComboBox, "matrix_choice", tr("Matrix and band"));
   choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   matrix_ = new CellTable("matrix", tr("Joint matrix"));
-  auto* legend = named(new QLabel(tr("± is 95 %, of linear methods their error. Blue is positive, orange negative, blank is zero and no unknown.")),
+  auto* legend = named(new QLabel(tr("± is 95 %, of linear methods their error. Blue is positive, orange negative, "
+                                     "blank is zero and no unknown.")),
                        "matrix_legend", tr("How to read the matrix"));
   legend->setWordWrap(true);
   auto* column = new QVBoxLayout(this);

@@ -146,7 +146,8 @@ QString CellTable::text(QChar separator) const {
     QStringList cells;
     if (named_rows) cells << (row < 0 ? QString() : header(row, Qt::Vertical));
     for (int column = 0; column < model_->columnCount(); ++column) {
-      cells << (row < 0 ? header(column, Qt::Horizontal) : escaped(model_->index(row, column).data(CellModel::copy_role).toString(), separator));
+      cells << (row < 0 ? header(column, Qt::Horizontal)
+                        : escaped(model_->index(row, column).data(CellModel::copy_role).toString(), separator));
     }
     out += cells.join(separator) + '\n';
   }
@@ -168,7 +169,8 @@ QString CellTable::chosen_text() const {
 void CellTable::write_csv(const QString& file) const { write_output(file, text(',').toStdString(), inputs_); }
 
 void CellTable::save_csv() {
-  const QString file = choose_file_to_save(this, tr("Save the table"), objectName() + QStringLiteral(".csv"), tr("Tables (*.csv)"), QStringLiteral("csv"));
+  const QString file = choose_file_to_save(this, tr("Save the table"), objectName() + QStringLiteral(".csv"), tr("Tables (*.csv)"),
+                                           QStringLiteral("csv"));
   if (file.isEmpty()) return;
   try {
     write_csv(file);

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QListWidget>
 #include <QTabWidget>
 #include <QTest>
 #include <QTextDocument>
@@ -24,7 +25,7 @@
 #include "gui/scene/scene_editor.hpp"
 #include "gui/solve/solve_page.hpp"
 #include "gui/table/cell_table.hpp"
-#include "widgets.hpp"
+#include "../widgets.hpp"
 
 /// What a new user does first: files of an analyser, one file, files that are no FRFs.
 namespace jointid::gui {
@@ -44,10 +45,7 @@ struct FirstSteps {
     EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
   }
   ~FirstSteps() {
-    while (Project* const project = window.current()) {
-      project->editor()->document()->setModified(false);
-      QTest::keyClick(&window, Qt::Key_W, Qt::ControlModifier);
-    }
+    for (Project* project : window.findChildren<Project*>()) project->editor()->document()->setModified(false);
   }
   Project* open(const QStringList& files) {
     const int before = window.count();
@@ -200,6 +198,8 @@ TEST(FirstSteps, FromFilesWithoutPositionsToSpringsPerBoltByKeys) {
   }
   QTest::keyClick(assistant, Qt::Key_Return);
   ASSERT_TRUE(project->checked().scene) << project->editor()->text();
+  steps.window.activateWindow();  // what a window manager does when a dialog closes
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&steps.window));
   QTest::keyClick(&steps.window, Qt::Key_F5);
   ASSERT_TRUE(steps.wait([&] { return !project->solve_page()->runs().empty(); })) << project->solve_page()->status().toStdString();
   const ident::Solution& solution = project->solve_page()->runs().front().solution;

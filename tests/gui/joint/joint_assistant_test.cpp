@@ -13,7 +13,7 @@
 
 #include "gui/scene/scene_check.hpp"
 #include "gui/scene/scene_edit.hpp"
-#include "widgets.hpp"
+#include "../widgets.hpp"
 
 namespace jointid::gui {
 namespace {
