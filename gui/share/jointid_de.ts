@@ -724,15 +724,15 @@ Fügestelle: %1</translation>
     </message>
     <message>
         <source>No two nodes of different parts lie near each other. Add the pairs that are joined.</source>
-        <translation>Keine zwei Knoten verschiedener Teile liegen nahe beieinander. Fügen Sie die verbundenen Paare hinzu.</translation>
+        <translation>Keine zwei Knoten verschiedener Substrukturen liegen nahe beieinander. Fügen Sie die verbundenen Paare hinzu.</translation>
     </message>
     <message>
         <source>Node of one part</source>
-        <translation>Knoten des einen Teils</translation>
+        <translation>Knoten der einen Substruktur</translation>
     </message>
     <message>
         <source>Node of another part</source>
-        <translation>Knoten eines anderen Teils</translation>
+        <translation>Knoten einer anderen Substruktur</translation>
     </message>
     <message>
         <source>Add pair</source>
@@ -772,7 +772,7 @@ Fügestelle: %1</translation>
     </message>
     <message>
         <source>Both nodes are of one part: take nodes of two parts.</source>
-        <translation>Beide Knoten gehören zu einem Teil: Nehmen Sie Knoten zweier Teile.</translation>
+        <translation>Beide Knoten gehören zu einer Substruktur: Nehmen Sie Knoten zweier Substrukturen.</translation>
     </message>
     <message>
         <source>The two nodes share no direction that is response and reference.</source>
