@@ -18,7 +18,6 @@
 namespace jointid::gui {
 namespace {
 
-using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -42,7 +41,11 @@ struct Plates {
   JointAssistant assistant{{part("/d/low.uff", {1, 2, 3}, {{1, {0, 0, 0}}, {2, {1, 0, 0}}, {3, {2, 0, 0}}}),
                             part("/d/up.uff", {11, 12, 13}, {{11, {0, 0, 0.01}}, {12, {1, 0, 0.01}}, {13, {2, 0, 0.4}}})}};
 
-  Plates() { assistant.show(); }
+  Plates() {
+    assistant.show();
+    assistant.activateWindow();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&assistant));
+  }
   QString text(const char* button) { return find<QRadioButton>(assistant, button)->text(); }
   bool may_accept() { return find<QDialogButtonBox>(assistant, "joint_buttons")->button(QDialogButtonBox::Ok)->isEnabled(); }
 };
@@ -51,9 +54,9 @@ TEST(JointAssistant, ProposesTheNearPairsAndCountsUnknowns) {
   Plates plates;
   EXPECT_EQ(plates.assistant.pairs()->topLevelItemCount(), 3);
   EXPECT_EQ(plates.assistant.joint().pairs.size(), 2U);
-  EXPECT_THAT(plates.text("joint_springs").toStdString(), EndsWith(": 12 unknowns"));
-  EXPECT_THAT(plates.text("joint_equal").toStdString(), EndsWith(": 6 unknowns"));
-  EXPECT_THAT(plates.text("joint_full").toStdString(), EndsWith(": 156 unknowns"));
+  EXPECT_THAT(plates.text("joint_springs").toStdString(), HasSubstr(": 12 unknown"));
+  EXPECT_THAT(plates.text("joint_equal").toStdString(), HasSubstr(": 6 unknown"));
+  EXPECT_THAT(plates.text("joint_full").toStdString(), HasSubstr(": 156 unknown"));
   EXPECT_TRUE(find<QCheckBox>(plates.assistant, "joint_ry")->isVisible());
   EXPECT_FALSE(find<QCheckBox>(plates.assistant, "joint_y")->isVisible());
 }
@@ -64,7 +67,7 @@ TEST(JointAssistant, PairsAndDirectionsAreTickedByKeys) {
   QTest::keyClick(plates.assistant.pairs(), Qt::Key_Space);
   QTest::keyClick(find(plates.assistant, "joint_ry"), Qt::Key_Space);
   QTest::keyClick(find(plates.assistant, "joint_damping"), Qt::Key_Space);
-  EXPECT_THAT(plates.text("joint_springs").toStdString(), EndsWith(": 2 unknowns"));
+  EXPECT_THAT(plates.text("joint_springs").toStdString(), HasSubstr(": 2 unknown"));
   for (const char* direction : {"joint_x", "joint_z"}) QTest::keyClick(find(plates.assistant, direction), Qt::Key_Space);
   EXPECT_FALSE(plates.may_accept());
 }
