@@ -9,20 +9,25 @@
 #include <QSettings>
 #include <QStackedWidget>
 #include <QTabWidget>
+#include <QTextDocument>
 #include <QVBoxLayout>
 
+#include "gui/data/data_page.hpp"
+#include "gui/geometry/geometry_page.hpp"
 #include "gui/look/dialogs.hpp"
 #include "gui/look/file_drop.hpp"
 #include "gui/look/language.hpp"
 #include "gui/look/message_bar.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/paths.hpp"
+#include "gui/look/quiet_wheel.hpp"
+#include "gui/look/said.hpp"
+#include "gui/open/dropped_files.hpp"
 #include "gui/project.hpp"
 #include "gui/recent_files.hpp"
 #include "gui/scene/scene_editor.hpp"
 #include "gui/scene/scene_words.hpp"
 #include "gui/work/worker.hpp"
-#include "tasks/propose_scene.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -48,8 +53,10 @@ bool is_scene(const QString& file) { return QFileInfo(file).suffix().compare(QSt
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   named(this, "main_window", tr("jointid workbench"));
+  keep_wheel_from_fields(*this);
   let_drop_files(*this, [this](const QStringList& files) { open(files); });
-  auto* hint = named(new QLabel(tr("Drop FRF files of the substructures and of the assembly here, or a scene.\n\nCtrl+O opens "
+  auto* hint = named(new QLabel(tr("Drop FRF files of the substructures and of the assembly here, one file to look at, or a scene.\n\n"
+                                   "Ctrl+O opens "
                                    "files, Ctrl+N starts an empty scene.")),
                      "hint", tr("Getting started"));
   hint->setAlignment(Qt::AlignCenter);
@@ -116,34 +123,63 @@ void MainWindow::open(const QStringList& files) {
     else
       others << file;
   }
-  if (!others.isEmpty()) propose_scene(others);
+  if (!others.isEmpty()) open_data(others);
 }
 
-void MainWindow::propose_scene(const QStringList& files) {
-  std::vector<std::filesystem::path> paths;
-  for (const QString& file : files) paths.push_back(as_path(QFileInfo(file).absoluteFilePath()));
-  const QString folder = QFileInfo(files.front()).absolutePath();
+void MainWindow::open_data(const QStringList& files) {
+  QStringList whole;
+  for (const QString& file : files) whole << QFileInfo(file).absoluteFilePath();
+  const QString folder = QFileInfo(whole.front()).absolutePath();
   messages_->say(tr("Reading %n file(s) …", nullptr, static_cast<int>(files.size())));
-  worker_->add([this, paths, folder](const Worker::Watch& watch) -> Worker::Deliver {
-    const std::string text = tasks::scene_text(tasks::propose_scene(paths, watch.interrupted), as_path(folder));
-    return [this, text, folder] {
+  worker_->add([this, whole, folder](const Worker::Watch& watch) -> Worker::Deliver {
+    return [this, folder, dropped = sort_dropped(whole, folder, watch.interrupted)] {
       messages_->hide();
-      Project* const project = add_project();
-      project->start(text, folder);
-      show_titles();
-      project->messages()->say(
-          tr("This scene is a proposal from the files. Its comments give the reasons. Check it, then save it."));
-      project->editor()->setFocus();
+      show_dropped(dropped, folder);
+      if (!dropped.failed.isEmpty()) messages_->warn(dropped.failed.join(QLatin1Char('\n')));
     };
   });
 }
 
-void MainWindow::new_scene() {
+/// Each in its place: a scene in a tab, records and curves on their pages.
+void MainWindow::show_dropped(const DroppedFiles& dropped, const QString& folder) {
+  if (dropped.geometry) {
+    Project* const project = start_project(*dropped.geometry, folder);
+    project->pages()->setCurrentWidget(project->geometry_page());
+    project->messages()->say(tr("These files have nodes and no FRFs."));
+  }
+  if (dropped.scene) {
+    Project* const project = start_project(*dropped.scene, folder);
+    if (dropped.is_proposal) {
+      project->say_proposed();
+    } else {
+      project->pages()->setCurrentWidget(project->data_page());
+      project->messages()->say(
+          dropped.why.empty() ? tr("Data, Geometry and Modes show the file. Open those of the parts and of the assembly together "
+                                   "for a joint.")
+                              : tr("Data, Geometry and Modes show the files. %1").arg(q(dropped.why)));
+    }
+  }
+  if (!dropped.curves.isEmpty()) project_for_pages()->open_curves(dropped.curves);
+  if (!dropped.records.isEmpty()) project_for_pages()->open_records(dropped.records);
+}
+
+Project* MainWindow::start_project(const std::string& text, const QString& folder) {
   Project* const project = add_project();
-  project->start(first_text, QString());
+  project->start(text, folder);
   show_titles();
   project->editor()->setFocus();
+  return project;
 }
+
+/// The project in front; one without a scene where there is none.
+Project* MainWindow::project_for_pages() {
+  if (Project* const project = current()) return project;
+  Project* const project = start_project({}, {});
+  project->editor()->document()->setModified(false);
+  return project;
+}
+
+void MainWindow::new_scene() { start_project(first_text, {}); }
 
 void MainWindow::choose_files() { open(choose_files_to_open(this)); }
 
@@ -182,6 +218,7 @@ void MainWindow::show_titles() {
   }
   stack_->setCurrentIndex(tabs_->count() > 0 ? 1 : 0);
   const Project* project = current();
+  if (project != nullptr && !project->folder().isEmpty()) begin_dialogs_in(project->folder());
   setWindowTitle(project == nullptr ? tr("jointid workbench") : tr("%1[*] – jointid workbench").arg(project->title()));
   setWindowModified(project != nullptr && project->is_modified());
 }

@@ -9,6 +9,7 @@ class QTabWidget;
 
 namespace jointid::gui {
 
+struct DroppedFiles;
 class MessageBar;
 class Project;
 class Worker;
@@ -20,7 +21,7 @@ class MainWindow : public QMainWindow {
  public:
   explicit MainWindow(QWidget* parent = nullptr);
 
-  /// Scenes are opened, each in a tab; FRF files together become a new scene.
+  /// Scenes are opened, each in a tab; FRF files together become a new scene. Time records and curves go to their pages.
   void open(const QStringList& files);
   Project* current() const;
   int count() const;
@@ -48,7 +49,11 @@ class MainWindow : public QMainWindow {
   Project* add_project();
   void open_scene(const QString& file);
   void new_scene();
-  void propose_scene(const QStringList& files);
+  void open_data(const QStringList& files);
+  void show_dropped(const DroppedFiles& dropped, const QString& folder);
+  Project* start_project(const std::string& text, const QString& folder);
+  Project* project_for_pages();
+  void show_page(int page);
   void choose_files();
   bool save(Project& project);
   bool save_as(Project& project);

@@ -27,6 +27,8 @@ auto on_current(MainWindow* window, Act act) {
   };
 }
 
+constexpr int curves_page = 7, records_page = 12;  // among the pages of a project
+
 }  // namespace
 
 void MainWindow::add_menus() {
@@ -63,6 +65,8 @@ void MainWindow::add_edit_menu() {
   menu->addAction(tr("&Undo"), QKeySequence::Undo, this, on_current(this, [](Project& project) { project.undo(); }));
   menu->addAction(tr("&Redo"), QKeySequence::Redo, this, on_current(this, [](Project& project) { project.redo(); }));
   menu->addSeparator();
+  menu->addAction(tr("&Joint assistant…"), QKeySequence(tr("Ctrl+J")), this,
+                  on_current(this, [](Project& project) { project.open_joint_assistant(); }));
   menu->addAction(tr("Go to &error"), QKeySequence(tr("F8")), this,
                   on_current(this, [](Project& project) { project.go_to_error(); }));
 }
@@ -88,13 +92,20 @@ void MainWindow::add_view_menu() {
                               tr("Cou&pling"), tr("&Loading curves"), tr("Test pl&anning"), tr("&Response"), tr("Friction la&ws"),
                               tr("Stic&k-slip motion"), tr("Time r&ecords")}) {
     const QString key = page < 9 ? QStringLiteral("Alt+%1").arg((page + 2) % 10) : QStringLiteral("Ctrl+%1").arg(page - 8);
-    menu->addAction(text, QKeySequence(key), this,
-                    on_current(this, [page](Project& project) { project.pages()->setCurrentIndex(page); }));
+    menu->addAction(text, QKeySequence(key), this, [this, page] { show_page(page); });
     ++page;
   }
   menu->addAction(tr("&Next project"), QKeySequence(tr("Ctrl+Tab")), this, [this] {
     if (tabs_->count() > 0) tabs_->setCurrentIndex((tabs_->currentIndex() + 1) % tabs_->count());
   });
+}
+
+/// Loading curves and time records need no scene: they are seen without one, too.
+void MainWindow::show_page(int page) {
+  if (current() == nullptr && page != curves_page && page != records_page) return;
+  Project* const project = project_for_pages();
+  project->commit();
+  project->pages()->setCurrentIndex(page);
 }
 
 /// Each language by its own name.

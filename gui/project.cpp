@@ -12,6 +12,7 @@
 #include "gui/data/data_page.hpp"
 #include "gui/forms/scene_form.hpp"
 #include "gui/geometry/geometry_page.hpp"
+#include "gui/joint/joint_assistant.hpp"
 #include "gui/laws/law_kind.hpp"
 #include "gui/loading_curve/loading_curve_page.hpp"
 #include "gui/look/message_bar.hpp"
@@ -134,7 +135,7 @@ void Project::check_other_kinds(const std::string& text) {
 }
 
 void Project::protect_inputs(QWidget& page) const {
-  for (CellTable* table : page.findChildren<CellTable*>()) table->protect(inputs_of(checked_.scene));
+  for (CellTable* table : page.findChildren<CellTable*>()) table->protect(inputs_of(checked_.seen()));
 }
 
 void Project::show_scene() {
@@ -145,10 +146,10 @@ void Project::show_scene() {
   plan_page_.tell();
   study_page_.tell();
   modal_page_.tell();
-  if (!checked_.scene) return;
+  if (!checked_.seen()) return;
   const std::string files = path().parent_path().string() + '\n' + tables_below(editor_->text(), "data");
-  data_page_->set_scene(*checked_.scene, files);
-  geometry_page_->set_scene(*checked_.scene, files);
+  data_page_->set_scene(*checked_.seen(), files);
+  geometry_page_->set_scene(*checked_.seen(), files);
 }
 
 /// Planning and solving know more than the reader of scenes: what they say stands below its line, too.
@@ -179,6 +180,39 @@ void Project::open_way(const study::Way& way) {
   solve_page_->solve();
 }
 
+void Project::open_curves(const QStringList& files) {
+  pages_->setCurrentWidget(loading_curve_page());
+  loading_curve_page()->open(files);
+}
+
+void Project::open_records(const QStringList& files) {
+  pages_->setCurrentWidget(records_page());
+  records_page()->open(files);
+}
+
+void Project::say_proposed() {
+  messages_->offer(tr("This scene is a proposal from the files. Its comments give the reasons. Check it, then save it."),
+                   tr("Joint assistant…"), [this] { open_joint_assistant(); });
+}
+
+void Project::open_joint_assistant() {
+  if (data_page_->is_busy()) return messages_->say(tr("The files are being read. Ask again in a moment."));
+  if (editor_->text().find("[[joints]]") != std::string::npos)
+    return messages_->warn(tr("The scene has several joints. Its form shows them one by one (F4)."));
+  std::vector<frf::FrfHeader> parts;
+  for (const LoadedFile& file : data_page_->files()) {
+    if (!file.is_assembly && file.error.empty()) parts.push_back(file.header);
+  }
+  if (parts.size() < 2) return messages_->warn(tr("The assistant joins two substructures or more. The scene has %1.").arg(parts.size()));
+  auto* const assistant = new JointAssistant(std::move(parts), this);
+  assistant->setAttribute(Qt::WA_DeleteOnClose);
+  connect(assistant, &QDialog::accepted, this, [this, assistant] {
+    editor_->replace_text(with_joint(editor_->text(), assistant->joint()));
+    check();
+  });
+  assistant->open();
+}
+
 void Project::offer_dofs() {
   std::vector<frf::Dof> all;
   for (const LoadedFile& file : data_page_->files()) {
@@ -197,6 +231,7 @@ void Project::offer_dofs() {
 }
 
 void Project::show_problem() {
+  if (editor_->document()->isEmpty()) return problem_->setText(tr("There is no scene. The pages Curves and Records need none."));
   if (!checked_.error) return problem_->setText(tr("The scene is complete."));
   const SceneError& error = *checked_.error;
   const QString place = error.line > 0 ? tr("Line %1: ").arg(error.line) : QString();

@@ -48,6 +48,7 @@ class Project : public QWidget {
   bool save_as(const QString& file);
 
   const QString& file() const { return file_; }
+  const QString& folder() const { return folder_; }
   /// Where a new scene is best saved: the paths in it are relative to that folder.
   QString suggested_file() const;
   QString title() const;
@@ -79,6 +80,13 @@ class Project : public QWidget {
   RecordsPage* records_page() { return records_page_.get(); }
   QTabWidget* pages() const { return pages_; }
   MessageBar* messages() const { return messages_; }
+  /// To the pages that need no scene, with these files.
+  void open_curves(const QStringList& files);
+  void open_records(const QStringList& files);
+  /// Asks for the bolts of the joint and writes them into the text, one step that can be undone.
+  void open_joint_assistant();
+  /// That the scene is a proposal, and how to change its joint.
+  void say_proposed();
   /// Stops what runs on any page.
   void cancel();
   const CheckedScene& checked() const { return checked_; }
@@ -114,6 +122,8 @@ class Project : public QWidget {
   void watch();
   void file_changed();
   bool load(QString& why);
+  bool write(const QString& target);
+  bool is_changed_outside() const;
   void reload();
 
   SceneEditor* editor_;
@@ -137,6 +147,7 @@ class Project : public QWidget {
   Later<RecordsPage> records_page_;
   QFileSystemWatcher watcher_;
   QString file_, folder_;
+  QString on_disk_;  ///< the text of the file as it was read or written last
   QStringList dofs_;  ///< of the files
   CheckedScene checked_;
 };

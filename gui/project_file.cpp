@@ -40,6 +40,7 @@ QString Project::title() const { return file_.isEmpty() ? tr("new scene") : QFil
 bool Project::load(QString& why) {
   QString text;
   if (!read_file(file_, text, why)) return false;
+  on_disk_ = text;
   editor_->setPlainText(text);
   editor_->document()->setModified(false);
   check();
@@ -68,13 +69,26 @@ void Project::start(const std::string& text, const QString& folder) {
   check();
 }
 
-bool Project::save() { return !file_.isEmpty() && save_as(file_); }
+/// A change that nobody has seen yet is not written over; the message offers to.
+bool Project::save() {
+  if (file_.isEmpty()) return false;
+  if (!is_changed_outside()) return write(file_);
+  messages_->ask(tr("%1 was changed by another program, and is not saved over.").arg(title()), tr("Replace the file"),
+                 [this] { write(file_); });
+  return false;
+}
 
-bool Project::save_as(const QString& file) {
-  const QString target = QFileInfo(file).absoluteFilePath();
+bool Project::is_changed_outside() const {
+  QString text, why;
+  return QFileInfo::exists(file_) && (!read_file(file_, text, why) || text != on_disk_);
+}
+
+bool Project::save_as(const QString& file) { return write(QFileInfo(file).absoluteFilePath()); }
+
+bool Project::write(const QString& target) {
   std::vector<std::filesystem::path> inputs;
-  if (checked_.scene) {
-    for (const auto& [input, place] : ident::files_of(*checked_.scene)) {
+  if (checked_.seen()) {
+    for (const auto& [input, place] : ident::files_of(*checked_.seen())) {
       if (input != path()) inputs.push_back(input);
     }
   }
@@ -87,6 +101,7 @@ bool Project::save_as(const QString& file) {
   }
   file_ = target;
   folder_ = QFileInfo(file_).absolutePath();
+  on_disk_ = QString::fromStdString(editor_->text());
   editor_->document()->setModified(false);
   messages_->hide();
   watch();
@@ -105,7 +120,10 @@ void Project::file_changed() {
   watch();
   QString text, why;
   if (!read_file(file_, text, why)) return messages_->warn(tr("%1 is gone or cannot be read: %2").arg(title(), why));
-  if (text == editor_->toPlainText()) return editor_->document()->setModified(false);
+  if (text == editor_->toPlainText()) {
+    on_disk_ = text;
+    return editor_->document()->setModified(false);
+  }
   if (!is_modified()) return reload();
   messages_->ask(tr("%1 was changed here and by another program.").arg(title()), tr("Load the file again"), [this] { reload(); });
 }
@@ -114,6 +132,7 @@ void Project::file_changed() {
 void Project::reload() {
   QString text, why;
   if (!read_file(file_, text, why)) return messages_->warn(tr("%1 cannot be read: %2").arg(title(), why));
+  on_disk_ = text;
   editor_->replace_text(text.toStdString());
   editor_->document()->setModified(false);
   messages_->say(tr("%1 was changed by another program and is loaded again.").arg(title()));

@@ -64,7 +64,7 @@ void Project::add_later(Later<Page>& later, const QString& title, const QString&
 template <class Page>
 void Project::tell_other_kind(Page& page, bool is_of_kind) {
   const auto wrong = page.set_scene(editor_->text(), path(), is_modified() ? QString() : file_);
-  if (is_of_kind) checked_ = {{}, wrong};
+  if (is_of_kind) checked_ = {{}, wrong, checked_.seen()};
 }
 
 /// What else is done with the scene of the solution.
@@ -92,7 +92,7 @@ void Project::add_pages_of_scene() {
             [this, page] { geometry_page_->set_modes(named_shapes(tasks::uff_modes(*page->shown()), q(page->shown()->files))); });
     return page;
   };
-  add_later(modal_page_, tr("Modes"), tr("Modes"), modal, [this](ModalPage& page) { page.set_scene(checked_.scene); });
+  add_later(modal_page_, tr("Modes"), tr("Modes"), modal, [this](ModalPage& page) { page.set_scene(checked_.seen()); });
 }
 
 void Project::add_other_pages() {

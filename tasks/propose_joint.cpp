@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <set>
 
-#include "base/statistics.hpp"
 #include "base/text.hpp"
+#include "tasks/placed_nodes.hpp"
 
 namespace jointid::tasks {
 namespace {
@@ -17,45 +16,6 @@ using Dofs = std::vector<frf::Dof>;
 
 constexpr double equally_near = 1.01;  // as the nearest pair
 
-double distance(const frf::Node& a, const frf::Node& b) {
-  return std::hypot(a.position[0] - b.position[0], a.position[1] - b.position[1], a.position[2] - b.position[2]);
-}
-
-/// The coordinates with which a part could be coupled.
-Dofs couplable(const frf::FrfHeader& part) {
-  Dofs dofs;
-  for (const frf::Dof& dof : part.response) {
-    if (frf::has(part.reference, dof)) dofs.push_back(dof);
-  }
-  return dofs;
-}
-
-/// Nodes of a part that have such coordinates and a position.
-std::vector<frf::Node> nodes_of(const frf::FrfHeader& part) {
-  std::set<std::int64_t> wanted;
-  for (const frf::Dof& dof : couplable(part)) wanted.insert(dof.node);
-  std::vector<frf::Node> nodes;
-  for (const frf::Node& node : part.nodes) {
-    if (wanted.contains(node.id)) nodes.push_back(node);
-  }
-  return nodes;
-}
-
-double nearest(const frf::Node& node, const std::vector<frf::Node>& among) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const frf::Node& other : among) {
-    if (&other != &node) least = std::min(least, distance(node, other));
-  }
-  return least;
-}
-
-/// The median over nodes of the distance to the nearest of the same part; infinite for a part of one node.
-double usual_distance(const std::vector<frf::Node>& nodes) {
-  std::vector<double> each;
-  for (const frf::Node& node : nodes) each.push_back(nearest(node, nodes));
-  return median(each);
-}
-
 struct NearNode {
   frf::Node node;
   double gap = 0.0, usual = 0.0;
@@ -64,7 +24,7 @@ struct NearNode {
 /// Of every node the distance to the nearest node of another part.
 std::vector<NearNode> gaps(const Headers& parts) {
   std::vector<std::vector<frf::Node>> nodes;
-  for (const frf::FrfHeader* part : parts) nodes.push_back(nodes_of(*part));
+  for (const frf::FrfHeader* part : parts) nodes.push_back(placed_nodes(*part));
   std::vector<NearNode> found;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (nodes[i].empty()) continue;

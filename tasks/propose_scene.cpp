@@ -51,6 +51,13 @@ std::string files_text(const ProposedScene::Files& files, const fs::path& folder
   return list_text(items);
 }
 
+/// No runs of one measurement.
+ProposedScene::Files each_alone(const std::vector<fs::path>& files) {
+  ProposedScene::Files alone;
+  for (const fs::path& file : files) alone.push_back({file});
+  return alone;
+}
+
 std::string dofs_text(const std::vector<frf::Dof>& dofs) {
   std::vector<std::string> items;
   for (const frf::Dof& dof : dofs) items.push_back(quoted(dof.name()));
@@ -73,6 +80,47 @@ std::string comment(const std::string& sentence) {
     width += 1 + word.size();
   }
   return text + "\n";
+}
+
+/// [joint] with what is unknown.
+std::string joint_text(const ProposedScene& proposed) {
+  std::string text = "\n[joint]\ndofs = " + dofs_text(proposed.joint) + "  # both sides\n";
+  std::string form = "pattern = \"symmetric\"\n";
+  if (proposed.springs) {
+    form = "springs = " + springs_text(*proposed.springs) + "\n";
+    text += "\n# Unknown: a spring with hysteretic damping between the nodes of each pair in each direction.\n";
+  } else {
+    text += "\n# Unknown: stiffness and hysteretic damping, both symmetric, no mass.\n";
+  }
+  return text + "[joint.stiffness]\n" + form + "\n[joint.hysteretic_damping]\n" + form;
+}
+
+/// Springs between pairs of nodes, where full matrices would have too many unknowns. False where they would not, or no nodes lie in pairs.
+bool prefer_springs(const std::vector<const frf::FrfHeader*>& parts, ProposedScene& proposed) {
+  const std::size_t size = proposed.joint.size();
+  if (size * (size + 1) <= many_unknowns) return false;
+  JointLayout layout;
+  for (NodePair& pair : propose_pairs(parts)) {
+    if (pair.likely) layout.pairs.push_back(std::move(pair));
+  }
+  if (layout.pairs.empty()) return false;
+  proposed.joint = dofs_of(layout);
+  const std::string pairs = comma_list(layout.pairs, [](const NodePair& pair) {
+    return std::to_string(pair.first) + "–" + std::to_string(pair.second);
+  });
+  proposed.reasons.push_back("Springs between the nodes " + pairs + ": " + std::to_string(unknowns_of(layout)) +
+                             " unknowns. Full matrices would have " + std::to_string(size * (size + 1)) + ".");
+  proposed.springs = std::move(layout);
+  return true;
+}
+
+/// The DOFs; springs where full matrices would have too many unknowns and nodes lie in pairs.
+void set_joint(const std::vector<const frf::FrfHeader*>& parts, ProposedScene& proposed) {
+  const ProposedJoint joint = propose_joint(parts);
+  proposed.joint = joint.dofs;
+  proposed.doubts.insert(proposed.doubts.end(), joint.doubts.begin(), joint.doubts.end());
+  if (prefer_springs(parts, proposed)) return;
+  proposed.reasons.insert(proposed.reasons.end(), joint.reasons.begin(), joint.reasons.end());
 }
 
 /// Why, above the scene.
@@ -108,15 +156,12 @@ ProposedScene propose_scene(const std::vector<fs::path>& files, const std::funct
   proposed.assembly = paths(roles.assembly);
   std::vector<const frf::FrfHeader*> parts;
   for (const auto& group : roles.substructures) parts.push_back(headers[group.front()]);
-  const ProposedJoint joint = propose_joint(parts);
   const ProposedRange range = propose_range(all, interrupted);
-  proposed.joint = joint.dofs;
   proposed.range_hz = range.range_hz;
-  for (const auto* reasons : {&roles.reasons, &range.reasons, &joint.reasons}) {
-    proposed.reasons.insert(proposed.reasons.end(), reasons->begin(), reasons->end());
-  }
-  for (const auto* doubts : {&roles.doubts, &joint.doubts})
-    proposed.doubts.insert(proposed.doubts.end(), doubts->begin(), doubts->end());
+  proposed.reasons = roles.reasons;
+  proposed.reasons.insert(proposed.reasons.end(), range.reasons.begin(), range.reasons.end());
+  proposed.doubts = roles.doubts;
+  set_joint(parts, proposed);
   return proposed;
 }
 
@@ -128,9 +173,11 @@ std::string scene_text(const ProposedScene& proposed, const fs::path& folder) {
     text += "\n[frequency]\nrange = [" + digits((*proposed.range_hz)[0], "%.12g") + ", " +
             digits((*proposed.range_hz)[1], "%.12g") + "]  # Hz\n";
   }
-  text += "\n[joint]\ndofs = " + dofs_text(proposed.joint) + "  # both sides\n";
-  text += "\n# Unknown: stiffness and hysteretic damping, both symmetric, no mass.\n";
-  return text + "[joint.stiffness]\npattern = \"symmetric\"\n\n[joint.hysteretic_damping]\npattern = \"symmetric\"\n";
+  return text + joint_text(proposed);
+}
+
+std::string look_text(const std::vector<fs::path>& files, const fs::path& folder, const std::string& why) {
+  return comment(why) + "\n[data]\nsubstructures = " + files_text(each_alone(files), folder) + "\nassembly = []\n";
 }
 
 }  // namespace jointid::tasks

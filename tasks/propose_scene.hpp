@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tasks/joint_layout.hpp"
 #include "tasks/propose_joint.hpp"
 #include "tasks/propose_range.hpp"
 #include "tasks/propose_roles.hpp"
@@ -16,6 +17,8 @@ struct ProposedScene {
   using Files = std::vector<std::vector<std::filesystem::path>>;  ///< runs of one measurement together
   Files substructures, assembly;
   std::vector<frf::Dof> joint;
+  /// Springs between pairs of nodes, where full matrices over `joint` would have more than many_unknowns; else empty.
+  std::optional<JointLayout> springs{};
   std::optional<std::array<double, 2>> range_hz;
   std::vector<std::string> reasons;  ///< of every choice, one sentence each
   std::vector<std::string> doubts;   ///< what the user should look at or fill in
@@ -26,7 +29,11 @@ struct ProposedScene {
 ProposedScene propose_scene(const std::vector<std::filesystem::path>& files, const std::function<bool()>& interrupted = {});
 
 /// The scene as TOML with the reasons as comments; files are named relative to `folder`. Stiffness and hysteretic damping are
-/// unknown.
+/// unknown: springs where they are proposed, else symmetric matrices.
 std::string scene_text(const ProposedScene& proposed, const std::filesystem::path& folder);
+
+/// A scene that only shows what files hold, for files that are not parts and assembly: it names each as a substructure, and no
+/// assembly. `why` stands above it as a comment.
+std::string look_text(const std::vector<std::filesystem::path>& files, const std::filesystem::path& folder, const std::string& why);
 
 }  // namespace jointid::tasks

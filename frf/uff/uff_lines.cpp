@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "frf/uff/uff_geometry.hpp"
 #include "frf/uff/uff_scan.hpp"
 #include "frf/uff/uff_text.hpp"
 
@@ -125,6 +126,12 @@ std::vector<NodeLine> read_uff_lines(const std::filesystem::path& path) {
       read_elements(records, lines);
   }
   return once(std::move(lines));
+}
+
+std::vector<Node> read_uff_nodes(const std::filesystem::path& path) {
+  ByteFile file(path);
+  const std::vector<Dataset> datasets = uff::scan(file);
+  return uff::read_nodes(file, datasets, uff::UnitTable(file, datasets));
 }
 
 }  // namespace jointid::frf

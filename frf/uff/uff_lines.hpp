@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "frf/set/frf_set.hpp"
+
 namespace jointid::frf {
 
 /// Two nodes with a line between them.
@@ -14,5 +16,8 @@ using NodeLine = std::array<std::int64_t, 2>;
 /// elements round their edge, linear tetrahedra, wedges and bricks; others are left out), each line once. Throws InputError for
 /// a file that is none, and for a record that is no number; the nodes need not be there.
 std::vector<NodeLine> read_uff_lines(const std::filesystem::path& path);
+
+/// The nodes of a universal file (datasets 15 and 2411), which need not have FRFs; positions in m. Throws InputError as read_uff_lines().
+std::vector<Node> read_uff_nodes(const std::filesystem::path& path);
 
 }  // namespace jointid::frf

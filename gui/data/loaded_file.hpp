@@ -16,9 +16,12 @@ struct LoadedFile {
   std::string name;  ///< without folders
   bool is_assembly = false;
   std::shared_ptr<frf::FrfSource> source;  ///< empty where it cannot be read
-  frf::FrfHeader header;
+  frf::FrfHeader header;                   ///< of a file that cannot be read: the nodes of a universal file, if it has any
   std::string error;
 };
+
+/// By the ending of its name.
+bool is_universal_file(const std::filesystem::path& path);
 
 /// Opens the files of a scene (headers only), runs of one measurement as their mean. One that cannot be read has an error. Throws
 /// Interrupted.

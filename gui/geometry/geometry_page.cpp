@@ -29,7 +29,7 @@ constexpr int dof_role = Qt::UserRole;
 std::vector<frf::Dof> references_of(const std::vector<LoadedFile>& files) {
   std::vector<frf::Dof> out;
   for (const LoadedFile& file : files) {
-    if (!file.is_assembly || !file.error.empty()) continue;
+    if (!shows_motion(file, files)) continue;
     for (const frf::Dof& dof : file.header.reference) {
       if (!frf::has(out, dof)) out.push_back(dof);
     }

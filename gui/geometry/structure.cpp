@@ -13,11 +13,6 @@ namespace {
 
 constexpr std::uintmax_t largest_file = std::uintmax_t{256} << 20;
 
-bool is_universal(const std::filesystem::path& path) {
-  const std::string ending = path.extension().string();
-  return ending == ".uff" || ending == ".unv" || ending == ".UFF" || ending == ".UNV" || ending == ".u58";
-}
-
 Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 double length(const Vector& a) { return std::hypot(a[0], a[1], a[2]); }
@@ -54,10 +49,10 @@ bool are_directions_known(const frf::Node& node) {
   return !node.axes || std::ranges::all_of(*node.axes, is_finite);
 }
 
-/// The file of an assembly with the reference, and which of its references it is.
+/// The file that shows motion by the reference, and which of its references it is.
 std::pair<const LoadedFile*, std::size_t> source_of(const std::vector<LoadedFile>& files, const frf::Dof& reference) {
   for (const LoadedFile& file : files) {
-    if (!file.is_assembly || !file.error.empty()) continue;
+    if (!shows_motion(file, files)) continue;
     const std::size_t place = frf::find_coordinate(file.header.reference, reference);
     if (place != frf::npos) return {&file, place};
   }
@@ -72,8 +67,8 @@ Structure structure_of(const std::vector<LoadedFile>& files, const std::vector<f
   std::map<std::int64_t, frf::Dof> dofs;
   std::vector<frf::NodeLine> all = lines;
   for (const LoadedFile& file : files) {
-    if (!file.error.empty()) continue;
     for (const frf::Node& node : file.header.nodes) nodes.emplace(node.id, node);
+    if (!file.error.empty()) continue;
     for (const auto* list : {&file.header.response, &file.header.reference}) {
       for (const frf::Dof& dof : *list) dofs.emplace(frf::coordinate_key(dof), dof);
     }
@@ -98,7 +93,7 @@ std::vector<frf::NodeLine> drawn_lines(const ident::DataSection& data, const std
     for (const ident::DataFile& file : *list) {
       stop_if(interrupted);
       std::error_code none;
-      if (!is_universal(file.path) || std::filesystem::file_size(file.path, none) > largest_file || none) continue;
+      if (!is_universal_file(file.path) || std::filesystem::file_size(file.path, none) > largest_file || none) continue;
       try {
         const std::vector<frf::NodeLine> own = frf::read_uff_lines(file.path);
         out.insert(out.end(), own.begin(), own.end());
@@ -142,6 +137,10 @@ Shape in_global_axes(const Shape& shape, const std::vector<frf::Node>& nodes) {
     out.emplace(node.id, motion);
   }
   return out;
+}
+
+bool shows_motion(const LoadedFile& file, const std::vector<LoadedFile>& files) {
+  return file.error.empty() && (file.is_assembly || std::ranges::none_of(files, &LoadedFile::is_assembly));
 }
 
 Deflection deflection_at(const std::vector<LoadedFile>& files, const frf::Dof& reference, double frequency_hz) {

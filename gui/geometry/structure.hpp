@@ -17,7 +17,8 @@ struct Structure {
   std::vector<frf::Dof> unplaced;    ///< of nodes without a position, or whose directions the files do not tell
 };
 
-/// Files without positions add their DOFs only. `lines`: as the files draw them; where none does, the nodes of each file are
+/// Files without positions add their DOFs only, those without FRFs their nodes. `lines`: as the files draw them; where none does, the
+/// nodes of each file are
 /// joined in the order of their numbers, when they are on one straight line.
 Structure structure_of(const std::vector<LoadedFile>& files, const std::vector<frf::NodeLine>& lines);
 
@@ -43,11 +44,14 @@ using Shape = std::map<std::int64_t, std::array<std::complex<double>, 3>>;
 Shape in_global_axes(const Shape& shape, const std::vector<frf::Node>& nodes);
 
 /// How an assembly moves under a harmonic force: translations of all responses to a reference at the line nearest to a frequency,
-/// and that frequency. Empty where no file of the assembly has the reference.
+/// and that frequency. Empty where no file of the assembly has the reference; any file counts where the scene names no assembly.
 struct Deflection {
   Shape shape;
   double frequency_hz = 0.0;
 };
 Deflection deflection_at(const std::vector<LoadedFile>& files, const frf::Dof& reference, double frequency_hz);
+
+/// Whether a file shows how the whole moves: one that could be read, of an assembly, or any where the scene names none.
+bool shows_motion(const LoadedFile& file, const std::vector<LoadedFile>& files);
 
 }  // namespace jointid::gui

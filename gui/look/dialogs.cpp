@@ -10,9 +10,11 @@ const QString folder_key = QStringLiteral("folder");
 
 QString folder() { return QSettings().value(folder_key).toString(); }
 
-void note_folder(const QString& file) { QSettings().setValue(folder_key, QFileInfo(file).absolutePath()); }
+void note_folder(const QString& file) { begin_dialogs_in(QFileInfo(file).absolutePath()); }
 
 }  // namespace
+
+void begin_dialogs_in(const QString& folder) { QSettings().setValue(folder_key, folder); }
 
 QStringList choose_files_to_open(QWidget* parent) {
   const QString filter = QFileDialog::tr("Scenes and FRFs (*.toml *.uff *.unv *.h5 *.hdf5 *.mat *.csv *.txt);;All files (*)");

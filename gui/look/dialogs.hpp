@@ -6,6 +6,9 @@ class QWidget;
 
 namespace jointid::gui {
 
+/// The folder that the next dialog of files shows.
+void begin_dialogs_in(const QString& folder);
+
 /// Files to open, or none. The folder is remembered.
 QStringList choose_files_to_open(QWidget* parent);
 

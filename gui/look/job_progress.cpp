@@ -36,6 +36,10 @@ std::optional<double> TimeLeft::note(const QString& stage, double share, double 
 
 QString duration_text(double seconds) {
   if (seconds < 90.0) return JobProgress::tr("%1 s").arg(std::ceil(seconds));
+  if (seconds < 600.0) {
+    const int whole = static_cast<int>(std::ceil(seconds));
+    return JobProgress::tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);
+  }
   if (seconds < 5400.0) return JobProgress::tr("%1 min").arg(std::ceil(seconds / 60.0));
   return JobProgress::tr("%1 h").arg(seconds / 3600.0, 0, 'f', 1);
 }

@@ -49,10 +49,19 @@ void MessageBar::warn(const QString& text) {
 }
 
 void MessageBar::ask(const QString& text, const QString& action, std::function<void()> act) {
+  show_action(action, std::move(act));
+  show_text(text, true);
+}
+
+void MessageBar::offer(const QString& text, const QString& action, std::function<void()> act) {
+  show_action(action, std::move(act));
+  show_text(text, false);
+}
+
+void MessageBar::show_action(const QString& action, std::function<void()> act) {
   act_ = std::move(act);
   action_->setText(action);
   action_->show();
-  show_text(text, true);
 }
 
 void MessageBar::show_text(const QString& text, bool bad) {

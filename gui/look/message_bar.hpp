@@ -19,12 +19,15 @@ class MessageBar : public QFrame {
   void say(const QString& text);
   void warn(const QString& text);
   void ask(const QString& text, const QString& action, std::function<void()> act);
+  /// The same of what is no fault.
+  void offer(const QString& text, const QString& action, std::function<void()> act);
   QString text() const;
 
  protected:
   void changeEvent(QEvent* event) override;
 
  private:
+  void show_action(const QString& action, std::function<void()> act);
   void show_text(const QString& text, bool bad);
   void colour();
 

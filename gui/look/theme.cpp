@@ -4,6 +4,7 @@
 #include <QStyleFactory>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace jointid::gui {
 namespace {
@@ -75,8 +76,9 @@ QColor curve_colour(Theme theme, int n) {
 }
 
 QColor shade(Theme theme, double share) {
-  const QColor full = theme == Theme::dark ? QColor(0x6cb0ff) : QColor(0x16457e);
-  return mixed(colours(theme).background, full, std::clamp(share, 0.0, 1.0));
+  const bool dark = theme == Theme::dark;
+  const QColor full = share < 0.0 ? QColor(dark ? 0xff9c66 : 0x96400f) : QColor(dark ? 0x6cb0ff : 0x16457e);
+  return mixed(colours(theme).background, full, std::min(1.0, std::abs(share)));
 }
 
 QColor text_on(const QColor& background) {

@@ -27,7 +27,7 @@ Colours colours(Theme theme);
 /// Of the n-th curve of a plot; they differ in hue and lightness, and begin anew after eight.
 QColor curve_colour(Theme theme, int n);
 
-/// White or the background at 0 to deep blue (light blue on dark) at 1, and the text that is readable on it.
+/// White or the background at 0 to deep blue (light blue on dark) at 1 and to brown (orange) at −1; the text that is readable on it.
 QColor shade(Theme theme, double share);
 QColor text_on(const QColor& background);
 

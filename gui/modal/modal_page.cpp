@@ -115,12 +115,13 @@ void ModalPage::connect_all() {
   connect(chart_, &Chart::opened, this, &ModalPage::toggle);
   connect(shapes_, &QPushButton::clicked, this, [this] {
     const QString file =
-        choose_file_to_save(this, tr("Write the mode shapes"), {}, tr("Universal files (*.uff)"), QStringLiteral("uff"));
+        choose_file_to_save(this, tr("Write the mode shapes"), QStringLiteral("shapes.uff"), tr("Universal files (*.uff)"),
+                            QStringLiteral("uff"));
     if (!file.isEmpty()) write_shapes(file);
   });
   connect(regenerated_, &QPushButton::clicked, this, [this] {
-    const QString file = choose_file_to_save(this, tr("Write the synthesised FRFs"), {}, tr("FRFs (*.h5 *.uff *.mat *.csv)"),
-                                             QStringLiteral("h5"));
+    const QString file = choose_file_to_save(this, tr("Write the synthesised FRFs"), QStringLiteral("synthesised.h5"),
+                                             tr("FRFs (*.h5 *.uff *.mat *.csv)"), QStringLiteral("h5"));
     if (!file.isEmpty()) write_regenerated(file);
   });
 }

@@ -39,7 +39,7 @@ void OutputButtons::show_state() {
 }
 
 void OutputButtons::ask_and_write(const QString& filter, const QString& ending) {
-  const QString file = choose_file_to_save(this, tr("Save the results"), {}, filter, ending);
+  const QString file = choose_file_to_save(this, tr("Save the results"), QStringLiteral("results.") + ending, filter, ending);
   if (!file.isEmpty()) write(file, ending);
 }
 

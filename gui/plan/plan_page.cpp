@@ -122,7 +122,8 @@ void PlanPage::show_report(const tasks::BoundReport& report) {
 }
 
 void PlanPage::save_tables() {
-  const QString file = choose_file_to_save(this, tr("Save the tables"), {}, tr("Tables (*.csv)"), QStringLiteral("csv"));
+  const QString file = choose_file_to_save(this, tr("Save the tables"), QStringLiteral("bounds.csv"), tr("Tables (*.csv)"),
+                                           QStringLiteral("csv"));
   if (file.isEmpty()) return;
   try {
     write_output(file, (bounds_->text(',') + '\n' + ranking_->text(',')).toStdString(), inputs_of(scene_));

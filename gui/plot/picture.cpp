@@ -88,7 +88,7 @@ void save_plot(const QString& file, const Saveable& plot, const std::vector<std:
 
 void ask_and_save(QWidget* parent, const Saveable& plot, const std::vector<std::filesystem::path>& inputs) {
   const QString filter = Said::tr("Pictures and tables (*.png *.svg *.pdf *.csv)");
-  const QString file = choose_file_to_save(parent, Said::tr("Save the plot"), QString(), filter, QStringLiteral("png"));
+  const QString file = choose_file_to_save(parent, Said::tr("Save the plot"), QStringLiteral("plot.png"), filter, QStringLiteral("png"));
   if (file.isEmpty()) return;
   try {
     save_plot(file, plot, inputs);

@@ -4,6 +4,7 @@
 
 #include "gui/scene/completion_place.hpp"
 #include "ident/scene/read_scene.hpp"
+#include "ident/scene/readable_scene.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -29,7 +30,7 @@ CheckedScene check_scene(const std::string& text, const std::filesystem::path& f
   try {
     return {ident::parse_scene(text, file), {}};
   } catch (const InputError& error) {
-    return {{}, located(error, text)};
+    return {{}, located(error, text), ident::parse_readable(text, file)};
   }
 }
 

@@ -19,6 +19,11 @@ struct SceneError {
 struct CheckedScene {
   std::optional<ident::Scene> scene;
   std::optional<SceneError> error;
+  /// What can be read of a text that says no scene (ident::parse_readable()).
+  std::optional<ident::Scene> readable{};
+
+  /// The files and all else that can be looked at, whatever is wrong.
+  const std::optional<ident::Scene>& seen() const { return scene ? scene : readable; }
 };
 
 /// Asks the library's own reader; `file` resolves the paths of the data.

@@ -30,7 +30,34 @@ std::string with_regeneration(const std::string& text, const ident::Regeneration
   return with_value(text, "data", "regenerate", "[" + systems + "]");
 }
 
+constexpr const char* forms[] = {"pattern", "matrix", "springs"};
+
+/// A matrix of [joint] declared in one way, whatever it was before; the table stays where it was.
+std::string with_matrix(std::string text, const std::string& matrix, const std::string& form, const std::string& value) {
+  const std::string table = "joint." + matrix;
+  text = with_value(without_value(text, "joint", matrix), table, form, value);
+  for (const char* other : forms) {
+    if (other != form) text = without_value(text, table, other);
+  }
+  return text;
+}
+
+std::string without_matrix(std::string text, const std::string& matrix) {
+  text = without_value(text, "joint", matrix);
+  for (const char* key : {"pattern", "matrix", "springs", "definite"}) text = without_value(text, "joint." + matrix, key);
+  return text;
+}
+
 }  // namespace
+
+std::string with_joint(std::string text, const tasks::JointLayout& layout) {
+  const bool full = layout.form == tasks::JointForm::full;
+  const std::string form = full ? "pattern" : "springs", value = full ? "\"symmetric\"" : tasks::springs_text(layout);
+  text = with_value(text, "joint", "dofs", written(tasks::dofs_of(layout)));
+  text = with_matrix(std::move(text), "stiffness", form, value);
+  return layout.damping ? with_matrix(std::move(text), "hysteretic_damping", form, value)
+                        : without_matrix(std::move(text), "hysteretic_damping");
+}
 
 std::string with_way(std::string text, const study::Way& way) {
   const auto word = [](const std::string& value) { return '"' + value + '"'; };

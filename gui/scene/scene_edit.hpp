@@ -7,6 +7,7 @@
 #include "gui/scene/toml_edit.hpp"
 #include "ident/scene/scene.hpp"
 #include "study/comparison.hpp"
+#include "tasks/joint_layout.hpp"
 
 namespace jointid::gui {
 
@@ -16,6 +17,10 @@ std::string written(const std::vector<frf::Dof>& dofs);
 
 /// The text with [identify], and the FRFs that modes replace, as the way has it; weighting and Δ stay where the method has neither.
 std::string with_way(std::string text, const study::Way& way);
+
+/// The text with the DOFs of [joint], and its stiffness and hysteretic damping, as the layout has them; without hysteretic damping where
+/// it has none. All other keys and comments stay.
+std::string with_joint(std::string text, const tasks::JointLayout& layout);
 
 /// The ranges with one more: those that overlap or touch are one, ascending.
 std::vector<ident::Range> with_range(std::vector<ident::Range> ranges, const ident::Range& more);

@@ -675,6 +675,124 @@ Fügestelle: %1</translation>
         <source>, %1 left</source>
         <translation>, noch %1</translation>
     </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>JointAssistant</name>
+    <message>
+        <source>Joint assistant</source>
+        <translation>Fügestellen-Assistent</translation>
+    </message>
+    <message>
+        <source>Pairs of nodes. Ticked: joined</source>
+        <translation>Knotenpaare. Angekreuzt: verbunden</translation>
+    </message>
+    <message>
+        <source>Space joins the nodes of a pair, or parts them</source>
+        <translation>Leertaste verbindet die Knoten eines Paars oder trennt sie</translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>Gap in mm</source>
+        <translation>Abstand in mm</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Richtungen</translation>
+    </message>
+    <message>
+        <source>Tick the pairs of nodes that a bolt, a weld or a pad joins.</source>
+        <translation>Kreuzen Sie die Knotenpaare an, die eine Schraube, eine Schweißnaht oder ein Lager verbindet.</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Was zu tun ist</translation>
+    </message>
+    <message>
+        <source>About the number of unknowns</source>
+        <translation>Zur Zahl der Unbekannten</translation>
+    </message>
+    <message>
+        <source>Write the joint, or leave it</source>
+        <translation>Fügestelle schreiben oder es lassen</translation>
+    </message>
+    <message>
+        <source>No two nodes of different parts lie near each other. Add the pairs that are joined.</source>
+        <translation>Keine zwei Knoten verschiedener Substrukturen liegen nahe beieinander. Fügen Sie die verbundenen Paare hinzu.</translation>
+    </message>
+    <message>
+        <source>Node of one part</source>
+        <translation>Knoten der einen Substruktur</translation>
+    </message>
+    <message>
+        <source>Node of another part</source>
+        <translation>Knoten einer anderen Substruktur</translation>
+    </message>
+    <message>
+        <source>Add pair</source>
+        <translation>Paar hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the two nodes to the pairs</source>
+        <translation>Die zwei Knoten zu den Paaren hinzufügen</translation>
+    </message>
+    <message>
+        <source>Directions:</source>
+        <translation>Richtungen:</translation>
+    </message>
+    <message>
+        <source>Joined along %1</source>
+        <translation>Verbunden längs %1</translation>
+    </message>
+    <message>
+        <source>A spring for every pair and direction</source>
+        <translation>Eine Feder je Paar und Richtung</translation>
+    </message>
+    <message>
+        <source>Equal bolts: a spring for every direction</source>
+        <translation>Gleiche Schrauben: eine Feder je Richtung</translation>
+    </message>
+    <message>
+        <source>Full symmetric matrices</source>
+        <translation>Volle symmetrische Matrizen</translation>
+    </message>
+    <message>
+        <source>with hysteretic damping</source>
+        <translation>mit hysteretischer Dämpfung</translation>
+    </message>
+    <message>
+        <source>Hysteretic damping beside every stiffness</source>
+        <translation>Hysteretische Dämpfung neben jeder Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Both nodes are of one part: take nodes of two parts.</source>
+        <translation>Beide Knoten gehören zu einer Substruktur: Nehmen Sie Knoten zweier Substrukturen.</translation>
+    </message>
+    <message>
+        <source>The two nodes share no direction that is response and reference.</source>
+        <translation>Die zwei Knoten haben keine gemeinsame Richtung, die Antwort und Anregung ist.</translation>
+    </message>
+    <message>
+        <source>The pair is in the list.</source>
+        <translation>Das Paar steht in der Liste.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n unknown(s)</source>
+        <translation>
+            <numerusform>%1: %n Unbekannte</numerusform>
+            <numerusform>%1: %n Unbekannte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Few tests determine more than %1 unknowns, and solving takes long.</source>
+        <translation>Wenige Versuche bestimmen mehr als %1 Unbekannte, und das Lösen dauert lange.</translation>
+    </message>
 </context>
 <context>
     <name>JointTab</name>
@@ -693,6 +811,14 @@ Fügestelle: %1</translation>
     <message>
         <source>, %1 to %2 Hz</source>
         <translation>, %1 bis %2 Hz</translation>
+    </message>
+    <message>
+        <source>± is 95 %, of linear methods their error. Blue is positive, orange negative, blank is zero and no unknown.</source>
+        <translation>± ist 95 %, bei linearen Verfahren ihr Fehler. Blau ist positiv, orange negativ, leer ist null und keine Unbekannte.</translation>
+    </message>
+    <message>
+        <source>How to read the matrix</source>
+        <translation>Wie die Matrix zu lesen ist</translation>
     </message>
 </context>
 <context>
@@ -922,14 +1048,6 @@ oder k_e und d_e über der Amplitude. „Anpassen“ zeichnet die Gesetze darüb
         <translation>jointid workbench</translation>
     </message>
     <message>
-        <source>Drop FRF files of the substructures and of the assembly here, or a scene.
-
-Ctrl+O opens files, Ctrl+N starts an empty scene.</source>
-        <translation>Ziehen Sie FRF-Dateien der Substrukturen und des Zusammenbaus hierher, oder eine Szene.
-
-Strg+O öffnet Dateien, Strg+N beginnt eine leere Szene.</translation>
-    </message>
-    <message>
         <source>Getting started</source>
         <translation>Erste Schritte</translation>
     </message>
@@ -951,10 +1069,6 @@ Strg+O öffnet Dateien, Strg+N beginnt eine leere Szene.</translation>
             <numerusform>Eine Datei wird gelesen …</numerusform>
             <numerusform>%n Dateien werden gelesen …</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>This scene is a proposal from the files. Its comments give the reasons. Check it, then save it.</source>
-        <translation>Diese Szene ist ein Vorschlag aus den Dateien. Ihre Kommentare nennen die Gründe. Prüfen Sie sie und speichern Sie sie.</translation>
     </message>
     <message>
         <source>Save the scene</source>
@@ -1195,6 +1309,34 @@ Identifiziert Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; d
     <message>
         <source>Time r&amp;ecords</source>
         <translation>Z&amp;eitverläufe</translation>
+    </message>
+    <message>
+        <source>Drop FRF files of the substructures and of the assembly here, one file to look at, or a scene.
+
+Ctrl+O opens files, Ctrl+N starts an empty scene.</source>
+        <translation>Ziehen Sie FRF-Dateien der Substrukturen und des Zusammenbaus hierher, eine Datei zum Ansehen oder eine Szene.
+
+Strg+O öffnet Dateien, Strg+N beginnt eine leere Szene.</translation>
+    </message>
+    <message>
+        <source>These files have nodes and no FRFs.</source>
+        <translation>Diese Dateien haben Knoten und keine FRFs.</translation>
+    </message>
+    <message>
+        <source>&amp;Joint assistant…</source>
+        <translation>&amp;Fügestellen-Assistent…</translation>
+    </message>
+    <message>
+        <source>Ctrl+J</source>
+        <translation>Ctrl+J</translation>
+    </message>
+    <message>
+        <source>Data, Geometry and Modes show the file. Open those of the parts and of the assembly together for a joint.</source>
+        <translation>Daten, Geometrie und Moden zeigen die Datei. Für eine Fügestelle öffnen Sie die der Substrukturen und des Zusammenbaus zusammen.</translation>
+    </message>
+    <message>
+        <source>Data, Geometry and Modes show the files. %1</source>
+        <translation>Daten, Geometrie und Moden zeigen die Dateien. %1</translation>
     </message>
 </context>
 <context>
@@ -1834,6 +1976,38 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode entfern
     <message>
         <source>Records</source>
         <translation>Verläufe</translation>
+    </message>
+    <message>
+        <source>This scene is a proposal from the files. Its comments give the reasons. Check it, then save it.</source>
+        <translation>Diese Szene ist ein Vorschlag aus den Dateien. Ihre Kommentare nennen die Gründe. Prüfen Sie sie und speichern Sie sie.</translation>
+    </message>
+    <message>
+        <source>Joint assistant…</source>
+        <translation>Fügestellen-Assistent…</translation>
+    </message>
+    <message>
+        <source>The files are being read. Ask again in a moment.</source>
+        <translation>Die Dateien werden gelesen. Versuchen Sie es gleich noch einmal.</translation>
+    </message>
+    <message>
+        <source>The scene has several joints. Its form shows them one by one (F4).</source>
+        <translation>Die Szene hat mehrere Fügestellen. Ihr Formular zeigt sie einzeln (F4).</translation>
+    </message>
+    <message>
+        <source>The assistant joins two substructures or more. The scene has %1.</source>
+        <translation>Der Assistent verbindet zwei oder mehr Substrukturen. Die Szene hat %1.</translation>
+    </message>
+    <message>
+        <source>There is no scene. The pages Curves and Records need none.</source>
+        <translation>Es gibt keine Szene. Die Seiten Kurven und Verläufe brauchen keine.</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and is not saved over.</source>
+        <translation>%1 wurde von einem anderen Programm geändert und nicht überschrieben.</translation>
+    </message>
+    <message>
+        <source>Replace the file</source>
+        <translation>Datei ersetzen</translation>
     </message>
 </context>
 <context>
@@ -3301,6 +3475,22 @@ Eine Auswertung und die Kanäle wählen, dann ausführen.</translation>
         <source>whether joints with nominal stiffness are tested for being loose</source>
         <translation>ob Fügestellen mit nomineller Steifigkeit auf Lockerheit geprüft werden</translation>
     </message>
+    <message>
+        <source>spring</source>
+        <translation>Feder</translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation>k</translation>
+    </message>
+    <message>
+        <source>η = D/k</source>
+        <translation>η = D/k</translation>
+    </message>
+    <message>
+        <source>k beside the others of its direction</source>
+        <translation>k neben den anderen seiner Richtung</translation>
+    </message>
 </context>
 <context>
     <name>SceneEditor</name>
@@ -3562,6 +3752,18 @@ FRF-Fehler des Zusammenbaus %1 dB</translation>
     <message>
         <source>Tables (*.csv)</source>
         <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Springs: stiffness and loss factor</source>
+        <translation>Federn: Steifigkeit und Verlustfaktor</translation>
+    </message>
+    <message>
+        <source>Springs</source>
+        <translation>Federn</translation>
+    </message>
+    <message>
+        <source>The joint has %1 unknowns: few tests determine so many, and solving takes long. The joint assistant (Ctrl+J) makes springs of them. Solve again (F5) solves it as it is.</source>
+        <translation>Die Fügestelle hat %1 Unbekannte: Wenige Versuche bestimmen so viele, und das Lösen dauert lange. Der Fügestellen-Assistent (Strg+J) macht Federn daraus. Nochmals Lösen (F5) löst sie, wie sie ist.</translation>
     </message>
 </context>
 <context>

@@ -29,6 +29,16 @@
     </message>
 </context>
 <context>
+    <name>JointAssistant</name>
+    <message numerus="yes">
+        <source>%1: %n unknown(s)</source>
+        <translation>
+            <numerusform>%1: %n unknown</numerusform>
+            <numerusform>%1: %n unknowns</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>MainWindow</name>
     <message numerus="yes">
         <source>Reading %n file(s) …</source>

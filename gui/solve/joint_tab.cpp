@@ -1,6 +1,7 @@
 #include "gui/solve/joint_tab.hpp"
 
 #include <QComboBox>
+#include <QLabel>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -14,9 +15,14 @@ JointTab::JointTab(QWidget* parent) : QWidget(parent) {
   choice_ = named(new QComboBox, "matrix_choice", tr("Matrix and band"));
   choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   matrix_ = new CellTable("matrix", tr("Joint matrix"));
+  auto* legend = named(new QLabel(tr("± is 95 %, of linear methods their error. Blue is positive, orange negative, "
+                                     "blank is zero and no unknown.")),
+                       "matrix_legend", tr("How to read the matrix"));
+  legend->setWordWrap(true);
   auto* column = new QVBoxLayout(this);
   column->addWidget(choice_, 0, Qt::AlignLeft);
   column->addWidget(matrix_, 1);
+  column->addWidget(legend);
   connect(choice_, &QComboBox::currentIndexChanged, this, &JointTab::show_matrix);
 }
 

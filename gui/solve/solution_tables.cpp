@@ -34,21 +34,15 @@ struct Rows {
   }
 };
 
-/// Half the interval, or the error that there is.
-std::optional<double> half_width(const ident::Estimate& estimate) {
-  if (estimate.ci95) return ((*estimate.ci95)[1] - (*estimate.ci95)[0]) / 2.0;
-  return estimate.error_estimate;
-}
-
 std::array<double, 2> interval(const ident::Estimate& estimate) {
   if (estimate.ci95) return *estimate.ci95;
   const double error = estimate.error_estimate.value_or(0.0);
   return {estimate.value - error, estimate.value + error};
 }
 
-/// Unknowns of one matrix and unit are drawn on one scale: "left.K N/m" of left.K(1,2), which is in N/m.
+/// Unknowns of one matrix and unit are drawn on one scale: "left.K N/m" of left.K(1,2) and left.K[4:+Y,5:+Y], which are in N/m.
 std::string scale_key(const ident::Estimate& estimate) {
-  const std::size_t bracket = estimate.name.find('(');
+  const std::size_t bracket = estimate.name.find_first_of("([");
   const std::size_t end = bracket != std::string::npos ? bracket : estimate.name.rfind('.');
   return (end == std::string::npos ? std::string() : estimate.name.substr(0, end)) + " " + estimate.unit;
 }
@@ -88,6 +82,16 @@ std::optional<double> error_of(const ident::Solution& solution, std::size_t band
   return std::nullopt;
 }
 
+/// Blank where an element is zero and no unknown.
+Cell element_cell(double value, double largest, const std::optional<double>& error) {
+  if (value == 0.0 && !error) return Cell{};
+  const QString exact = q(digits(value, "%.17g"));
+  Cell cell{number(value), exact, std::isfinite(value) ? 0.75 * value / largest : 0.0};
+  if (error) cell.text += QStringLiteral("\n± ") + q(digits(*error));
+  cell.copied = exact;
+  return cell;
+}
+
 void add_fit(const ident::Solution& solution, Rows& out) {
   const ident::Fit& fit = solution.fit;
   out.add(Said::tr("lines"), QString::number(fit.lines));
@@ -106,6 +110,11 @@ void add_fit(const ident::Solution& solution, Rows& out) {
 }
 
 }  // namespace
+
+std::optional<double> half_width(const ident::Estimate& estimate) {
+  if (estimate.ci95) return ((*estimate.ci95)[1] - (*estimate.ci95)[0]) / 2.0;
+  return estimate.error_estimate;
+}
 
 CellRows plan_rows(const ident::Plan& plan) {
   Rows out{{{Said::tr("what"), Said::tr("plan")}, {}, {}}};
@@ -192,10 +201,7 @@ CellRows matrix_rows(const ident::Solution& solution, std::size_t band, restrict
   for (std::size_t i = 0; i < matrix.size(); ++i) {
     out.cells.emplace_back();
     for (std::size_t j = 0; j < matrix[i].size(); ++j) {
-      const double value = matrix[i][j];
-      Cell cell{number(value), q(digits(value, "%.17g")), std::isfinite(value) ? 0.75 * std::abs(value) / largest : 0.0};
-      if (const auto error = error_of(solution, band, kind, i, j)) cell.text += QStringLiteral("\n± ") + q(digits(*error));
-      out.cells.back().push_back(std::move(cell));
+      out.cells.back().push_back(element_cell(matrix[i][j], largest, error_of(solution, band, kind, i, j)));
     }
   }
   return out;

@@ -11,6 +11,7 @@
 #include "report/page/limits.hpp"
 #include "report/result/solve_page.hpp"
 #include "report/solution_json.hpp"
+#include "restrictions/restriction.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -39,6 +40,14 @@ bool is_quick_to_plan(const ident::Scene& scene) {
     if (!none) bytes += size;
   }
   return bytes <= quick_bytes;
+}
+
+std::size_t unknowns_of(const ident::Scene& scene) {
+  try {
+    return restrictions::build(scene.joints).unknowns.size();
+  } catch (const InputError&) {
+    return 0;  // pattern "free" without positions: the plan knows them
+  }
 }
 
 std::vector<std::filesystem::path> inputs_of(const std::optional<ident::Scene>& scene) {

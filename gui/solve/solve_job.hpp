@@ -24,6 +24,9 @@ struct Solved {
 /// Whether a plan needs headers only, of files that are not large.
 bool is_quick_to_plan(const ident::Scene& scene);
 
+/// Unknowns of the joints of a scene, as far as they are known without its files: 0 where these have to be asked.
+std::size_t unknowns_of(const ident::Scene& scene);
+
 /// The files that no output may replace; none without a scene.
 std::vector<std::filesystem::path> inputs_of(const std::optional<ident::Scene>& scene);
 

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
+#include <QFileInfo>
 #include <QGridLayout>
 #include <QTabWidget>
 #include <QTime>
@@ -19,8 +20,10 @@
 #include "gui/solve/joint_tab.hpp"
 #include "gui/solve/run_tables.hpp"
 #include "gui/solve/solution_tables.hpp"
+#include "gui/solve/spring_table.hpp"
 #include "gui/table/cell_table.hpp"
 #include "ident/identify.hpp"
+#include "tasks/joint_layout.hpp"
 
 namespace jointid::gui {
 
@@ -30,6 +33,7 @@ SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
   plan_ = new CellTable("plan_table", tr("Plan"));
   bounds_ = new CellTable("bounds", tr("Cramér–Rao bounds"));
   unknowns_ = new CellTable("unknowns", tr("Unknowns"));
+  springs_ = new CellTable("springs", tr("Springs: stiffness and loss factor"));
   findings_ = new CellTable("findings", tr("Findings"));
   run_table_ = new CellTable("run_table", tr("Comparison of runs"));
   joint_tab_ = new JointTab;
@@ -38,6 +42,8 @@ SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
   results_->addTab(plan_, tr("Plan"));
   results_->addTab(bounds_, tr("Bounds"));
   results_->addTab(unknowns_, tr("Unknowns"));
+  results_->addTab(springs_, tr("Springs"));
+  results_->setTabVisible(results_->indexOf(springs_), false);
   results_->addTab(joint_tab_, tr("Joint"));
   results_->addTab(findings_, tr("Findings"));
   results_->addTab(frf_tab_, tr("Assembly FRFs"));
@@ -147,8 +153,20 @@ void SolvePage::bound() {
   });
 }
 
+/// Says once of a joint with many unknowns that it has them.
+bool SolvePage::is_doubtful() {
+  const std::size_t unknowns = unknowns_of(*scene_);
+  if (unknowns <= tasks::many_unknowns || unknowns == unknowns_warned_) return false;
+  unknowns_warned_ = unknowns;
+  line_->say(tr("The joint has %1 unknowns: few tests determine so many, and solving takes long. The joint assistant (Ctrl+J) makes "
+                "springs of them. Solve again (F5) solves it as it is.")
+                 .arg(unknowns),
+             true);
+  return true;
+}
+
 void SolvePage::solve() {
-  if (!scene_) return;
+  if (!scene_ || is_doubtful()) return;
   renew_status_ = false;
   line_->say(tr("Solving …"));
   line_->worker().add([this, scene = *scene_](const Worker::Watch& watch) -> Worker::Deliver {
@@ -197,6 +215,9 @@ void SolvePage::show_run(int run) {
   show_status();
   const ident::Solution& solution = runs_[static_cast<std::size_t>(run)].solution;
   unknowns_->show_rows(unknown_rows(solution));
+  const CellRows springs = spring_rows(solution);
+  results_->setTabVisible(results_->indexOf(springs_), !springs.cells.empty());
+  springs_->show_rows(springs);
   findings_->show_rows(finding_rows(solution));
   joint_tab_->show_run(runs_[static_cast<std::size_t>(run)]);
   frf_tab_->show_runs(runs_, static_cast<std::size_t>(run));
@@ -205,6 +226,11 @@ void SolvePage::show_run(int run) {
 
 QString SolvePage::command_line() const {
   return QStringLiteral("jointid solve ") + shell_word(file_.isEmpty() ? tr("SCENE.toml") : file_);
+}
+
+/// "rig1.json" of rig1.toml.
+QString SolvePage::proposed_name(const QString& ending) const {
+  return (file_.isEmpty() ? QStringLiteral("scene") : QFileInfo(file_).completeBaseName()) + ending;
 }
 
 void SolvePage::save(const QString& file, const std::string& text) {
@@ -218,13 +244,15 @@ void SolvePage::save(const QString& file, const std::string& text) {
 void SolvePage::save_json() {
   const Solved* const run = current();
   if (run == nullptr) return line_->say(tr("There is no solution yet."), true);
-  const QString file = choose_file_to_save(this, tr("Save the solution"), {}, tr("JSON (*.json)"), QStringLiteral("json"));
+  const QString file = choose_file_to_save(this, tr("Save the solution"), proposed_name(QStringLiteral(".json")), tr("JSON (*.json)"),
+                                           QStringLiteral("json"));
   if (!file.isEmpty()) save(file, json_of(*run));
 }
 
 void SolvePage::save_report() {
   if (current() == nullptr) return line_->say(tr("There is no solution yet."), true);
-  const QString file = choose_file_to_save(this, tr("Save the report"), {}, tr("Pages (*.html)"), QStringLiteral("html"));
+  const QString file = choose_file_to_save(this, tr("Save the report"), proposed_name(QStringLiteral(".html")), tr("Pages (*.html)"),
+                                           QStringLiteral("html"));
   if (!file.isEmpty()) write_report(file);
 }
 
@@ -241,7 +269,8 @@ void SolvePage::save_table() {
   const auto* const table = results_->currentWidget()->findChild<CellTable*>();
   const auto* const shown = table != nullptr ? table : qobject_cast<CellTable*>(results_->currentWidget());
   if (shown == nullptr) return line_->say(tr("No table is visible. The plot has its own button."), true);
-  const QString file = choose_file_to_save(this, tr("Save the table"), {}, tr("Tables (*.csv)"), QStringLiteral("csv"));
+  const QString file = choose_file_to_save(this, tr("Save the table"), proposed_name(QStringLiteral("_%1.csv").arg(shown->objectName())),
+                                           tr("Tables (*.csv)"), QStringLiteral("csv"));
   if (!file.isEmpty()) save(file, shown->text(',').toStdString());
 }
 

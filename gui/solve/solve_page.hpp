@@ -33,6 +33,7 @@ class SolvePage : public QWidget {
   /// What the data, or those of a model, can fix before anything is solved: needs a joint to assume ([truth] or [identify]
   /// start).
   void bound();
+  /// A joint of more than tasks::many_unknowns is solved when it is asked for a second time.
   void solve();
   void cancel();
   bool is_busy() const;
@@ -41,6 +42,7 @@ class SolvePage : public QWidget {
   QString status() const;
   FrfPlot* plot() const;
   CellTable* unknowns() const { return unknowns_; }
+  CellTable* springs() const { return springs_; }
   CellTable* matrix() const;
   CellTable* runs_table() const { return run_table_; }
   CellTable* findings() const { return findings_; }
@@ -60,6 +62,7 @@ class SolvePage : public QWidget {
 
  private:
   QWidget* make_top();
+  bool is_doubtful();
   void add_run(Solved solved);
   void plan_if_quick();
   void add_plan();
@@ -69,6 +72,7 @@ class SolvePage : public QWidget {
   void save_json();
   void save_report();
   void save_table();
+  QString proposed_name(const QString& ending) const;
   void save(const QString& file, const std::string& text);
   const Solved* current() const;
 
@@ -76,13 +80,14 @@ class SolvePage : public QWidget {
   QComboBox* run_choice_;
   JobLine* line_;
   QTabWidget* results_;
-  CellTable *plan_, *bounds_, *unknowns_, *findings_, *run_table_;
+  CellTable *plan_, *bounds_, *unknowns_, *springs_, *findings_, *run_table_;
   JointTab* joint_tab_;
   FrfTab* frf_tab_;
   std::optional<ident::Scene> scene_;
   std::vector<Solved> runs_;
   QString file_;
   bool renew_status_ = true;  ///< by the next plan
+  std::size_t unknowns_warned_ = 0;  ///< of the joint that was not solved at once
   bool stale_ = false;        ///< the scene changed while something ran
 };
 

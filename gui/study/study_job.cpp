@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/control.hpp"
 #include "base/stopwatch.hpp"
 #include "gui/look/said.hpp"
 #include "report/result/study_plots.hpp"

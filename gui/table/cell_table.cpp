@@ -91,6 +91,7 @@ QVariant CellModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const Cell& cell = rows_.cells[static_cast<std::size_t>(index.row())][static_cast<std::size_t>(index.column())];
   if (role == Qt::DisplayRole) return cell.text;
+  if (role == copy_role) return cell.copied.isEmpty() ? cell.text : cell.copied;
   if (role == Qt::ToolTipRole && !cell.hint.isEmpty()) return cell.hint;
   if (role == bar_role && cell.bar) return QVariantList{(*cell.bar)[0], (*cell.bar)[1], (*cell.bar)[2]};
   if (role == Qt::BackgroundRole && cell.shade) return shade(theme_, *cell.shade);
@@ -145,7 +146,8 @@ QString CellTable::text(QChar separator) const {
     QStringList cells;
     if (named_rows) cells << (row < 0 ? QString() : header(row, Qt::Vertical));
     for (int column = 0; column < model_->columnCount(); ++column) {
-      cells << (row < 0 ? header(column, Qt::Horizontal) : escaped(model_->index(row, column).data().toString(), separator));
+      cells << (row < 0 ? header(column, Qt::Horizontal)
+                        : escaped(model_->index(row, column).data(CellModel::copy_role).toString(), separator));
     }
     out += cells.join(separator) + '\n';
   }
@@ -159,7 +161,7 @@ QString CellTable::chosen_text() const {
   QString out;
   for (qsizetype i = 0; i < chosen.size(); ++i) {
     if (i > 0) out += chosen[i].row() == chosen[i - 1].row() ? '\t' : '\n';
-    out += escaped(chosen[i].data().toString(), '\t');
+    out += escaped(chosen[i].data(CellModel::copy_role).toString(), '\t');
   }
   return out + '\n';
 }
@@ -167,7 +169,8 @@ QString CellTable::chosen_text() const {
 void CellTable::write_csv(const QString& file) const { write_output(file, text(',').toStdString(), inputs_); }
 
 void CellTable::save_csv() {
-  const QString file = choose_file_to_save(this, tr("Save the table"), {}, tr("Tables (*.csv)"), QStringLiteral("csv"));
+  const QString file = choose_file_to_save(this, tr("Save the table"), objectName() + QStringLiteral(".csv"), tr("Tables (*.csv)"),
+                                           QStringLiteral("csv"));
   if (file.isEmpty()) return;
   try {
     write_csv(file);

@@ -16,8 +16,9 @@ namespace jointid::gui {
 struct Cell {
   QString text;
   QString hint{};                              ///< under the mouse
-  std::optional<double> shade{};               ///< 0 to 1: the depth of its colour
+  std::optional<double> shade{};               ///< −1 to 1: the depth of its colour, of another one below 0
   std::optional<std::array<double, 3>> bar{};  ///< low, value and high as shares of the width, from −1 to 1
+  QString copied{};                            ///< for a spreadsheet, in place of the text
 };
 
 struct CellRows {
@@ -35,7 +36,7 @@ class CellModel : public QAbstractTableModel {
  public:
   using QAbstractTableModel::QAbstractTableModel;
 
-  static constexpr int bar_role = Qt::UserRole + 1;
+  static constexpr int bar_role = Qt::UserRole + 1, copy_role = Qt::UserRole + 2;
 
   void set(CellRows rows);
   void set_theme(Theme theme);
@@ -59,7 +60,7 @@ class CellTable : public QTableView {
 
   void show_rows(CellRows rows);
   CellModel* cells() const { return model_; }
-  /// All cells with their names, a line a row.
+  /// All cells with their names, a line a row, as they are copied.
   QString text(QChar separator) const;
   QString chosen_text() const;
   /// Files that no CSV replaces.

@@ -36,6 +36,21 @@ std::vector<DataFile> read_files(const scene::Item& list, const Path& folder, Na
   return files;
 }
 
+/// Those of a list that can be read.
+std::vector<DataFile> readable_files(const scene::Table& table, const std::string& key, const Path& folder, Names& names) {
+  std::vector<DataFile> files;
+  const auto list = table.find(key);
+  if (!list || !list->is_list()) return files;
+  for (const scene::Item& item : list->list()) {
+    Names also = names;
+    if_readable([&] {
+      files.push_back(item.is_list() ? read_repeats(item, folder, also) : read_file(item, folder, also));
+      names = also;
+    });
+  }
+  return files;
+}
+
 /// Names as all_files() orders the files.
 std::vector<PlacedFile> placed_files(const DataSection& data, const Names& names) {
   std::vector<PlacedFile> all;
@@ -90,16 +105,19 @@ Regeneration read_regeneration(const scene::Item& list) {
   return chosen;
 }
 
+void read_options_of(const scene::Item& item, DataFile& file) {
+  const scene::Table keys = file_table(item);
+  file.options = read_options(keys);
+  file.corrections = read_corrections(keys);
+  if (const auto mass = keys.find("mass")) file.mass = mass->positive();
+}
+
 /// `files` are those of `names`; a name may stand for several.
 void read_all_options(const scene::Item& item, const Names& names, const std::vector<DataFile*>& files) {
   const scene::Table table = item.table(names);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto of_file = table.find(names[i]);
-    if (!of_file) continue;
-    const scene::Table keys = file_table(*of_file);
-    files[i]->options = read_options(keys);
-    files[i]->corrections = read_corrections(keys);
-    if (const auto mass = keys.find("mass")) files[i]->mass = mass->positive();
+    if (of_file) read_options_of(*of_file, *files[i]);
   }
 }
 
@@ -126,6 +144,25 @@ DataSection read_data(const scene::Item& item, const Path& folder) {
   if (const auto reciprocity = table.find("reciprocity")) data.reciprocity = reciprocity->boolean();
   if (const auto files = table.find("files")) read_all_options(*files, names, all_files(data));
   read_systematic_errors(table, placed_files(data, names), data);
+  return data;
+}
+
+DataSection readable_data(const scene::Item& item, const Path& folder) {
+  const scene::Table table = item.open_table();
+  DataSection data;
+  Names names;
+  for (const char* key : {"substructures", "parts"}) {
+    const std::vector<DataFile> files = readable_files(table, key, folder, names);
+    data.substructures.insert(data.substructures.end(), files.begin(), files.end());
+  }
+  data.assembly = readable_files(table, "assembly", folder, names);
+  const auto options = table.find("files");
+  if (!options || !options->is_table()) return data;
+  const scene::Table by_name = options->open_table();
+  const std::vector<DataFile*> files = all_files(data);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (const auto of_file = by_name.find(names[i])) if_readable([&] { read_options_of(*of_file, *files[i]); });
+  }
   return data;
 }
 

@@ -12,6 +12,21 @@ frf::Corrections read_corrections(const scene::Table& table);
 /// [data]; paths are resolved against `folder`.
 DataSection read_data(const scene::Item& item, const Path& folder);
 
+/// Whether `read` reads; what it refuses counts as not written.
+template <class Read>
+bool if_readable(Read read) {
+  try {
+    read();
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// The files of [data] that can be read, with the options and corrections that can; none of them need be there. `parts` are
+/// substructures, too.
+DataSection readable_data(const scene::Item& item, const Path& folder);
+
 /// A file, or a run of it, as [data] names it.
 struct PlacedFile {
   std::string name;

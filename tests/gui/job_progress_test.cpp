@@ -33,6 +33,7 @@ TEST(TimeLeft, IsNotKnownWithoutAShare) {
 TEST(DurationText, HasTheUnitThatFits) {
   EXPECT_EQ(duration_text(0.2).toStdString(), "1 s");
   EXPECT_EQ(duration_text(89.0).toStdString(), "89 s");
+  EXPECT_EQ(duration_text(289.1).toStdString(), "4 min 50 s");
   EXPECT_EQ(duration_text(600.0).toStdString(), "10 min");
   EXPECT_EQ(duration_text(9000.0).toStdString(), "2.5 h");
 }

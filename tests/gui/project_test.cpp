@@ -98,6 +98,19 @@ TEST(Project, AsksBeforeAnotherProgramsChangeReplacesOnesOwn) {
   EXPECT_THAT(opened.project.editor()->text(), testing::EndsWith("# mine"));
 }
 
+TEST(Project, DoesNotSaveOverAChangeOfAnotherProgramUnasked) {
+  Opened opened;
+  opened.project.editor()->appendPlainText("# mine");
+  opened.change_outside("title = \"theirs\"\n" + std::string(small_scene));
+  EXPECT_FALSE(opened.project.save());
+  EXPECT_THAT(read_file(opened.file), testing::StartsWith("title = \"theirs\""));
+  EXPECT_TRUE(opened.project.is_modified());
+  EXPECT_THAT(find<QPushButton>(opened.project, "message_action")->text().toStdString(), testing::HasSubstr("Replace"));
+  find<QPushButton>(opened.project, "message_action")->click();
+  EXPECT_THAT(read_file(opened.file), testing::EndsWith("# mine"));
+  EXPECT_TRUE(opened.project.save());
+}
+
 TEST(Project, OwnSavesAreNoChangesOfOthers) {
   Opened opened;
   opened.project.editor()->appendPlainText("# mine");

@@ -4,6 +4,7 @@
 #include <QAccessibleInterface>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 
 #include "gui/look/paths.hpp"
 #include "problems/case/coupling_problem.hpp"
@@ -32,6 +33,36 @@ std::string read_file(const QString& file) {
   QFile in(file);
   return in.open(QIODevice::ReadOnly) ? in.readAll().toStdString() : "";
 }
+
+namespace {
+
+/// Those datasets of a universal file whose number is, or is not, that of nodes.
+std::string datasets(const std::string& text, bool of_nodes) {
+  const std::string bar = "    -1\n";
+  std::string out;
+  for (std::size_t begin = text.find(bar); begin != std::string::npos;) {
+    const std::size_t end = text.find(bar, begin + bar.size());
+    if (end == std::string::npos) break;
+    const std::string dataset = text.substr(begin, end + bar.size() - begin);
+    const int number = std::stoi(dataset.substr(bar.size(), 6));
+    if ((number == 15 || number == 2411) == of_nodes) out += dataset;
+    begin = text.find(bar, end + bar.size());
+  }
+  return out;
+}
+
+}  // namespace
+
+QStringList without_positions(const QStringList& files, const QTemporaryDir& folder) {
+  QStringList out;
+  for (const QString& file : files) {
+    out << folder.filePath(QFileInfo(file).fileName());
+    write_file(out.back(), datasets(read_file(file), false));
+  }
+  return out;
+}
+
+std::string only_positions(const QString& file) { return datasets(read_file(file), true); }
 
 namespace {
 

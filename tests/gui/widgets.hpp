@@ -32,6 +32,12 @@ class Measured {
   QString scene_;
 };
 
+/// Copies of universal files in a folder, without the datasets of nodes: the plain export of an analyser.
+QStringList without_positions(const QStringList& files, const QTemporaryDir& folder);
+
+/// The datasets of nodes of a universal file.
+std::string only_positions(const QString& file);
+
 /// A scene whose files need not be there.
 inline const char* const small_scene = R"([data]
 substructures = ["a.uff", "b.uff"]

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
+#include "ident/scene/readable_scene.hpp"
 #include "problems/problem.hpp"
 
 namespace jointid::ident {
@@ -168,6 +169,22 @@ TEST(ProposedScene, OfRigOneIsTheRigsOwn) {
   EXPECT_EQ(proposed.joints.front().dofs, written.truth.joints.front().dofs);
   EXPECT_EQ(proposed.frequency.range_hz, written.truth.frequency.range_hz);
   EXPECT_EQ(make_plan(proposed)->restriction.unknowns.size(), 20U);
+}
+
+TEST(ProposedScene, OfManyBoltsHasASpringForEveryPairAndDirection) {
+  const Written written("bolts");
+  const Scene proposed = written.proposed();
+  EXPECT_EQ(proposed.joints.front().dofs, written.truth.joints.front().dofs);
+  const auto unknowns = make_plan(proposed)->restriction.unknowns, truth = make_plan(written.truth)->restriction.unknowns;
+  ASSERT_EQ(unknowns.size(), 24U);  // of 600 that full matrices have
+  for (std::size_t i = 0; i < truth.size(); ++i) EXPECT_EQ(unknowns[i].name, truth[i].name);
+}
+
+TEST(ProposedScene, FilesThatAreNoJointAreShown) {
+  const std::string text = tasks::look_text({"/d/a.uff", "/d/b.uff"}, "/d", "No joint.");
+  EXPECT_THAT(text, testing::StartsWith("# No joint.\n"));
+  EXPECT_THROW(parse_scene(text, "/d/scene.toml"), InputError);
+  EXPECT_EQ(parse_readable(text, "/d/scene.toml")->data.substructures.at(1).path, "/d/b.uff");
 }
 
 TEST(ProposedScene, NamesOfFilesAreQuoted) {
