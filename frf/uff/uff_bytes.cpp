@@ -7,7 +7,6 @@
 #include <cerrno>
 
 #include "base/error.hpp"
-#include "frf/text/number_text.hpp"
 #include "frf/text/plain_text.hpp"
 
 namespace jointid::frf::uff {
@@ -47,7 +46,7 @@ ByteFile::~ByteFile() { ::close(descriptor_); }
 
 void ByteFile::take_plain_text() {
   if (!needs_plain_text(read(0, std::min<std::uint64_t>(first_block, size_)))) return;
-  std::string text = plain_text(read_text(name_));
+  std::string text = read_plain_text(name_);
   if (text.find("58b") != std::string::npos || text.find("58 b") != std::string::npos) {
     Place{name_, {}, 0}.fail({}, "has binary records (58b), and its lines end with CR alone or are UTF-16",
                              "copy it byte for byte, or export it as text (58)");

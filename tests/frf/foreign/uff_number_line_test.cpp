@@ -82,9 +82,7 @@ TEST(UffNumberLine, TextOfOtherLineEndsAndOfUtf16IsRead) {
 }
 
 TEST(UffNumberLine, BinaryRecordsBetweenLinesThatEndWithCrAloneAreNamed) {
-  Record record = binary_record(6, twelve, false);
-  record.points = 6;
-  const TemporaryUff file(with_cr_alone(record.str()));
+  const TemporaryUff file(with_cr_alone(binary_record(6, six).str()));
   EXPECT_THAT(error_of([&] { open(file.path()); }), HasSubstr("has binary records (58b), and its lines end with CR alone"));
 }
 
