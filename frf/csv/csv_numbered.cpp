@@ -19,7 +19,7 @@ using Places = std::vector<std::optional<Place>>;
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 /// The last letters of a text, in lower case.
-std::string last_word(std::string_view text) {
+std::string word_before_number(std::string_view text) {
   std::size_t end = text.size();
   while (end > 0 && std::isalpha(static_cast<unsigned char>(text[end - 1])) == 0) --end;
   std::size_t begin = end;
@@ -54,7 +54,7 @@ std::optional<Numbers> numbers_of(std::string_view label) {
     before.emplace_back();
   }
   if (numbers.size() != 2 || numbers[0].size() > longest || numbers[1].size() > longest) return std::nullopt;
-  const std::string first = last_word(before[0]), second = last_word(before[1]);
+  const std::string first = word_before_number(before[0]), second = word_before_number(before[1]);
   const bool arrow = before[1].find('>') != std::string::npos || before[1].find("\u2192") != std::string::npos;
   const bool turned = arrow || (is_word_of_reference(first) && !second.empty() && !is_word_of_reference(second));
   const Numbers read{std::stoll(numbers[turned ? 1 : 0]), std::stoll(numbers[turned ? 0 : 1])};

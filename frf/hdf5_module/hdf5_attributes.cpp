@@ -1,6 +1,7 @@
 #include "frf/hdf5_module/hdf5_attributes.hpp"
 
 #include <fmt/format.h>
+#include <hdf5.h>
 
 #include <algorithm>
 #include <optional>

@@ -10,9 +10,9 @@
 namespace jointid::frf {
 namespace {
 
-using Words = std::array<std::string_view, 22>;
+using AxisWords = std::array<std::string_view, 22>;
 
-constexpr std::array<std::pair<char, Words>, 3> words_of_axes = {
+constexpr std::array<std::pair<char, AxisWords>, 3> words_of_axes = {
     {{'F', {"f", "freq", "freqs", "frequency", "frequencies", "line", "lines", "hz", "omega", "w", "nf", "bin", "bins", "spectral"}},
      {'R', {"r", "resp", "response", "responses", "rsp", "out", "output", "outputs", "o", "y", "row", "rows", "no", "nr", "sensor",
             "sensors", "channel", "channels", "acc", "ny", "nout"}},
@@ -26,8 +26,8 @@ char letter_of(std::string_view word) {
   return '?';
 }
 
-/// Words between other signs than letters; an x between blanks or sizes is one of those.
-std::vector<std::string> words_of(std::string_view text) {
+/// AxisWords between other signs than letters; an x between blanks or sizes is one of those.
+std::vector<std::string> words_in_order(std::string_view text) {
   std::vector<std::string> words(1);
   for (const char c : lower_case(text)) {
     const bool letter = std::isalpha(static_cast<unsigned char>(c)) != 0;
@@ -41,7 +41,7 @@ std::vector<std::string> words_of(std::string_view text) {
 }  // namespace
 
 std::optional<std::string> order_of_axes(std::string_view text) {
-  std::vector<std::string> words = words_of(text);
+  std::vector<std::string> words = words_in_order(text);
   if (words.size() == 1 && words[0].size() == 3) {
     const std::string letters = words[0];
     words = {letters.substr(0, 1), letters.substr(1, 1), letters.substr(2, 1)};

@@ -21,7 +21,7 @@
 namespace jointid::frf {
 namespace {
 
-constexpr std::size_t most_texts = 200, longest_text = 256, longest_label = 64, most_numbers = 4096;
+constexpr std::size_t most_texts_beside = 200, longest_text_beside = 256, longest_label_beside = 64, most_numbers_beside = 4096;
 
 class Beside {
  public:
@@ -32,7 +32,7 @@ class Beside {
     for (const MatInfo& info : file_.variables()) {
       if (!is_near(info)) continue;
       if (info.kind == MatKind::real) require_neutral(info);
-      if (info.kind == MatKind::text && size(info) <= longest_text && ++texts <= most_texts) {
+      if (info.kind == MatKind::text && size(info) <= longest_text_beside && ++texts <= most_texts_beside) {
         for (const std::string& text : file_.read(info).texts) require_plain(info.name, own_name(info), text);
       }
     }
@@ -75,7 +75,7 @@ class Beside {
     const std::string name = own_name(info);
     if (use_of_number(name) == NumberUse::none || name.find("unit_transformation") != std::string::npos) return;
     if (&info == &frf_ || info.dims == frf_.dims) return;
-    if (size(info) > most_numbers) fail(info.name, "holds numbers that are not applied to the FRFs", remedy(name));
+    if (size(info) > most_numbers_beside) fail(info.name, "holds numbers that are not applied to the FRFs", remedy(name));
     for (const Complex& value : file_.read(info).values) require_neutral(info.name, name, value.real());
   }
 
@@ -106,7 +106,7 @@ class Beside {
 
   /// Not in SI, and no length or time.
   bool is_motion_or_force(const MatInfo& info) const {
-    const std::vector<std::string> texts = size(info) <= longest_label ? file_.read(info).texts : std::vector<std::string>();
+    const std::vector<std::string> texts = size(info) <= longest_label_beside ? file_.read(info).texts : std::vector<std::string>();
     return std::ranges::any_of(texts, [](const std::string& text) {
       const auto unit = parse_unit(text);
       return unit && unit->si != 1.0 && (unit->force != 0 || (unit->length == 1 && unit->time < 0));
@@ -117,8 +117,8 @@ class Beside {
   void require_no_unit_in_text() const {
     std::size_t count = 0;
     for (const MatInfo& info : file_.variables()) {
-      const bool label = info.kind == MatKind::text && info.name.starts_with(scope_) && size(info) <= longest_label;
-      if (!label || ++count > most_texts) continue;
+      const bool label = info.kind == MatKind::text && info.name.starts_with(scope_) && size(info) <= longest_label_beside;
+      if (!label || ++count > most_texts_beside) continue;
       for (const std::string& text : file_.read(info).texts) require_no_unit(info.name, text);
     }
     for (const auto& [name, text] : file_.notes(frf_)) require_no_unit(name, text);
@@ -126,7 +126,7 @@ class Beside {
 
   void require_no_unit(const std::string& name, std::string_view text) const {
     for (const std::string_view label : labels_in(text)) {
-      if (label.size() <= longest_label && quantity_of_unit(label))
+      if (label.size() <= longest_label_beside && quantity_of_unit(label))
         fail(name, "states the unit '" + shown_label(label) + "' and is not read", rename);
     }
   }

@@ -11,17 +11,17 @@
 namespace jointid::frf {
 namespace {
 
-using Words = std::vector<std::string>;
+using NameWords = std::vector<std::string>;
 
-bool is_lower(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
-bool is_upper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
+bool is_lower_letter(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
+bool is_upper_letter(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
 
 /// "scale", "factor" of "ScaleFactor", "scale_factor" and "SCALE FACTOR".
-Words words_of(std::string_view name) {
-  Words words(1);
+NameWords words_of_name(std::string_view name) {
+  NameWords words(1);
   for (std::size_t i = 0; i < name.size(); ++i) {
     const bool letter = std::isalpha(static_cast<unsigned char>(name[i])) != 0;
-    const bool begins = letter && is_upper(name[i]) && i > 0 && is_lower(name[i - 1]);
+    const bool begins = letter && is_upper_letter(name[i]) && i > 0 && is_lower_letter(name[i - 1]);
     if ((begins || !letter) && !words.back().empty()) words.emplace_back();
     if (letter) words.back() += lower_case(name.substr(i, 1));
   }
@@ -30,13 +30,13 @@ Words words_of(std::string_view name) {
 }
 
 template <std::size_t Size>
-bool has_one_of(const Words& words, const std::array<std::string_view, Size>& wanted) {
+bool has_one_word(const NameWords& words, const std::array<std::string_view, Size>& wanted) {
   return std::ranges::any_of(words, [&](const std::string& word) { return std::ranges::find(wanted, word) != wanted.end(); });
 }
 
 /// "yscale", "calibrated", "sensitivities".
 template <std::size_t Size>
-bool has_part_of(const Words& words, const std::array<std::string_view, Size>& wanted) {
+bool has_part_of(const NameWords& words, const std::array<std::string_view, Size>& wanted) {
   return std::ranges::any_of(words, [&](const std::string& word) {
     return std::ranges::any_of(wanted, [&](std::string_view part) { return word.find(part) != std::string::npos; });
   });
@@ -44,13 +44,13 @@ bool has_part_of(const Words& words, const std::array<std::string_view, Size>& w
 
 constexpr std::array<std::string_view, 9> parts_of_factors = {"scale",    "scaling", "calib",   "sensitiv", "multipl",
                                                               "amplific", "attenua", "convers", "normali"};
-constexpr std::array<std::string_view, 8> factors = {"gain", "gains", "cal", "sens", "factor", "factors", "lsb", "sign"};
-/// Of what else there are scales, factors and slopes.
+constexpr std::array<std::string_view, 8> words_of_factors = {"gain", "gains", "cal", "sens", "factor", "factors", "lsb", "sign"};
+/// Of what else there are scales and factors.
 constexpr std::array<std::string_view, 28> of_others = {
     "loss", "damping", "quality", "crest",  "safety", "fill",  "form",   "plot",     "axis",     "time",  "x",     "freq",  "frequency",
     "window", "overlap", "shape", "mode",   "modal",  "color", "colour", "display",  "colormap", "modes", "noise", "power", "load", "full", "auto"};
 
-std::string without_blanks(std::string_view text) {
+std::string without_signs(std::string_view text) {
   std::string plain = lower_case(text);
   std::erase_if(plain, [](char c) { return std::string_view(" \t{}()[]^*\\_").find(c) != std::string_view::npos; });
   return plain;
@@ -59,12 +59,12 @@ std::string without_blanks(std::string_view text) {
 }  // namespace
 
 NumberUse use_of_number(std::string_view name) {
-  const Words words = words_of(name);
+  const NameWords words = words_of_name(name);
   constexpr std::array<std::string_view, 2> added = {"offset", "bias"};
-  if (has_one_of(words, of_others)) return NumberUse::none;
-  if (has_one_of(words, added)) return NumberUse::is_added;
-  const bool to_si = words == Words{"to", "si"} || words == Words{"tosi"};
-  const bool factor = to_si || has_part_of(words, parts_of_factors) || has_one_of(words, factors);
+  if (has_one_word(words, of_others)) return NumberUse::none;
+  if (has_one_word(words, added)) return NumberUse::is_added;
+  const bool to_si = words == NameWords{"to", "si"} || words == NameWords{"tosi"};
+  const bool factor = to_si || has_part_of(words, parts_of_factors) || has_one_word(words, words_of_factors);
   return factor ? NumberUse::multiplies : NumberUse::none;
 }
 
@@ -90,7 +90,7 @@ std::optional<double> stated_factor(std::string_view text) {
 }
 
 bool states_conjugates(std::string_view text) {
-  const std::string plain = without_blanks(text);
+  const std::string plain = without_signs(text);
   for (const std::string_view sign : {"exp-i", "exp-j", "exp-1i", "exp-1j", "e-iw", "e-jw", "e-iω", "e-jω", "e-iomega", "e-jomega",
                                       "exp−i", "exp−j"}) {
     const std::size_t at = plain.find(sign);
