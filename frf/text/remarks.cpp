@@ -50,9 +50,10 @@ constexpr std::array<std::string_view, 28> of_others = {
     "loss", "damping", "quality", "crest",  "safety", "fill",  "form",   "plot",     "axis",     "time",  "x",     "freq",  "frequency",
     "window", "overlap", "shape", "mode",   "modal",  "color", "colour", "display",  "colormap", "modes", "noise", "power", "load", "full", "auto"};
 
-std::string without_signs(std::string_view text) {
+/// In lower case without what formulas may have more of, "e-iwt" of "e^{-iwt}".
+std::string without_signs(std::string_view text, std::string_view signs) {
   std::string plain = lower_case(text);
-  std::erase_if(plain, [](char c) { return std::string_view(" \t{}()[]^*\\_").find(c) != std::string_view::npos; });
+  std::erase_if(plain, [&](char c) { return signs.find(c) != std::string_view::npos; });
   return plain;
 }
 
@@ -90,12 +91,13 @@ std::optional<double> stated_factor(std::string_view text) {
 }
 
 bool states_conjugates(std::string_view text) {
-  const std::string plain = without_signs(text);
-  for (const std::string_view sign : {"exp-i", "exp-j", "exp-1i", "exp-1j", "e-iw", "e-jw", "e-iω", "e-jω", "e-iomega", "e-jomega",
-                                      "exp−i", "exp−j"}) {
-    const std::size_t at = plain.find(sign);
-    if (at != std::string::npos && (at == 0 || std::isalpha(static_cast<unsigned char>(plain[at - 1])) == 0 || !sign.starts_with("e-")))
-      return true;
+  const std::string plain = without_signs(text, " \t{}()[]^*\\_"), spaced = without_signs(text, "{}()[]^*\\_");
+  for (const std::string_view sign : {"exp-i", "exp-j", "exp-1i", "exp-1j", "exp−i", "exp−j"}) {
+    if (plain.find(sign) != std::string::npos) return true;
+  }
+  for (const std::string_view sign : {"e-iw", "e-jw", "e-iω", "e-jω", "e-iomega", "e-jomega"}) {
+    const std::size_t at = spaced.find(sign);
+    if (at != std::string::npos && (at == 0 || std::isalpha(static_cast<unsigned char>(spaced[at - 1])) == 0)) return true;
   }
   return plain.find("conjugat") != std::string::npos && plain.find("notconjugat") == std::string::npos;
 }
