@@ -8,7 +8,6 @@
 
 #include "base/error.hpp"
 #include "frf/csv/csv_keys.hpp"
-#include "frf/csv/csv_text.hpp"
 #include "frf/csv/csv_titles.hpp"
 #include "frf/set/line_scale.hpp"
 #include "frf/set/unit_label.hpp"
@@ -17,6 +16,7 @@
 #include "frf/text/label_text.hpp"
 #include "frf/text/located.hpp"
 #include "frf/text/number_text.hpp"
+#include "frf/text/plain_text.hpp"
 #include "frf/text/unit_names.hpp"
 
 namespace jointid::frf {
@@ -276,7 +276,7 @@ bool looks_like_analyser_text(std::span<const char> head) {
 }
 
 std::unique_ptr<FrfSource> open_analyser_text(const std::filesystem::path& path, const OpenOptions& options) {
-  const std::string text = read_csv_text(path);
+  const std::string text = read_plain_text(path);
   return from_memory(AnalyserText(path, options).read(text));
 }
 

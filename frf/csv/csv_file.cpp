@@ -16,12 +16,13 @@
 #include "frf/csv/csv_decibels.hpp"
 #include "frf/csv/csv_nodes.hpp"
 #include "frf/csv/csv_pipes.hpp"
-#include "frf/csv/csv_text.hpp"
+#include "frf/csv/csv_row_names.hpp"
 #include "frf/csv/lvm_file.hpp"
 #include "frf/set/line_scale.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/set/units.hpp"
 #include "frf/text/located.hpp"
+#include "frf/text/plain_text.hpp"
 #include "frf/text/unit_names.hpp"
 
 namespace jointid::frf {
@@ -88,9 +89,11 @@ CsvTable table_of(LvmFile&& lvm, const CsvGiven& given) {
 
 CsvTable read_table(const std::filesystem::path& path, const OpenOptions& options) {
   const CsvGiven given{.unit = !options.unit.empty(), .frequency_unit = options.frequency_unit};
-  std::string text = read_csv_text(path);
+  std::string text = read_plain_text(path);
   if (auto piped = tabs_for_pipes(text)) {
     text = std::move(*piped);
+  } else if (auto named = without_row_names(text)) {
+    text = std::move(*named);
   } else if (auto table = tabs_for_blanks(text)) {
     text = std::move(*table);
   }
@@ -236,7 +239,7 @@ bool looks_like_csv(std::span<const char> head) {
   const auto binary = [](char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\r' && c != '\n'; };
   if (rest.empty() || std::ranges::any_of(rest, binary)) return false;
   const std::string_view lines = rest.substr(0, rest.rfind('\n') + 1);
-  if (find_csv_header(rest) || tabs_for_pipes(lines) || tabs_for_blanks(lines)) return true;
+  if (find_csv_header(rest) || tabs_for_pipes(lines) || without_row_names(lines) || tabs_for_blanks(lines)) return true;
   while (!rest.empty()) {
     const std::string_view line = rest.substr(0, rest.find('\n'));
     rest.remove_prefix(std::min(rest.size(), line.size() + 1));

@@ -11,6 +11,7 @@
 #include "frf/set/unit_label.hpp"
 #include "frf/set/units.hpp"
 #include "frf/text/number_text.hpp"
+#include "frf/text/remarks.hpp"
 #include "frf/text/unit_names.hpp"
 
 namespace jointid::frf {
@@ -78,13 +79,31 @@ bool is_unit_in_comment(std::string_view comment) {
                     .remedy = std::move(remedy)});
 }
 
+bool is_scale(std::string_view key) {
+  const std::string plain = lower_case(key);
+  const bool named = plain.find("scal") != std::string::npos || plain.find("multipl") != std::string::npos || plain == "factor";
+  return named && use_of_number(key) == NumberUse::multiplies;
+}
+
 }  // namespace
+
+void require_no_scale(const std::string& key, const std::string& value, const std::string& file, std::size_t number) {
+  double factor = 1.0;
+  if (!is_scale(key) || value.empty() || !parse_cell(value, false, factor)) factor = stated_factor(value).value_or(1.0);
+  if (factor != 1.0 && factor != 0.0)
+    fail(file, number, "states the factor " + shown_label(value) + ", which is not applied to the FRFs",
+         "store the FRFs multiplied by it and remove the line; if that is done already, remove or reword it");
+  if (states_conjugates(key + " " + value))
+    fail(file, number, "states '" + shown_label(value) + "', conjugates of FRFs of exp(+iωt)",
+         "store the FRFs for exp(+iωt), and remove the line");
+}
 
 void read_csv_key(std::string_view line, const std::string& file, std::size_t number, bool unit_given, CsvKeys& keys) {
   line.remove_prefix(1);
   const std::size_t end = line.find_first_of("=:");
   const bool comment = end == std::string_view::npos;
   const std::string_view written = trimmed(line.substr(0, end)), value = comment ? written : trimmed(line.substr(end + 1));
+  require_no_scale(comment ? std::string() : std::string(written), std::string(value), file, number);
   if (comment && (unit_given || !is_unit_in_comment(value))) return;
   std::string key = plain_key(written);
   const auto known = std::ranges::find(known_keys, key, [](const auto& pair) { return pair.first; });

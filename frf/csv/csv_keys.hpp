@@ -16,6 +16,9 @@ using CsvKeys = std::map<std::string, std::string, std::less<>>;
 /// two values, and, unless the user gives the unit (`unit_given`), where a comment is the unit of an FRF that nothing reads.
 void read_csv_key(std::string_view line, const std::string& file, std::size_t number, bool unit_given, CsvKeys& keys);
 
+/// Throws InputError where a line of a table states a factor that nothing applies, "scale = 0.001" and "values x 1000", or conjugates.
+void require_no_scale(const std::string& key, const std::string& value, const std::string& file, std::size_t number);
+
 /// "'mV/N' is no unit of an FRF that is known", and what may have been meant.
 std::string unknown_unit(const std::string& label);
 

@@ -146,7 +146,10 @@ CsvNote csv_note(std::string_view line, std::size_t number, char separator) {
 void read_csv_notes(const std::vector<CsvNote>& notes, const std::string& file, const std::vector<std::string>& units,
                     bool unit_given, CsvKeys& keys) {
   Notes reader(file, units, unit_given, keys);
-  for (const CsvNote& note : notes) reader.take(note);
+  for (const CsvNote& note : notes) {
+    require_no_scale(note.key, note.value, file, note.line);
+    reader.take(note);
+  }
 }
 
 }  // namespace jointid::frf

@@ -1,10 +1,13 @@
 #include "frf/csv/csv_numbered.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdint>
 #include <set>
 #include <string_view>
+
+#include "frf/text/unit_names.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -15,16 +18,29 @@ using Places = std::vector<std::optional<Place>>;
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// Letters, then two digits, or two numbers with a sign between them: "H21", "H2,1", "FRF_2_1", "H(2,1)".
+/// The last letters of a text, in lower case.
+std::string word_before_number(std::string_view text) {
+  std::size_t end = text.size();
+  while (end > 0 && std::isalpha(static_cast<unsigned char>(text[end - 1])) == 0) --end;
+  std::size_t begin = end;
+  while (begin > 0 && std::isalpha(static_cast<unsigned char>(text[begin - 1])) != 0) --begin;
+  return lower_case(text.substr(begin, end - begin));
+}
+
+bool is_word_of_reference(std::string_view word) {
+  constexpr std::array<std::string_view, 11> words = {"ref", "reference", "in",         "input",  "impact", "force",
+                                                      "f",   "exc",       "excitation", "hammer", "from"};
+  return std::ranges::find(words, word) != words.end();
+}
+
+/// Letters, then two digits, or two numbers with a sign between them: "H21", "H2,1", "FRF_2_1", "H(2,1)". The reference comes first
+/// in "H1->2" and where the word before the first number says so and that before the second another: "ref1 resp2", "in1out2".
 std::optional<Numbers> numbers_of(std::string_view label) {
-  std::vector<std::string> numbers;
+  std::vector<std::string> numbers, before;
   std::string between;
-  bool begun = false;
   for (const char c : label) {
-    if (!begun && !is_digit(c)) continue;
-    begun = true;
     if (is_digit(c)) {
-      if (numbers.empty() || !between.empty()) numbers.emplace_back(), between.clear();
+      if (numbers.empty() || !between.empty()) numbers.emplace_back(), before.push_back(between), between.clear();
       numbers.back() += c;
     } else {
       between += c;
@@ -33,10 +49,34 @@ std::optional<Numbers> numbers_of(std::string_view label) {
   const bool closed = between.empty() || between == ")" || between == "]" || between == "}";
   if (!closed || label.empty() || std::isalpha(static_cast<unsigned char>(label.front())) == 0) return std::nullopt;
   constexpr std::size_t longest = 9;
-  if (numbers.size() == 1 && numbers[0].size() == 2) numbers = {numbers[0].substr(0, 1), numbers[0].substr(1)};
+  if (numbers.size() == 1 && numbers[0].size() == 2) {
+    numbers = {numbers[0].substr(0, 1), numbers[0].substr(1)};
+    before.emplace_back();
+  }
   if (numbers.size() != 2 || numbers[0].size() > longest || numbers[1].size() > longest) return std::nullopt;
-  const Numbers read{std::stoll(numbers[0]), std::stoll(numbers[1])};
+  const std::string first = word_before_number(before[0]), second = word_before_number(before[1]);
+  const bool arrow = before[1].find('>') != std::string::npos || before[1].find("\u2192") != std::string::npos;
+  const bool turned = arrow || (is_word_of_reference(first) && !second.empty() && !is_word_of_reference(second));
+  const Numbers read{std::stoll(numbers[turned ? 1 : 0]), std::stoll(numbers[turned ? 0 : 1])};
   return read.first > 0 && read.second > 0 ? std::optional(read) : std::nullopt;
+}
+
+/// "FRF1", "FRF3", "FRF2": one number each, in another order than the columns.
+bool are_out_of_order(const std::vector<std::string>& labels) {
+  std::int64_t last = -1;
+  std::string_view name;
+  bool ascending = true;
+  for (const std::string_view label : labels) {
+    const std::size_t digits = std::min(label.find_first_of("0123456789"), label.size());
+    const std::string_view number = label.substr(digits);
+    const bool one = !number.empty() && number.size() < 10 && std::ranges::all_of(number, is_digit);
+    if (!one || (last >= 0 && label.substr(0, digits) != name)) return false;
+    name = label.substr(0, digits);
+    const std::int64_t value = std::stoll(std::string(number));
+    ascending = ascending && value > last;
+    last = value;
+  }
+  return !ascending;
 }
 
 /// Where the only DOF of a node stands.
@@ -74,7 +114,7 @@ Places places_of_labels(const std::vector<std::string>& labels, const std::vecto
   std::vector<Numbers> numbers;
   for (const std::string& label : labels) {
     const auto own = numbers_of(label);
-    if (!own) return {};
+    if (!own) return are_out_of_order(labels) ? Places(labels.size()) : Places();
     numbers.push_back(*own);
   }
   const auto counted = all_places(numbers, [&](bool of_response, std::int64_t number) -> std::optional<std::size_t> {

@@ -41,7 +41,7 @@ struct CsvGiven {
   std::string frequency_unit;  ///< empty: as the table says; else the first column holds frequencies, whatever its title
 };
 
-/// Reads the table of a text (read_csv_text()), separated by comma, semicolon or tab (tabs_for_blanks()), or as a first line
+/// Reads the table of a text (read_plain_text()), separated by comma, semicolon or tab (tabs_for_blanks()), or as a first line
 /// `sep=;` says. Free lines may stand above the row of titles (find_csv_header(), read_csv_notes()) and below the
 /// rows (is_footer()); marks of pages and the same titles again may stand between them. Cells may stand in quotes;
 /// numbers may have decimal commas where these do not separate, all of them or none. The first column is the frequency:

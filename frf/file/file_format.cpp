@@ -17,7 +17,6 @@
 #include "frf/mat/octave_text.hpp"
 #include "frf/npy/npy_file.hpp"
 #include "frf/npy/npy_header.hpp"
-#include "frf/text/number_text.hpp"
 #include "frf/uff/uff_file.hpp"
 
 namespace jointid::frf {
@@ -170,8 +169,6 @@ std::string name(FileFormat format) { return std::ranges::find(formats(), format
 const Format& format_of(const std::filesystem::path& path) {
   const std::string head = read_head(path);
   if (const Format* found = format_of(path, head, false)) return *found;
-  if (head.find('\r') != std::string::npos && head.find('\n') == std::string::npos && trimmed(head.substr(0, head.find('\r'))) == "-1")
-    fail(path, "begins as a UFF file does, and its lines end with CR alone", "convert the ends of its lines to LF or CR/LF");
   fail(path, "begins with " + shown(head) + " and is no FRF file that this program knows",
        "give jointid-frf HDF5, UFF, MATLAB v5 to v7.3, CSV or the text export of an analyser; a table of text has a row of "
        "titles that begins with Frequency, and commas, semicolons, tabs or blanks between its columns");

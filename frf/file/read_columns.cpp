@@ -7,7 +7,6 @@
 
 #include "base/error.hpp"
 #include "frf/csv/csv_pipes.hpp"
-#include "frf/csv/csv_text.hpp"
 #include "frf/csv/lvm_file.hpp"
 #include "frf/file/column_titles.hpp"
 #include "frf/file/columns.hpp"
@@ -15,6 +14,7 @@
 #include "frf/mat/mat_column.hpp"
 #include "frf/text/footer.hpp"
 #include "frf/text/number_text.hpp"
+#include "frf/text/plain_text.hpp"
 #include "frf/text/special_number.hpp"
 #include "frf/text/unit_names.hpp"
 
@@ -201,7 +201,7 @@ Columns columns_of(LvmFile&& lvm) {
 Columns read_columns(const std::filesystem::path& path) {
   const std::optional<FileFormat> binary = detect_binary_format(path);
   if (!binary) {
-    std::string text = read_csv_text(path);
+    std::string text = read_plain_text(path);
     if (auto piped = tabs_for_pipes(text)) text = std::move(*piped);
     return looks_like_lvm(text) ? columns_of(read_lvm(path.string(), text)) : TextColumns(path).read(text);
   }

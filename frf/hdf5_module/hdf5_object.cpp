@@ -346,20 +346,6 @@ std::optional<std::string> any_text_attribute(const Object& object, std::string_
   return search.found.empty() ? std::nullopt : text_attribute(object, search.found.c_str());
 }
 
-std::vector<std::string> text_attributes(const Object& object) {
-  constexpr std::size_t most = 100;
-  std::vector<std::string> names;
-  const auto add = [](hid_t, const char* name, const H5A_info_t*, void* kept) -> herr_t {
-    auto& all = *static_cast<std::vector<std::string>*>(kept);
-    all.emplace_back(name);
-    return all.size() < most ? 0 : 1;
-  };
-  hsize_t place = 0;
-  H5Aiterate2(object.id.get(), H5_INDEX_NAME, H5_ITER_NATIVE, &place, add, &names);
-  std::erase_if(names, [&](const std::string& name) { return !has_text_attribute(object, name.c_str()); });
-  return names;
-}
-
 bool is_real(const Dataset& dataset) {
   const Handle type(H5Dget_type(dataset.id.get()));
   return is_number(type.get());

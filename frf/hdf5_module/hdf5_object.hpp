@@ -75,9 +75,6 @@ std::optional<std::array<std::string, 2>> complex_members(const Dataset& dataset
 /// The text of an attribute whatever the case of its name; nullopt where there is none of that name that is one text.
 std::optional<std::string> any_text_attribute(const Object& object, std::string_view name);
 
-/// Names of the first attributes, up to 100, that are one text.
-std::vector<std::string> text_attributes(const Object& object);
-
 /// Whether the dataset's elements are real numbers, floating-point or integer.
 bool is_real(const Dataset& dataset);
 

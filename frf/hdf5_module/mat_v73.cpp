@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "frf/hdf5_module/files.hpp"
+#include "frf/hdf5_module/hdf5_attributes.hpp"
 #include "frf/hdf5_module/hdf5_object.hpp"
 
 namespace jointid::frf {
@@ -223,17 +224,11 @@ class MatV73 final : public MatFile {
     const hdf5::Silence silence;
     std::vector<std::pair<std::string, std::string>> all;
     const auto add = [&](const hdf5::Object& object, const std::string& place) {
-      for (const std::string& name : hdf5::text_attributes(object))
-        all.emplace_back(place + "@" + name, hdf5::text_attribute(object, name.c_str()).value_or(""));
+      for (auto& [name, text] : hdf5::attributes_as_texts(object)) all.emplace_back(place + "@" + name, std::move(text));
     };
     const Place& place = place_of_.at(info.name);
     const Dataset dataset = open(info.name, place);
     add(dataset, info.name);
-    for (const char* name : {"scale_factor", "add_offset"}) {  // of the climate and forecast conventions
-      if (H5Aexists(dataset.id.get(), name) <= 0) continue;
-      if (const auto number = hdf5::number_attribute(dataset, name))
-        all.emplace_back(info.name + "@" + name, fmt::format("{:g}", *number));
-    }
     for (std::size_t end = place.from ? std::string::npos : place.path.rfind('/'); end != std::string::npos && end > 0;
          end = place.path.rfind('/', end - 1)) {
       hdf5::Object group;

@@ -15,6 +15,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "frf/set/unit_label.hpp"
+#include "frf/text/label_text.hpp"
 #include "frf/text/located.hpp"
 #include "frf/text/unit_names.hpp"
 
@@ -56,6 +57,16 @@ double hz_of_name(std::string_view name) {
   if (plain.find("rad") != std::string::npos) return from_rad_per_s;
   if (plain.ends_with("khz")) return 1000.0;
   return plain.ends_with("rpm") || plain.ends_with("cpm") ? 1.0 / 60.0 : 1.0;
+}
+
+/// Whether a label is a unit of frequencies of other than so many hertz.
+bool is_other(std::string_view label, double hertz) {
+  if (!parse_unit(label)) return false;
+  try {
+    return std::abs(hertz_per(label).value_or(hertz) - hertz) > 1e-9 * hertz;
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 std::string trimmed_end(std::string text) {
@@ -165,8 +176,11 @@ double MatLookup::hz_per_unit(const MatInfo& axis) const {
   if (label.empty()) label = text(axis_unit_names);
   const std::string_view own = std::string_view(axis.name).substr(scope_of(axis).size());
   const bool omega = own == "w" || own == "W" || same_name(own, "om") || same_name(own, "omega");
-  if (label.empty()) require_no_other_label(axis);
-  if (label.empty()) return omega ? from_rad_per_s : hz_of_name(own);
+  if (label.empty()) {
+    const double by_name = omega ? from_rad_per_s : hz_of_name(own);
+    require_no_other_label(axis, by_name);
+    return by_name;
+  }
   const double factor = located(file_.file(), place_of(axis.name), [&] { return hertz_per(label).value_or(1.0); });
   if (omega && factor == 1.0) {
     fail(place_of(axis.name), "is an angular frequency by its name and in '" + label + "' by its unit",
@@ -175,16 +189,25 @@ double MatLookup::hz_per_unit(const MatInfo& axis) const {
   return factor;
 }
 
-/// A text that may be meant as the unit of the axis, under another name.
-void MatLookup::require_no_other_label(const MatInfo& axis) const {
+/// A text that may be meant as the unit of the axis, under another name: "frequnit", and a label of a plot, xlabel = "f [kHz]",
+/// where it states another unit than the name of the axis does.
+void MatLookup::require_no_other_label(const MatInfo& axis, double by_name) const {
+  constexpr std::size_t longest = 64;
   for (const MatInfo& info : file_.variables()) {
-    const std::string name = lower_case(info.name);
-    const bool of_axis = name.find("freq") != std::string::npos && name.find("unit") != std::string::npos;
-    if (!of_axis || info.kind != MatKind::text || !info.name.starts_with(scope_of(axis))) continue;
-    const std::vector<std::string> found = texts(info);
-    if (!found.empty() && !states_no_unit(found.front()) && lower_case(found.front()) != "hz")
-      fail(place_of(info.name), "is '" + shown_label(found.front()) + "' and is not read",
-           "did you mean frequency_unit? Rename it, or give --frequency-unit, in a scene frequency_unit");
+    if (info.kind != MatKind::text || !info.name.starts_with(scope_of(axis)) || size(info) > longest) continue;
+    const std::string name = lower_case(std::string_view(info.name).substr(scope_of(info).size()));
+    const bool of_axis = name.find("freq") != std::string::npos || name.find("abscissa") != std::string::npos;
+    const bool label = (of_axis || name.starts_with('x')) && (name.find("label") != std::string::npos || name.find("axis") != std::string::npos ||
+                                                              name.find("title") != std::string::npos);
+    const bool unit = of_axis && name.find("unit") != std::string::npos;
+    if (!label && !unit) continue;
+    for (const std::string& text : texts(info)) {
+      const bool other = unit && !states_no_unit(text) && lower_case(text) != "hz";
+      const bool states = label && std::ranges::any_of(labels_in(text), [&](std::string_view each) { return is_other(each, by_name); });
+      if (other || states)
+        fail(place_of(info.name), "is '" + shown_label(text) + "' and is not read",
+             "did you mean frequency_unit? Rename it, or give --frequency-unit, in a scene frequency_unit");
+    }
   }
 }
 
@@ -248,6 +271,14 @@ std::string MatLookup::text(Names names) const {
   const std::vector<std::string> found = texts(*info);
   const std::string first = found.empty() ? std::string() : found.front();
   return first == "-" || first == "NONE" || first == "none" ? std::string() : first;
+}
+
+std::string MatLookup::joined_text(Names names) const {
+  const MatInfo* info = find(names);
+  if (info == nullptr || info->kind != MatKind::text) return {};
+  std::string joined;
+  for (const std::string& text : texts(*info)) joined += (joined.empty() ? "" : ",") + text;
+  return joined;
 }
 
 double MatLookup::number(std::string_view name) const {

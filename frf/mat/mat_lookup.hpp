@@ -45,6 +45,9 @@ class MatLookup {
   /// The first text of a variable; empty where there is none, or "-" or NONE stands there. Throws InputError where it is no text.
   std::string text(std::span<const std::string_view> names) const;
 
+  /// All texts of a variable with commas between them; empty where there is none that is text.
+  std::string joined_text(std::span<const std::string_view> names) const;
+
   /// One real number of a variable, or NaN.
   double number(std::string_view name) const;
 
@@ -61,7 +64,7 @@ class MatLookup {
   const MatInfo* axis_by_name() const;
   const MatInfo& named_axis(const std::string& variable) const;
   double hz_per_unit(const MatInfo& axis) const;
-  void require_no_other_label(const MatInfo& axis) const;
+  void require_no_other_label(const MatInfo& axis, double by_name) const;
   std::vector<double> stepped_axis(const std::string& unit) const;
   [[noreturn]] void fail_axis(const MatInfo& frf) const;
   std::vector<std::string> texts(const MatInfo& info) const;

@@ -9,6 +9,8 @@
 
 #include "base/error.hpp"
 #include "frf/mat/mat_arrays.hpp"
+#include "frf/mat/mat_axes.hpp"
+#include "frf/mat/mat_beside.hpp"
 #include "frf/mat/mat_lookup.hpp"
 #include "frf/set/line_scale.hpp"
 #include "frf/set/merged_set.hpp"
@@ -45,7 +47,7 @@ class Reader {
                    "give the response and reference DOFs, or add cell arrays response_dof and reference_dof");
     }
     validate(header);
-    require_no_scale();
+    require_nothing_unread(file_, *frf_.values);
     set_.values = ordered(*frf_.values);
     if (frf_.imaginary != nullptr) add_imaginary(ordered(*frf_.imaginary));
     read_noise();
@@ -124,29 +126,49 @@ class Reader {
     return dims;
   }
 
-  /// Whether an array may be [F,R,C] or [F,N], and whether it may be [R,C,F] or [N,F].
-  std::array<bool, 2> orders(const MatInfo& info) const {
-    const std::size_t lines = set_.header.lines();
-    const std::size_t rows = set_.header.response.size();
-    const std::size_t columns = set_.header.reference.size();
-    const std::vector<std::size_t> own = dims(info);
-    std::array<std::size_t, 3> d = {1, 1, 1};
-    if (own.size() > 3) return {false, false};
-    std::ranges::copy(own, d.begin());
-    const auto is = [&](std::size_t a, std::size_t b, std::size_t c) { return d == std::array{a, b, c}; };
-    return {is(lines, rows, columns) || is(lines, rows * columns, 1), is(rows, columns, lines) || is(rows * columns, lines, 1)};
+  std::array<std::size_t, 3> extents() const {
+    return {set_.header.lines(), set_.header.response.size(), set_.header.reference.size()};
   }
 
-  /// Whether the lines are the last axis rather than the first.
-  bool lines_last(const MatInfo& info) {
-    const auto [first, last] = orders(info);
+  /// Whether the axes are as long as an order says; columns of responses and references may be one axis.
+  bool fits(const MatInfo& info, std::string_view order) const {
+    const std::vector<std::size_t> own = dims(info);
+    std::array<std::size_t, 3> d = {1, 1, 1};
+    if (own.size() > 3) return false;
+    std::ranges::copy(own, d.begin());
+    const auto [lines, rows, columns] = extents();
+    std::array<std::size_t, 3> wanted{};
+    for (std::size_t k = 0; k < 3; ++k) wanted[k] = order[k] == 'F' ? lines : order[k] == 'R' ? rows : columns;
+    const bool flat = (order == "FRC" && d == std::array{lines, rows * columns, std::size_t{1}}) ||
+                      (order == "RCF" && d == std::array{rows * columns, lines, std::size_t{1}});
+    return d == wanted || flat;
+  }
+
+  /// Of a variable or an attribute; empty where the file states none.
+  std::optional<std::string> stated_order() const {
+    constexpr std::array<std::string_view, 6> names = {"axes", "dims", "dimensions", "dim_order", "axis_order", "dimord"};
+    std::string text = lookup_.joined_text(names);
+    for (std::size_t k = 0; k < names.size() && text.empty(); ++k) text = file_.note(frf_.values, names[k]);
+    if (text.empty()) return std::nullopt;
+    const auto order = order_of_axes(text);
+    if (!order && dims(*frf_.values).size() > 2)
+      lookup_.fail(place_of("axes"), "the order of the axes '" + shown_label(text) + "' is not understood",
+                   "write axes = 'FRC' (lines, responses, references), or these letters in the order of the array");
+    return order;
+  }
+
+  /// The order of the axes, as the program that wrote the array shows them.
+  std::string order_of(const MatInfo& info) const {
     const FrfHeader& header = set_.header;
     const std::string shown = shape({.name = {}, .dims = dims(info)});
-    if (!first && !last) {
+    const std::optional<std::string> stated = stated_order();
+    const bool first = fits(info, "FRC"), last = fits(info, "RCF"), known = stated && fits(info, *stated);
+    const bool against = stated && !known && dims(info).size() > 2;
+    if (against || (!first && !last && !known)) {
       lookup_.fail(place_of(info.name),
                    "is [" + shown + "] where " + std::to_string(header.lines()) + " lines, " +
                        std::to_string(header.response.size()) + " responses and " + std::to_string(header.reference.size()) +
-                       " references are expected",
+                       " references are expected" + (against ? ", with axes " + *stated : ""),
                    "shape it [F,R,C], [R,C,F] or [F,R*C], or give other DOFs");
     }
     const bool columns_open = header.response.size() > 1 && header.reference.size() > 1 && dims(info).size() < 3;
@@ -154,26 +176,22 @@ class Reader {
       lookup_.fail(place_of(info.name), "[" + shown + "] leaves open which column is of which response and reference",
                    "shape it [F,R,C]");
     }
-    const std::string axes = lookup_.text(std::array<std::string_view, 1>{"axes"});
-    if (axes == "FRC" && first) return false;
-    if (axes == "RCF" && last) return true;
+    if (known) return *stated;
     if (first && last && header.lines() > 1 && header.entries() > 1) {
       lookup_.fail(place_of(info.name), "[" + shown + "] may be [F,R,C] or [R,C,F]", "add a text axes = 'FRC' or 'RCF'");
     }
-    return last;
+    return last ? "RCF" : "FRC";
   }
 
   /// The values of an array in the order [line, response, reference].
-  std::vector<Complex> ordered(const MatInfo& info) {
-    const bool last = lines_last(info), by_rows = file_.last_index_fastest();
+  std::vector<Complex> ordered(const MatInfo& info) const {
+    const std::array<std::size_t, 3> apart = strides(order_of(info), extents(), file_.last_index_fastest());
     const std::vector<Complex> values = file_.read(info).values;
-    const std::size_t lines = set_.header.lines(), rows = set_.header.response.size(), columns = set_.header.reference.size();
+    const auto [lines, rows, columns] = extents();
     std::vector<Complex> out(values.size());
     for (std::size_t line = 0; line < lines; ++line) {
-      for (std::size_t entry = 0; entry < rows * columns; ++entry) {
-        const std::size_t r = by_rows ? entry / columns : entry % rows, c = by_rows ? entry % columns : entry / rows;
-        const bool line_fastest = last == by_rows;
-        out[set_.index(line, r, c)] = values[line_fastest ? line + lines * entry : entry + rows * columns * line];
+      for (std::size_t r = 0; r < rows; ++r) {
+        for (std::size_t c = 0; c < columns; ++c) out[set_.index(line, r, c)] = values[apart[0] * line + apart[1] * r + apart[2] * c];
       }
     }
     return out;
@@ -224,69 +242,6 @@ class Reader {
     return value;
   }
 
-  /// A text that may be meant as the unit, under another name; in structs beside the FRFs one of a motion or a force.
-  void require_no_other_unit() const {
-    const std::string scope = scope_of(*frf_.values);
-    for (const MatInfo& info : file_.variables()) {
-      if (info.kind != MatKind::text || !info.name.starts_with(scope)) continue;
-      const std::string name = lower_case(info.name);
-      if (name.find("unit") == std::string::npos || name.find("_axis_units_lab") != std::string::npos) continue;
-      if (scope_of(info) != scope && !is_motion_or_force(info)) continue;
-      if (name.find("freq") != std::string::npos || name.find("time") != std::string::npos || name.ends_with("ref_unit"))
-        continue;
-      lookup_.fail(place_of(info.name), "is not read",
-                   "did you mean unit? Rename it, or remove it where it is of something else");
-    }
-  }
-
-  /// Not in SI, and no length or time.
-  bool is_motion_or_force(const MatInfo& info) const {
-    constexpr std::size_t longest = 64;
-    const std::vector<std::string> texts = size(info) <= longest ? file_.read(info).texts : std::vector<std::string>();
-    return std::ranges::any_of(texts, [](const std::string& text) {
-      const auto unit = parse_unit(text);
-      return unit && unit->si != 1.0 && (unit->force != 0 || (unit->length == 1 && unit->time < 0));
-    });
-  }
-
-  /// Numbers that other programs multiply the stored ones by.
-  void require_no_scale() const {
-    for (const auto& [name, text] : file_.notes(*frf_.values)) {
-      const std::string plain = lower_case(std::string_view(name).substr(name.rfind('@') + 1));
-      const bool scale = plain == "scale_factor" && text != "1", offset = plain == "add_offset" && text != "0";
-      if (scale || offset)
-        lookup_.fail(place_of(name), "is " + text + " and is not applied", "store the FRFs multiplied, without " + plain);
-    }
-  }
-
-  /// A text that is the unit of an FRF, under a name that nothing reads: a label of a plot, "Accelerance [g/N]".
-  void require_no_unit_in_text() const {
-    constexpr std::size_t most_texts = 200, longest = 64;
-    const std::string scope = scope_of(*frf_.values);
-    std::size_t count = 0;
-    for (const MatInfo& info : file_.variables()) {
-      if (info.kind != MatKind::text || !info.name.starts_with(scope) || size(info) > longest || ++count > most_texts) continue;
-      const std::vector<std::string> texts = file_.read(info).texts;
-      for (const std::string& text : texts) require_no_unit(info.name, text);
-    }
-    for (const auto& [name, text] : file_.notes(*frf_.values)) require_no_unit(name, text);
-  }
-
-  void require_no_unit(const std::string& name, std::string_view text) const {
-    const std::size_t open = text.find_last_of('['), bracket = text.find(" ("), colon = text.find_last_of(":=");
-    std::string_view unit;
-    const auto consider = [&](std::string_view label) {
-      if (label.size() <= 64 && quantity_of_unit(label)) unit = label;
-    };
-    consider(text);
-    if (open != std::string_view::npos && text.ends_with(']')) consider(text.substr(open + 1, text.size() - open - 2));
-    if (bracket != std::string_view::npos && text.ends_with(')')) consider(text.substr(bracket + 1));
-    if (colon != std::string_view::npos) consider(text.substr(colon + 1));
-    if (unit.empty()) return;
-    lookup_.fail(place_of(name), "states the unit '" + shown_label(unit) + "' and is not read",
-                 "did you mean unit? Rename it, or remove it where it is of something else");
-  }
-
   /// `unit` and `units` that differ, or hold what is no text and no struct.
   void require_one_unit() const {
     std::string first;
@@ -311,8 +266,7 @@ class Reader {
     require_one_unit();
     const std::string label = unit_label();
     if (states_no_unit(label)) {
-      require_no_other_unit();
-      require_no_unit_in_text();
+      require_no_other_unit(file_, *frf_.values);
       return 1.0;
     }
     const double si = located(header.file, place_of("unit"), [&] { return si_factor(label, header); });

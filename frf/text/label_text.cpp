@@ -91,6 +91,16 @@ std::string_view without_brackets(std::string_view label) {
   return around ? without_padding(label.substr(1, label.size() - 2)) : label;
 }
 
+std::vector<std::string_view> labels_in(std::string_view text) {
+  std::vector<std::string_view> labels = {text};
+  const std::size_t square = text.find_last_of('['), round = text.find(" ("), sign = text.find_last_of(":=");
+  if (square != std::string_view::npos && text.ends_with(']'))
+    labels.push_back(text.substr(square + 1, text.size() - square - 2));
+  if (round != std::string_view::npos && text.ends_with(')')) labels.push_back(text.substr(round + 1));
+  if (sign != std::string_view::npos) labels.push_back(text.substr(sign + 1));
+  return labels;
+}
+
 std::string utf8_label(std::string_view label) {
   if (is_utf8(label)) return std::string(label);
   std::string text;

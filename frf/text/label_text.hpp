@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// Labels of other programs' files as text: code pages, padding, signs that only some keyboards have.
 namespace jointid::frf {
@@ -15,6 +16,10 @@ std::string_view without_padding(std::string_view label);
 
 /// "ms" of "[ms]" and "(ms)", blanks around it left out; "(m/s)/(N)" stays as it is.
 std::string_view without_brackets(std::string_view label);
+
+/// What may be the unit of a text: all of it, what stands in the last brackets at its end, and behind its last colon or equal sign;
+/// "g/N" of "Accelerance [g/N]" and "y = g/N".
+std::vector<std::string_view> labels_in(std::string_view text);
 
 /// The label in UTF-8: what is no valid UTF-8 is taken for Latin-1.
 std::string utf8_label(std::string_view label);

@@ -7,6 +7,7 @@
 #include <cerrno>
 
 #include "base/error.hpp"
+#include "frf/text/plain_text.hpp"
 
 namespace jointid::frf::uff {
 
@@ -38,9 +39,21 @@ ByteFile::ByteFile(const std::filesystem::path& path) : name_(path.string()), bl
                       .problem = "cannot open the file",
                       .remedy = "check its name and that you may read it"});
   }
+  take_plain_text();
 }
 
 ByteFile::~ByteFile() { ::close(descriptor_); }
+
+void ByteFile::take_plain_text() {
+  if (!needs_plain_text(read(0, std::min<std::uint64_t>(first_block, size_)))) return;
+  std::string text = read_plain_text(name_);
+  if (text.find("58b") != std::string::npos || text.find("58 b") != std::string::npos) {
+    Place{name_, {}, 0}.fail({}, "has binary records (58b), and its lines end with CR alone or are UTF-16",
+                             "copy it byte for byte, or export it as text (58)");
+  }
+  plain_ = std::move(text);
+  size_ = plain_.size();
+}
 
 void ByteFile::seek(std::uint64_t position) {
   const std::uint64_t begin = position_ - used_;
@@ -83,6 +96,7 @@ bool ByteFile::next_line(std::string_view& line) {
 }
 
 std::string ByteFile::read(std::uint64_t offset, std::uint64_t count) {
+  if (!plain_.empty()) return plain_.substr(offset, count);
   std::string bytes(count, '\0');
   for (std::uint64_t done = 0; done < count;) {
     const ssize_t got = ::pread(descriptor_, bytes.data() + done, count - done, static_cast<off_t>(offset + done));

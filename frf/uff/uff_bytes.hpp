@@ -20,6 +20,7 @@ struct Place {
 
 /// A file read in part: lines from a position on, or a number of bytes from an offset. What is read ahead of lines begins with a
 /// page after every seek, and doubles while they go on: to look at tens of thousands of headers costs no more than their pages.
+/// A file in UTF-16 or with lines that end with CR alone is read whole and stands for its plain_text().
 class ByteFile {
  public:
   explicit ByteFile(const std::filesystem::path& path);
@@ -41,9 +42,11 @@ class ByteFile {
 
  private:
   bool read_ahead();
+  void take_plain_text();
 
   std::string name_;
   int descriptor_ = -1;
+  std::string plain_;  ///< in place of the file where that needs it
   std::uint64_t size_ = 0;
   std::uint64_t position_ = 0;
   std::string ahead_;      ///< the file's bytes from position_ - used_ on

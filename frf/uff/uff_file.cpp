@@ -9,6 +9,7 @@
 
 #include "base/temporary_file.hpp"
 #include "base/text.hpp"
+#include "frf/text/plain_text.hpp"
 #include "frf/uff/uff_catalogue.hpp"
 #include "frf/uff/uff_catalogue_builder.hpp"
 #include "frf/uff/uff_text.hpp"
@@ -184,6 +185,8 @@ std::unique_ptr<FrfSource> open_uff(const std::filesystem::path& path, const Ope
 
 bool looks_like_uff(std::span<const char> first_bytes) {
   std::string_view rest(first_bytes.data(), first_bytes.size());
+  const std::string plain = needs_plain_text(rest) ? plain_text(std::string(rest)) : std::string();
+  if (!plain.empty()) rest = plain;
   if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
   const auto next_line = [&] {
     const std::size_t end = rest.find('\n');

@@ -171,7 +171,7 @@ TEST(NamedArrays, AScaleThatIsNotAppliedIsRefused) {
   options.response = options.reference = {Dof::parse("1:+Z"), Dof::parse("2:+Z")};
   options.quantity = Quantity::receptance;
   EXPECT_THAT(message_of([&] { open(foreign("scaled.h5"), options); }),
-              HasSubstr("variable frf@scale_factor: is 0.001 and is not applied; store the FRFs multiplied"));
+              HasSubstr("variable frf@scale_factor: is 0.001 and is not applied to the FRFs; store the FRFs multiplied"));
 }
 
 /// Archives that are cut off or changed are one error, or still the same FRFs.

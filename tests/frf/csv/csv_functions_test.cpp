@@ -130,6 +130,9 @@ TEST(NumberedLabels, ReadByNodesOrInOrder) {
   EXPECT_EQ(places_of_labels({"H(21,5)", "H(31,5)"}, other, dofs({"5:+Z"})),
             (std::vector<std::optional<Place>>{Place{1, 0}, Place{0, 0}}));
   EXPECT_TRUE(places_of_labels({"H1", "H2"}, up, dofs({"1:+Z"})).empty());
+  for (const char* turned : {"H1->2", "ref1 resp2", "in1out2", "Impact 1 Sensor 2", "F1A2"})
+    EXPECT_EQ(places_of_labels({turned, "H11"}, up, up), (std::vector<std::optional<Place>>{Place{1, 0}, Place{0, 0}})) << turned;
+  EXPECT_EQ(places_of_labels({"H3", "H2"}, up, dofs({"1:+Z"})), std::vector<std::optional<Place>>(2));
 }
 
 TEST_F(CsvFunctions, Utf16WithoutAMark) {

@@ -205,5 +205,15 @@ TEST_F(CsvOfOthers, LabViewMeasurementFiles) {
   EXPECT_THAT(error(lvm("One", "Frequency", ""), at_one_point()), HasSubstr("has no row of titles that begins with X_Value"));
 }
 
+TEST_F(CsvOfOthers, FactorsThatNothingAppliesAndConjugatesAreErrors) {
+  const std::string table = "Frequency (Hz),Real (g/N),Imag (g/N)\n" + numbers;
+  for (const char* line : {"# scale = 0.001\n", "# Scale factor: 1e-3\n", "scale,0.001\n", "# multiply by 1e-3\n", "# values x 1e-3\n"})
+    EXPECT_THAT(error(line + table, at_one_point()), HasSubstr("which is not applied to the FRFs")) << line;
+  for (const char* line : {"# convention: exp(-j*omega*t)\n", "# conjugate of FRF\n"})
+    EXPECT_THAT(error(line + table, at_one_point()), HasSubstr("conjugates of FRFs of exp(+iωt)")) << line;
+  for (const char* line : {"# scale = 1\n", "# sensitivity: 10 mV/g\n", "# full scale = 10\n", "Gain,10\n", "# 5 times per point\n"})
+    expect_right(line + table, gravity, at_one_point());
+}
+
 }  // namespace
 }  // namespace jointid::frf

@@ -57,11 +57,33 @@ TEST(UffNumberLine, TheOtherByteOrderIsNamed) {
   EXPECT_THAT(error_of([&] { open(wrong.path()); }), HasSubstr("do in 1 (little-endian)"));
 }
 
-TEST(UffNumberLine, LinesThatEndWithCrAloneAreNamed) {
-  std::string text = simple_record().str();
+/// As Windows' Notepad saves "Unicode": a mark, then two bytes a character.
+std::string utf16(const std::string& text, bool big) {
+  std::string out = big ? "\xFE\xFF" : "\xFF\xFE";
+  for (const char c : text) out.append(big ? std::string{'\0', c} : std::string{c, '\0'});
+  return out;
+}
+
+std::string with_cr_alone(std::string text) {
   std::replace(text.begin(), text.end(), '\n', '\r');
-  const TemporaryUff file(text);
-  EXPECT_THAT(error_of([&] { open(file.path()); }), HasSubstr("its lines end with CR alone"));
+  return text;
+}
+
+TEST(UffNumberLine, TextOfOtherLineEndsAndOfUtf16IsRead) {
+  const std::string text = simple_record().str();
+  const FrfSet right = load(*open(TemporaryUff(text).path()));
+  for (const std::string& other : {with_cr_alone(text), utf16(text, false), utf16(text, true), utf16(with_cr_alone(text), false)}) {
+    const TemporaryUff file(other);
+    const FrfSet read = load(*open(file.path()));
+    EXPECT_EQ(read.header.response, right.header.response);
+    EXPECT_EQ(read.header.frequency_hz, right.header.frequency_hz);
+    EXPECT_EQ(read.values, right.values);
+  }
+}
+
+TEST(UffNumberLine, BinaryRecordsBetweenLinesThatEndWithCrAloneAreNamed) {
+  const TemporaryUff file(with_cr_alone(binary_record(6, six).str()));
+  EXPECT_THAT(error_of([&] { open(file.path()); }), HasSubstr("has binary records (58b), and its lines end with CR alone"));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "frf/csv/csv_text.hpp"
+#include "frf/text/plain_text.hpp"
 
 #include <array>
 #include <cstddef>
@@ -61,11 +61,18 @@ void append_utf8(std::string& out, unsigned code) {
   }
 }
 
+bool has_utf16_mark(std::string_view text) { return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"); }
+
 }  // namespace
+
+bool needs_plain_text(std::string_view head) {
+  const bool utf16 = has_utf16_mark(head) || place_of_zeros(head) < 2;
+  return utf16 || (head.find('\r') != std::string_view::npos && head.find('\n') == std::string_view::npos);
+}
 
 std::string plain_text(std::string text) {
   if (text.starts_with(utf8_mark)) text.erase(0, utf8_mark.size());
-  const bool marked = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+  const bool marked = has_utf16_mark(text);
   const std::size_t zeros = marked ? (text.front() == '\xFF' ? 1U : 0U) : place_of_zeros(text);
   if (zeros < 2) {
     const bool little = zeros == 1;
@@ -80,6 +87,6 @@ std::string plain_text(std::string text) {
   return with_plain_ends(std::move(text));
 }
 
-std::string read_csv_text(const std::filesystem::path& path) { return plain_text(read_text(path)); }
+std::string read_plain_text(const std::filesystem::path& path) { return plain_text(read_text(path)); }
 
 }  // namespace jointid::frf

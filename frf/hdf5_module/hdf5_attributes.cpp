@@ -1,0 +1,50 @@
+#include "frf/hdf5_module/hdf5_attributes.hpp"
+
+#include <fmt/format.h>
+#include <hdf5.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace jointid::frf::hdf5 {
+namespace {
+
+std::vector<std::string> attribute_names(const Object& object) {
+  constexpr std::size_t most = 100;
+  std::vector<std::string> names;
+  const auto add = [](hid_t, const char* name, const H5A_info_t*, void* kept) -> herr_t {
+    auto& all = *static_cast<std::vector<std::string>*>(kept);
+    all.emplace_back(name);
+    return all.size() < most ? 0 : 1;
+  };
+  hsize_t place = 0;
+  H5Aiterate2(object.id.get(), H5_INDEX_NAME, H5_ITER_NATIVE, &place, add, &names);
+  return names;
+}
+
+std::optional<std::string> numbers_as_text(const Object& object, const char* name) {
+  constexpr hssize_t most = 64;
+  const Handle id(H5Aopen(object.id.get(), name, H5P_DEFAULT));
+  if (!id.is_open()) return std::nullopt;
+  const Handle type(H5Aget_type(id.get())), space(H5Aget_space(id.get()));
+  const H5T_class_t kind = H5Tget_class(type.get());
+  const hssize_t count = H5Sget_simple_extent_npoints(space.get());
+  if ((kind != H5T_FLOAT && kind != H5T_INTEGER) || count < 1 || count > most) return std::nullopt;
+  std::vector<double> values(static_cast<std::size_t>(count));
+  if (H5Aread(id.get(), H5T_NATIVE_DOUBLE, values.data()) < 0) return std::nullopt;
+  const auto other = std::ranges::find_if(values, [](double value) { return value != 1.0; });
+  return fmt::format("{:g}", other != values.end() ? *other : 1.0);
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> attributes_as_texts(const Object& object) {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (std::string& name : attribute_names(object)) {
+    const auto text = has_text_attribute(object, name.c_str()) ? text_attribute(object, name.c_str()) : numbers_as_text(object, name.c_str());
+    if (text) all.emplace_back(std::move(name), *text);
+  }
+  return all;
+}
+
+}  // namespace jointid::frf::hdf5

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "frf/hdf5_module/hdf5_object.hpp"
+
+namespace jointid::frf::hdf5 {
+
+/// Names and values of the first attributes, up to 100, that are one text or up to 64 real numbers; of these the first that is not 1
+/// stands for all of them.
+std::vector<std::pair<std::string, std::string>> attributes_as_texts(const Object& object);
+
+}  // namespace jointid::frf::hdf5

@@ -1,0 +1,105 @@
+#include "frf/text/remarks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <vector>
+
+#include "frf/text/number_text.hpp"
+#include "frf/text/unit_names.hpp"
+
+namespace jointid::frf {
+namespace {
+
+using NameWords = std::vector<std::string>;
+
+bool is_lower_letter(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
+bool is_upper_letter(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
+
+/// "scale", "factor" of "ScaleFactor", "scale_factor" and "SCALE FACTOR".
+NameWords words_of_name(std::string_view name) {
+  NameWords words(1);
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const bool letter = std::isalpha(static_cast<unsigned char>(name[i])) != 0;
+    const bool begins = letter && is_upper_letter(name[i]) && i > 0 && is_lower_letter(name[i - 1]);
+    if ((begins || !letter) && !words.back().empty()) words.emplace_back();
+    if (letter) words.back() += lower_case(name.substr(i, 1));
+  }
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
+template <std::size_t Size>
+bool has_one_word(const NameWords& words, const std::array<std::string_view, Size>& wanted) {
+  return std::ranges::any_of(words, [&](const std::string& word) { return std::ranges::find(wanted, word) != wanted.end(); });
+}
+
+/// "yscale", "calibrated", "sensitivities".
+template <std::size_t Size>
+bool has_part_of(const NameWords& words, const std::array<std::string_view, Size>& wanted) {
+  return std::ranges::any_of(words, [&](const std::string& word) {
+    return std::ranges::any_of(wanted, [&](std::string_view part) { return word.find(part) != std::string::npos; });
+  });
+}
+
+constexpr std::array<std::string_view, 9> parts_of_factors = {"scale",    "scaling", "calib",   "sensitiv", "multipl",
+                                                              "amplific", "attenua", "convers", "normali"};
+constexpr std::array<std::string_view, 8> words_of_factors = {"gain", "gains", "cal", "sens", "factor", "factors", "lsb", "sign"};
+/// Of what else there are scales and factors.
+constexpr std::array<std::string_view, 28> of_others = {
+    "loss", "damping", "quality", "crest",  "safety", "fill",  "form",   "plot",     "axis",     "time",  "x",     "freq",  "frequency",
+    "window", "overlap", "shape", "mode",   "modal",  "color", "colour", "display",  "colormap", "modes", "noise", "power", "load", "full", "auto"};
+
+/// In lower case without what formulas may have more of, "e-iwt" of "e^{-iwt}".
+std::string without_signs(std::string_view text, std::string_view signs) {
+  std::string plain = lower_case(text);
+  std::erase_if(plain, [&](char c) { return signs.find(c) != std::string_view::npos; });
+  return plain;
+}
+
+}  // namespace
+
+NumberUse use_of_number(std::string_view name) {
+  const NameWords words = words_of_name(name);
+  constexpr std::array<std::string_view, 2> added = {"offset", "bias"};
+  if (has_one_word(words, of_others)) return NumberUse::none;
+  if (has_one_word(words, added)) return NumberUse::is_added;
+  const bool to_si = words == NameWords{"to", "si"} || words == NameWords{"tosi"};
+  const bool factor = to_si || has_part_of(words, parts_of_factors) || has_one_word(words, words_of_factors);
+  return factor ? NumberUse::multiplies : NumberUse::none;
+}
+
+std::optional<double> stated_factor(std::string_view text) {
+  const std::string plain = lower_case(text);
+  for (const std::string_view sign : {"multiplied by ", "multiply by ", "multiply with ", "scaled by ", "divided by ", "divide by ",
+                                      "values x ", "values x"}) {
+    const std::size_t at = plain.find(sign);
+    if (at == std::string::npos) continue;
+    const std::string_view rest = trimmed(std::string_view(plain).substr(at + sign.size()));
+    double value = 0.0;
+    std::string_view word = rest.substr(0, rest.find_first_of(" ,;)]"));
+    if (!word.empty() && parse_cell(word, false, value)) return value;
+  }
+  std::string_view word = trimmed(plain);
+  while (!word.empty() && (word.front() == '(' || word.front() == '[')) word.remove_prefix(1);
+  while (!word.empty() && (word.back() == ')' || word.back() == ']')) word.remove_suffix(1);
+  double value = 0.0;
+  for (const std::string_view sign : {"x", "*", "×"}) {
+    if (word.size() > sign.size() && word.starts_with(sign) && parse_cell(trimmed(word.substr(sign.size())), false, value)) return value;
+  }
+  return std::nullopt;
+}
+
+bool states_conjugates(std::string_view text) {
+  const std::string plain = without_signs(text, " \t{}()[]^*\\_"), spaced = without_signs(text, "{}()[]^*\\_");
+  for (const std::string_view sign : {"exp-i", "exp-j", "exp-1i", "exp-1j", "exp−i", "exp−j"}) {
+    if (plain.find(sign) != std::string::npos) return true;
+  }
+  for (const std::string_view sign : {"e-iw", "e-jw", "e-iω", "e-jω", "e-iomega", "e-jomega"}) {
+    const std::size_t at = spaced.find(sign);
+    if (at != std::string::npos && (at == 0 || std::isalpha(static_cast<unsigned char>(spaced[at - 1])) == 0)) return true;
+  }
+  return plain.find("conjugat") != std::string::npos && plain.find("notconjugat") == std::string::npos;
+}
+
+}  // namespace jointid::frf

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace jointid::frf {
+
+/// What a number with this name does to the numbers beside it: "scale", "gainFactor", "sens_acc", "to_si" multiply them, "offset"
+/// is added. Words are parted by signs and by capitals; "loss_factor" and "time_scale" are of something else.
+enum class NumberUse { none, multiplies, is_added };
+NumberUse use_of_number(std::string_view name);
+
+/// The factor that a remark states: "multiply by 1e-3", "values x 1000", "(x1000)"; nothing of any other text.
+std::optional<double> stated_factor(std::string_view text);
+
+/// Whether a text states motions of exp(-iωt), whose FRFs are conjugates: "exp(-jwt)", "e^{-i\omega t}", "conjugated".
+bool states_conjugates(std::string_view text);
+
+}  // namespace jointid::frf

@@ -1,0 +1,106 @@
+// What stands beside FRFs in files of named arrays and would be left out: factors, conjugates, orders of axes, labels of plots.
+#include <gmock/gmock.h>
+
+#include "frf/file/file_format.hpp"
+#include "frf/mat/mat_axes.hpp"
+#include "frf/text/remarks.hpp"
+#include "tests/frf/file_fixture.hpp"
+
+namespace jointid::frf {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+/// Files as GNU Octave's `save -text` writes them.
+class NumbersBeside : public FileTest {
+ protected:
+  static std::string named(const std::string& name, double value) {
+    return "# name: " + name + "\n# type: scalar\n" + std::to_string(value) + "\n\n\n";
+  }
+  static std::string named(const std::string& name, const std::string& value) {
+    return "# name: " + name + "\n# type: string\n# elements: 1\n# length: " + std::to_string(value.size()) + "\n" + value + "\n\n\n";
+  }
+  /// 2 − 1i and 3 + 4i m/N at 10 and 20 Hz.
+  std::string file(const std::string& beside) const {
+    return "# name: f\n# type: range\n# base, limit, increment\n10 20 10\n\n\n" +
+           std::string("# name: frf\n# type: complex matrix\n# rows: 2\n# columns: 1\n (2,-1)\n (3,4)\n\n\n") + beside;
+  }
+  OpenOptions options() const {
+    OpenOptions given;
+    given.response = given.reference = dofs({"1:+Z"});
+    given.quantity = Quantity::receptance;
+    return given;
+  }
+  FrfSet read(const std::string& beside) const { return load(*open(write_file("a.txt", file(beside)), options())); }
+  std::string error(const std::string& beside) const {
+    return message_of([&] { open(write_file("a.txt", file(beside)), options()); });
+  }
+};
+
+TEST_F(NumbersBeside, AFactorThatNobodyAppliesIsAnError) {
+  for (const char* name : {"scale", "ScaleFactor", "gain", "calibration", "sensitivity", "sens_acc", "y_scale", "to_si", "frf_gain"}) {
+    EXPECT_THAT(error(named(name, 0.5)),
+                AllOf(HasSubstr(std::string("variable ") + name), HasSubstr("is 0.5 and is not applied to the FRFs"),
+                      HasSubstr("store the FRFs multiplied by it and remove")))
+        << name;
+    EXPECT_THAT(error(named(name, std::string("0.5"))), HasSubstr("is 0.5 and is not applied")) << name;
+  }
+  EXPECT_THAT(error(named("offset", 3.0)), HasSubstr("store the FRFs with it"));
+  EXPECT_THAT(error(named("note", std::string("multiply by 1e-3"))), HasSubstr("states the factor 0.001"));
+}
+
+TEST_F(NumbersBeside, AFactorOfOneAndNumbersOfOtherThingsAreRead) {
+  const std::vector<Complex> right = {{2.0, -1.0}, {3.0, 4.0}};
+  for (const char* name : {"scale", "gain", "sensitivity"}) EXPECT_EQ(read(named(name, 1.0)).values, right) << name;
+  EXPECT_EQ(read(named("offset", 0.0)).values, right);
+  for (const char* name : {"loss_factor", "dampingFactor", "time_scale", "fs", "mass", "averages", "plot_scale", "example"})
+    EXPECT_EQ(read(named(name, 0.5)).values, right) << name;
+  EXPECT_EQ(read(named("note", std::string("impact times 12"))).values, right);
+}
+
+TEST_F(NumbersBeside, ConjugatesAreNamed) {
+  for (const char* text : {"exp(-i*omega*t)", "convention e^{-iwt}", "H conjugated, exp(-jwt)"})
+    EXPECT_THAT(error(named("comment", std::string(text))), HasSubstr("conjugates of FRFs of exp(+iωt)")) << text;
+  for (const char* text : {"exp(+i*omega*t)", "exp(iwt)", "tube-jwt", "not conjugated"}) EXPECT_FALSE(states_conjugates(text)) << text;
+}
+
+TEST_F(NumbersBeside, TheLabelOfAPlotStatesTheUnitOfTheAxis) {
+  EXPECT_THAT(error(named("xlabel", std::string("Frequency [kHz]"))), AllOf(HasSubstr("is not read"), HasSubstr("frequency_unit")));
+  EXPECT_EQ(read(named("xlabel", std::string("Frequency [Hz]"))).header.frequency_hz, (std::vector<double>{10.0, 20.0}));
+}
+
+TEST(OrderOfAxes, LettersAndWords) {
+  const auto order = [](std::string_view text) { return order_of_axes(text).value_or("none"); };
+  for (const char* text : {"FRC", "frc", "f,out,in", "freq x response x reference", "lines_outputs_inputs"})
+    EXPECT_EQ(order(text), "FRC") << text;
+  EXPECT_EQ(order("out,in,f"), "RCF");
+  EXPECT_EQ(order("foi"), "FRC");
+  EXPECT_EQ(order("f_in_out"), "FCR");
+  for (const char* text : {"", "FRR", "a,b,c", "FR", "frequency"}) EXPECT_EQ(order(text), "none") << text;
+}
+
+/// [3,2,2], first index fastest.
+TEST_F(NumbersBeside, AxesInAnyOrderThatIsStated) {
+  std::string three = "# name: f\n# type: matrix\n# rows: 1\n# columns: 3\n 10 20 30\n\n\n# name: frf\n# type: complex matrix\n# ndims: 3\n 3 2 2\n";
+  for (int k = 0; k < 12; ++k) three += " (" + std::to_string(k) + ",1)\n";
+  three += "\n\n";
+  OpenOptions given;
+  given.response = given.reference = dofs({"1:+Z", "2:+Z"});
+  given.quantity = Quantity::receptance;
+  const auto value = [&](const std::string& axes, std::size_t r, std::size_t c) {
+    const FrfSet set = load(*open(write_file("a.txt", three + axes), given));
+    return set.values[set.index(0, r, c)].real();
+  };
+  EXPECT_EQ(value("", 1, 0), 3.0);
+  EXPECT_EQ(value(named("axes", std::string("FRC")), 1, 0), 3.0);
+  EXPECT_EQ(value(named("axes", std::string("freq,in,out")), 1, 0), 6.0);
+  const auto message = [&](const char* axes) {
+    return message_of([&] { open(write_file("a.txt", three + named("axes", std::string(axes))), given); });
+  };
+  EXPECT_THAT(message("abc"), HasSubstr("the order of the axes 'abc' is not understood"));
+  EXPECT_THAT(message("RCF"), HasSubstr("are expected, with axes RCF"));
+}
+
+}  // namespace
+}  // namespace jointid::frf
