@@ -41,7 +41,8 @@ std::optional<std::string> numbers_as_text(const Object& object, const char* nam
 std::vector<std::pair<std::string, std::string>> attributes_as_texts(const Object& object) {
   std::vector<std::pair<std::string, std::string>> all;
   for (std::string& name : attribute_names(object)) {
-    const auto text = has_text_attribute(object, name.c_str()) ? text_attribute(object, name.c_str()) : numbers_as_text(object, name.c_str());
+    const char* own = name.c_str();
+    const auto text = has_text_attribute(object, own) ? text_attribute(object, own) : numbers_as_text(object, own);
     if (text) all.emplace_back(std::move(name), *text);
   }
   return all;

@@ -197,8 +197,8 @@ void MatLookup::require_no_other_label(const MatInfo& axis, double by_name) cons
     if (info.kind != MatKind::text || !info.name.starts_with(scope_of(axis)) || size(info) > longest) continue;
     const std::string name = lower_case(std::string_view(info.name).substr(scope_of(info).size()));
     const bool of_axis = name.find("freq") != std::string::npos || name.find("abscissa") != std::string::npos;
-    const bool label = (of_axis || name.starts_with('x')) && (name.find("label") != std::string::npos || name.find("axis") != std::string::npos ||
-                                                              name.find("title") != std::string::npos);
+    const auto has = [&](const char* word) { return name.find(word) != std::string::npos; };
+    const bool label = (of_axis || name.starts_with('x')) && (has("label") || has("axis") || has("title"));
     const bool unit = of_axis && name.find("unit") != std::string::npos;
     if (!label && !unit) continue;
     for (const std::string& text : texts(info)) {

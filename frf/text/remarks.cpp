@@ -47,8 +47,9 @@ constexpr std::array<std::string_view, 9> parts_of_factors = {"scale",    "scali
 constexpr std::array<std::string_view, 8> words_of_factors = {"gain", "gains", "cal", "sens", "factor", "factors", "lsb", "sign"};
 /// Of what else there are scales and factors.
 constexpr std::array<std::string_view, 28> of_others = {
-    "loss", "damping", "quality", "crest",  "safety", "fill",  "form",   "plot",     "axis",     "time",  "x",     "freq",  "frequency",
-    "window", "overlap", "shape", "mode",   "modal",  "color", "colour", "display",  "colormap", "modes", "noise", "power", "load", "full", "auto"};
+    "loss", "damping", "quality", "crest", "safety", "fill",  "form",    "plot",     "axis",  "time",  "x",     "freq", "frequency",
+    "window", "overlap", "shape", "mode", "modal", "color", "colour", "display", "colormap", "modes", "noise", "power",
+    "load", "full", "auto"};
 
 /// In lower case without what formulas may have more of, "e-iwt" of "e^{-iwt}".
 std::string without_signs(std::string_view text, std::string_view signs) {

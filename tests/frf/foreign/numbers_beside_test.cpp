@@ -82,7 +82,8 @@ TEST(OrderOfAxes, LettersAndWords) {
 
 /// [3,2,2], first index fastest.
 TEST_F(NumbersBeside, AxesInAnyOrderThatIsStated) {
-  std::string three = "# name: f\n# type: matrix\n# rows: 1\n# columns: 3\n 10 20 30\n\n\n# name: frf\n# type: complex matrix\n# ndims: 3\n 3 2 2\n";
+  std::string three =
+      "# name: f\n# type: matrix\n# rows: 1\n# columns: 3\n 10 20 30\n\n\n# name: frf\n# type: complex matrix\n# ndims: 3\n 3 2 2\n";
   for (int k = 0; k < 12; ++k) three += " (" + std::to_string(k) + ",1)\n";
   three += "\n\n";
   OpenOptions given;
