@@ -74,7 +74,8 @@ NumberUse use_of_number(std::string_view name) {
 bool is_of_something_else(std::string_view name) {
   constexpr std::array<std::string_view, 12> parts = {"conj",     "impedance", "stiff", "inverse", "transmissib", "transpos",
                                                       "residual", "error",     "deriv", "_mass",   "normali",     "squared"};
-  constexpr std::array<std::string_view, 13> words = {"inv", "err", "db", "sq", "log", "diff", "delta", "std", "norm", "ln", "dif", "t", "var"};
+  constexpr std::array<std::string_view, 13> words = {"inv",   "err", "db",   "sq", "log", "diff", "delta",
+                                                      "std",   "norm", "ln",  "dif", "t",  "var"};
   constexpr std::array<std::string_view, 14> whole = {"z",  "zj", "hinv", "invh", "ht",   "hh", "hstar",
                                                       "dh", "lnh", "logh", "hlog", "hdb", "hsq", "deltah"};
   const std::string plain = lower_case(name);
