@@ -33,7 +33,7 @@ bool is_word_of_reference(std::string_view word) {
   return std::ranges::find(words, word) != words.end();
 }
 
-/// Letters, then two digits, or two numbers with a sign between them: "H21", "H2,1", "FRF_2_1", "H(2,1)". The reference comes first
+/// Letters, then two digits, or two numbers with a sign between them: "H21", "H2,1", "FRF_2_1", "H(2,1)", "2|1". The reference comes first
 /// in "H1->2" and where the word before the first number says so and that before the second another: "ref1 resp2", "in1out2".
 std::optional<Numbers> numbers_of(std::string_view label) {
   std::vector<std::string> numbers, before;
@@ -47,18 +47,19 @@ std::optional<Numbers> numbers_of(std::string_view label) {
     }
   }
   const bool closed = between.empty() || between == ")" || between == "]" || between == "}";
-  if (!closed || label.empty() || std::isalpha(static_cast<unsigned char>(label.front())) == 0) return std::nullopt;
+  if (!closed || label.empty()) return std::nullopt;
   constexpr std::size_t longest = 9;
-  if (numbers.size() == 1 && numbers[0].size() == 2) {
+  const bool named = std::isalpha(static_cast<unsigned char>(label.front())) != 0;
+  if (named && numbers.size() == 1 && numbers[0].size() == 2) {
     numbers = {numbers[0].substr(0, 1), numbers[0].substr(1)};
     before.emplace_back();
   }
   if (numbers.size() != 2 || numbers[0].size() > longest || numbers[1].size() > longest) return std::nullopt;
+  if (!named && !is_digit(label.front())) return std::nullopt;
   const std::string first = word_before_number(before[0]), second = word_before_number(before[1]);
   const bool arrow = before[1].find('>') != std::string::npos || before[1].find("\u2192") != std::string::npos;
   const bool turned = arrow || (is_word_of_reference(first) && !second.empty() && !is_word_of_reference(second));
-  const Numbers read{std::stoll(numbers[turned ? 1 : 0]), std::stoll(numbers[turned ? 0 : 1])};
-  return read.first > 0 && read.second > 0 ? std::optional(read) : std::nullopt;
+  return Numbers{std::stoll(numbers[turned ? 1 : 0]), std::stoll(numbers[turned ? 0 : 1])};
 }
 
 /// "FRF1", "FRF3", "FRF2": one number each, in another order than the columns.
@@ -117,9 +118,11 @@ Places places_of_labels(const std::vector<std::string>& labels, const std::vecto
     if (!own) return are_out_of_order(labels) ? Places(labels.size()) : Places();
     numbers.push_back(*own);
   }
+  const bool from_zero = std::ranges::any_of(numbers, [](const Numbers& each) { return each.first == 0 || each.second == 0; });
   const auto counted = all_places(numbers, [&](bool of_response, std::int64_t number) -> std::optional<std::size_t> {
-    const std::size_t size = of_response ? response.size() : reference.size();
-    return static_cast<std::size_t>(number) <= size ? std::optional(static_cast<std::size_t>(number) - 1) : std::nullopt;
+    const std::size_t size = of_response ? response.size() : reference.size(), at = static_cast<std::size_t>(number);
+    const std::size_t first = from_zero ? 0 : 1;
+    return at < size + first ? std::optional(at - first) : std::nullopt;
   });
   const auto nodes = all_places(
       numbers, [&](bool of_response, std::int64_t number) { return place_of_node(of_response ? response : reference, number); });

@@ -16,6 +16,7 @@
 #include "frf/text/label_text.hpp"
 #include "frf/text/located.hpp"
 #include "frf/text/number_text.hpp"
+#include "frf/text/remarks.hpp"
 #include "frf/text/special_number.hpp"
 #include "frf/text/thousands.hpp"
 #include "frf/text/unit_names.hpp"
@@ -110,12 +111,20 @@ class CsvReader {
     while (cells.size() > 2 && cells.back().empty()) cells.pop_back();
     const std::size_t index = header_ ? header_->index : 0;
     for (std::size_t i = index; i < cells.size(); ++i) {
+      if (i > index) require_no_factor(cells[i], i);
       CsvTitle title = csv_title(cells[i]);
       table_.columns.push_back(std::move(title.title));
       table_.units.push_back(std::move(title.unit));
       table_.places.push_back(i);
     }
     take_frequency_title(cells[index]);
+  }
+
+  /// The table has no place for it beside the unit.
+  void require_no_factor(std::string_view cell, std::size_t column) const {
+    if (!factor_in_title(cell)) return;
+    table_.fail(table_.header_line, column, "'" + shown_label(cell) + "' states a factor, which is not applied",
+                "export the numbers themselves, or state it by the unit, e.g. [mm/(s^2*N)], and not in the title");
   }
 
   /// Any other text with a comma may get here.

@@ -75,6 +75,7 @@ std::unique_ptr<FrfSource> open(const std::filesystem::path& path, const OpenOpt
   require_own_unit(format, path, options);
   require_own_axis(format, path, options);
   auto source = format.open(path, options);
+  source->require_one_sided();
   if (!format.variables) require_given_dofs(source->header(), path, options);
   return options.quantity ? reinterpreted(std::move(source), *options.quantity) : std::move(source);
 }

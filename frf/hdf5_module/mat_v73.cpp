@@ -195,7 +195,11 @@ class MatV73 final : public MatFile {
     for (auto& [name, place] : paths.found) {
       const Dataset dataset = open(name, place);
       by_rows_ = by_rows_ && matlab_class(dataset).empty();
-      variables_.push_back({name, kind_of(dataset), {dataset.dims.rbegin(), dataset.dims.rend()}, unit_of(dataset)});
+      variables_.push_back({.name = name,
+                            .kind = kind_of(dataset),
+                            .dims = {dataset.dims.rbegin(), dataset.dims.rend()},
+                            .unit = unit_of(dataset),
+                            .integers = type_class(dataset) == H5T_INTEGER});
       place_of_.emplace(name, std::move(place));
     }
   }

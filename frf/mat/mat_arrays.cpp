@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "frf/mat/mat_lookup.hpp"
+#include "frf/text/remarks.hpp"
 #include "frf/text/unit_names.hpp"
 
 namespace jointid::frf {
@@ -67,12 +68,18 @@ class FrfFinder {
     fail_none();
   }
 
+  /// Analysers store integers with a scale that stands elsewhere.
+  void require_fractions(const ComplexArray& array) const {
+    const bool integers = array.values->integers || (array.imaginary != nullptr && array.imaginary->integers);
+    if (!integers) return;
+    lookup_.fail(place_of(array.name), "holds integers, and their scale is not known",
+                 "store the FRFs as floating-point numbers in their unit");
+  }
+
  private:
-  /// What nobody named must not be of something else by its own name.
+  /// What nobody named must not be of something else by its own name: a stiffness, a logarithm, a transpose, an error.
   Arrays motion_over_force(const Arrays& arrays) const {
-    const std::string name(last_part(*arrays.front().values)), plain = lower_case(name);
-    constexpr std::array<std::string_view, 7> others = {"conj", "impedance", "stiffness", "_mass", "_inv", "inverse", "transmissib"};
-    if (plain == "z" || std::ranges::any_of(others, [&](std::string_view word) { return plain.find(word) != std::string::npos; }))
+    if (is_of_something_else(last_part(*arrays.front().values)))
       lookup_.fail(place_of(arrays.front().name), "is no FRF of motion over force by its name",
                    "export motion over force; if it is, name it: --variable " + arrays.front().name + ", in a scene variable");
     return arrays;
@@ -172,7 +179,9 @@ class FrfFinder {
 
 std::vector<ComplexArray> find_frfs(MatFile& file, const std::string& variable, const std::string& axis) {
   const FrfFinder finder(file, axis);
-  return variable.empty() ? finder.by_itself() : finder.named(variable);
+  std::vector<ComplexArray> found = variable.empty() ? finder.by_itself() : finder.named(variable);
+  for (const ComplexArray& array : found) finder.require_fractions(array);
+  return found;
 }
 
 }  // namespace jointid::frf

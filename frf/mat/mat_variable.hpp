@@ -23,6 +23,7 @@ struct MatInfo {
   MatKind kind = MatKind::other;  ///< a cell array counts as text until it is read
   std::vector<std::size_t> dims;  ///< as MATLAB shows them
   std::string unit{};             ///< the attribute unit or units of an HDF5 dataset, or empty
+  bool integers = false;          ///< of a type without fractions
 };
 
 /// A variable with its content, numbers in MATLAB's order (first index fastest).

@@ -56,6 +56,11 @@ MatKind kind_of(const matvar_t& variable) {
   }
 }
 
+bool has_integers(const matvar_t& variable) {
+  const bool number = kind_of(variable) == MatKind::real || kind_of(variable) == MatKind::complex;
+  return number && variable.class_type != MAT_C_DOUBLE && variable.class_type != MAT_C_SINGLE;
+}
+
 template <class T>
 std::vector<Complex> convert(const matvar_t& variable) {
   std::vector<Complex> values(size(variable));
@@ -121,7 +126,7 @@ constexpr int deepest_struct = 8;
 
 /// The variable, of a struct its fields under S.field, of an array of structs (or a cell array of them) under S(2).field.
 void list(matvar_t& variable, const std::string& name, int depth, std::vector<MatInfo>& out) {
-  out.push_back({name, kind_of(variable), dims_of(variable)});
+  out.push_back({.name = name, .kind = kind_of(variable), .dims = dims_of(variable), .integers = has_integers(variable)});
   if (depth == deepest_struct) return;
   if (variable.class_type == MAT_C_CELL) {
     for (std::size_t i = 0; i < size(variable); ++i) {

@@ -87,6 +87,7 @@ MatInfo npy_info(const NpyHeader& header, std::string name) {
   MatInfo info{.name = std::move(name), .dims = {header.shape.rbegin(), header.shape.rend()}};
   if (header.kind == 'c') info.kind = MatKind::complex;
   if (header.is_real() || header.kind == 'b') info.kind = MatKind::real;
+  info.integers = header.kind == 'i' || header.kind == 'u';
   if (header.kind == 'U' || header.kind == 'S') info.kind = MatKind::text;
   return info;
 }

@@ -52,8 +52,13 @@ std::optional<Quantity> quantity_of_unit(std::string_view unit_label) {
 double si_factor(std::string_view unit_label, const FrfHeader& header) {
   const double factor = si_factor(unit_label, header.quantity);
   const auto rotates = [](const Dof& dof) { return dof.is_rotation(); };
-  if (factor != 1.0 && (std::any_of(header.response.begin(), header.response.end(), rotates) ||
-                        std::any_of(header.reference.begin(), header.reference.end(), rotates))) {
+  const bool rotations = std::ranges::any_of(header.response, rotates) || std::ranges::any_of(header.reference, rotates);
+  const std::optional<Unit> parsed = parse_unit(unit_label);
+  if (!rotations && parsed && (parsed->length != 1 || parsed->angle != 0)) {
+    fail("unit '" + shown_label(unit_label) + "' is of a rotation or a moment, and all DOFs are translations",
+         "write " + unit(header.quantity) + " or another length over a force, or name the rotations, e.g. 4:+RZ");
+  }
+  if (factor != 1.0 && rotations) {
     fail("unit '" + std::string(unit_label) + "' does not define the scale of rotations",
          "store sets with rotations in SI units, " + unit(header.quantity));
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <vector>
 
 #include "frf/text/number_text.hpp"
@@ -68,6 +69,43 @@ NumberUse use_of_number(std::string_view name) {
   const bool to_si = words == NameWords{"to", "si"} || words == NameWords{"tosi"};
   const bool factor = to_si || has_part_of(words, parts_of_factors) || has_one_word(words, words_of_factors);
   return factor ? NumberUse::multiplies : NumberUse::none;
+}
+
+bool is_of_something_else(std::string_view name) {
+  constexpr std::array<std::string_view, 12> parts = {"conj",     "impedance", "stiff", "inverse", "transmissib", "transpos",
+                                                      "residual", "error",     "deriv", "_mass",   "normali",     "squared"};
+  constexpr std::array<std::string_view, 13> words = {"inv",   "err", "db",   "sq", "log", "diff", "delta",
+                                                      "std",   "norm", "ln",  "dif", "t",  "var"};
+  constexpr std::array<std::string_view, 14> whole = {"z",  "zj", "hinv", "invh", "ht",   "hh", "hstar",
+                                                      "dh", "lnh", "logh", "hlog", "hdb", "hsq", "deltah"};
+  const std::string plain = lower_case(name);
+  NameWords split(1);
+  for (const char c : plain) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0) split.back() += c;
+    else split.emplace_back();
+  }
+  const auto inside = [&](std::string_view part) { return plain.find(part) != std::string::npos; };
+  const bool by_word = split.size() > 1 && has_one_word(split, words);
+  return std::ranges::any_of(parts, inside) || by_word || std::ranges::find(whole, plain) != whole.end();
+}
+
+std::optional<double> factor_in_title(std::string_view title) {
+  constexpr std::string_view between = " \t()[]";
+  for (std::size_t begin = title.find_first_not_of(between); begin != std::string_view::npos;) {
+    const std::size_t end = std::min(title.find_first_of(between, begin), title.size());
+    std::string word = lower_case(title.substr(begin, end - begin));
+    begin = title.find_first_not_of(between, end);
+    const std::size_t sign = word.starts_with("×") ? std::string_view("×").size() : word.starts_with('x') || word.starts_with('*') ? 1 : 0;
+    if (sign == 0) continue;
+    word.erase(0, sign);
+    if (word.starts_with("10^")) word.replace(0, 3, "1e");
+    double value = 0.0;
+    if (word.empty() || !parse_cell(word, false, value) || !(value > 0.0)) continue;
+    const double decades = std::log10(value);
+    const bool exponent = word.find_first_of("e.") != std::string::npos;
+    if (decades == std::round(decades) && decades != 0.0 && (exponent || std::abs(decades) >= 2.0)) return value;
+  }
+  return std::nullopt;
 }
 
 std::optional<double> stated_factor(std::string_view text) {

@@ -14,6 +14,14 @@ NumberUse use_of_number(std::string_view name);
 /// The factor that a remark states: "multiply by 1e-3", "values x 1000", "(x1000)"; nothing of any other text.
 std::optional<double> stated_factor(std::string_view text);
 
+/// The power of ten that a title of a column states beside its unit: "Real x1000 [g/N]", "Re (x10e-3)", "Im ×10^3". "x1" and "x12" may
+/// be names of points.
+std::optional<double> factor_in_title(std::string_view title);
+
+/// Whether an array with this name is computed from FRFs or is no motion over force: "Z", "dyn_stiff", "Hinv", "H_transposed", "logH",
+/// "H_dB", "dH", "H_err".
+bool is_of_something_else(std::string_view name);
+
 /// Whether a text states motions of exp(-iωt), whose FRFs are conjugates: "exp(-jwt)", "e^{-i\omega t}", "conjugated".
 bool states_conjugates(std::string_view text);
 

@@ -52,6 +52,17 @@ TEST(Units, AUnitOfAnotherQuantityIsAnError) {
   EXPECT_NE(product.find("unit 'm N' is not a unit of receptance"), std::string::npos) << product;
 }
 
+TEST(Units, OfRotationsAreNotOfTranslations) {
+  FrfHeader header{.quantity = Quantity::receptance, .response = dofs({"1:+X"}), .reference = dofs({"1:+X"})};
+  for (const char* label : {"1/lb", "1/N", "rad/N", "m/(N*m)", "deg/N"})
+    EXPECT_NE(message_of([&] { si_factor(label, header); }).find("is of a rotation or a moment, and all DOFs are translations"),
+              std::string::npos)
+        << label;
+  EXPECT_DOUBLE_EQ(si_factor("mm/N", header), 1e-3);
+  header.response = dofs({"1:+RX"});
+  EXPECT_DOUBLE_EQ(si_factor("rad/N", header), 1.0);
+}
+
 TEST(Units, OfFrfsAreMotionsOverForces) {
   for (const char* label : {"m/N", "mm/s/N", "g/lbf", "rad/(N*m)", "1/kg"}) EXPECT_NO_THROW(require_frf_unit(label)) << label;
   EXPECT_NE(message_of([] { require_frf_unit("g"); }).find("unit 'g' is no motion over a force; write"), std::string::npos);

@@ -133,6 +133,31 @@ TEST(NumberedLabels, ReadByNodesOrInOrder) {
   for (const char* turned : {"H1->2", "ref1 resp2", "in1out2", "Impact 1 Sensor 2", "F1A2"})
     EXPECT_EQ(places_of_labels({turned, "H11"}, up, up), (std::vector<std::optional<Place>>{Place{1, 0}, Place{0, 0}})) << turned;
   EXPECT_EQ(places_of_labels({"H3", "H2"}, up, dofs({"1:+Z"})), std::vector<std::optional<Place>>(2));
+  for (const auto& [first, second] : {std::pair("H10", "H00"), std::pair("2|1", "1|1"), std::pair("2 1", "1 1")})
+    EXPECT_EQ(places_of_labels({first, second}, up, up), (std::vector<std::optional<Place>>{Place{1, 0}, Place{0, 0}})) << first;
+}
+
+TEST_F(CsvFunctions, FactorsOfTitlesAreErrors) {
+  EXPECT_THAT(error("Frequency [Hz],Real x1000 [g/N],Imag x1000 [g/N]\n10,1,2\n20,3,4\n", points({"1:+X"}, {"1:+X"})),
+              HasSubstr("'Real x1000 [g/N]' states a factor, which is not applied"));
+}
+
+/// H(f_s − f) = H*(f), whose upper half is no FRF.
+TEST_F(CsvFunctions, SpectraFromZeroToTheSamplingRateAreErrors) {
+  const auto table = [](bool from_zero, bool mirrored) {
+    constexpr int lines = 40;
+    std::string text = "Frequency [Hz],1:+X/1:+X re [m/N],1:+X/1:+X im [m/N]\n";
+    for (int k = from_zero ? 0 : 1; k < lines; ++k) {
+      const int of = mirrored && 2 * k > lines ? lines - k : k;
+      const std::complex<double> value = 1.0 / std::complex<double>(64.0 - of * of, of);
+      text += std::to_string(k) + "," + std::to_string(value.real()) + "," + std::to_string(of == k ? value.imag() : -value.imag()) + "\n";
+    }
+    return text;
+  };
+  for (const bool from_zero : {true, false}) {
+    EXPECT_THAT(message_of([&] { open(write_file("m.csv", table(from_zero, true))); }), HasSubstr("export the lines up to half"));
+    EXPECT_NO_THROW(open(write_file("m.csv", table(from_zero, false))));
+  }
 }
 
 TEST_F(CsvFunctions, Utf16WithoutAMark) {

@@ -103,5 +103,21 @@ TEST_F(NumbersBeside, AxesInAnyOrderThatIsStated) {
   EXPECT_THAT(message("RCF"), HasSubstr("are expected, with axes RCF"));
 }
 
+TEST(NamesOfArrays, OfWhatIsComputedFromFrfs) {
+  for (const char* name : {"Z", "dyn_stiff", "Hinv", "HT", "H_transposed", "logH", "H_dB", "H_sq", "dH", "H_err", "H_residual",
+                           "H_normalized", "conjH"})
+    EXPECT_TRUE(is_of_something_else(name)) << name;
+  for (const char* name : {"H", "frf", "FRF", "H1", "Hv", "H_acc", "accelerance", "Y", "data", "H_test", "A", "resp", "H12", "transfer"})
+    EXPECT_FALSE(is_of_something_else(name)) << name;
+}
+
+TEST(TitlesOfColumns, FactorsArePowersOfTen) {
+  EXPECT_EQ(factor_in_title("Real x1000 [g/N]"), 1000.0);
+  EXPECT_EQ(factor_in_title("Real (x10e-3) [g/N]"), 10e-3);
+  EXPECT_EQ(factor_in_title("Re ×10^-6 [m/N]"), 1e-6);
+  for (const char* title : {"Real [g/N]", "x1 Re", "x12/x1 Re", "12:+X/1:+X re", "x10 Re", "Real x [m]", "x1.5"})
+    EXPECT_FALSE(factor_in_title(title)) << title;
+}
+
 }  // namespace
 }  // namespace jointid::frf
