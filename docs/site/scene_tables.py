@@ -148,10 +148,18 @@ OSCILLATE = Kind("oscillate", "Scenes of `oscillate`", ["oscillate"], ["oscillat
     T("reduction", {"bases": '["pod"]', "orders": "[1]"}),
 ])
 
+ANY_LAW = {"law": '"spring"', "parameters": "[1.0]"}
+HISTORY = Kind("history", "Scenes of one joint along a history: `loading-curve FILE.toml`", ["loading-curve"], ["loading-curves"], [
+    T("", {}),
+    T("joint", ANY_LAW, always=True),
+    T("mesh", {"youngs_modulus": "1.0", "width": "1.0", "length": "1.0", "members": "2", "height": "1.0", **ANY_LAW}, without=("joint",)),
+    T("history", {"displacements": "[1.0]"}, always=True, variants={"a sine": {"amplitude": "1.0"}}),
+])
+
 MODELS = Kind("model", "Descriptions of parts that are models", ["plan"], ["model-parts"], [
     T("", {**MODEL, "dofs": '["1:+X", "2:+X"]'}, always=True,
       variants={"modes of a universal file": {"modes": '"x.uff"'},
                 "modes in arrays": {"shapes": '"x.mat:s"', "frequencies": '"x.mat:f"'}}),
 ])
 
-KINDS = [SOLVE, LINES, LAWS, COUPLE, DECOUPLE, EQUIVALENT, RESPONSE, OSCILLATE, MODELS]
+KINDS = [SOLVE, LINES, LAWS, COUPLE, DECOUPLE, EQUIVALENT, RESPONSE, OSCILLATE, HISTORY, MODELS]

@@ -22,7 +22,8 @@ import scene_tables
 import stage
 
 COMMAND = os.environ.get("JOINTID_COMMAND", "")
-READERS = ("ident/scene/*.cpp", "laws/scene/*.cpp", "impedance/scene/*.cpp", "impedance/decouple/*_scene.cpp", "tasks/response/*.cpp", "tasks/oscillate/*.cpp", "models/*.cpp")
+READERS = ("ident/scene/*.cpp", "laws/scene/*.cpp", "impedance/scene/*.cpp", "impedance/decouple/*_scene.cpp", "tasks/response/*.cpp",
+           "tasks/oscillate/*.cpp", "tasks/joint_history/read_*.cpp", "models/*.cpp")
 #: Read by `find()`, but no keys of scenes: parts of JSON, of results, names of variables in files.
 LITERALS = re.compile(r"\b(?:find|require)\(\s*\"([a-z_]+)\"\s*\)")
 TABLES = re.compile(r"\.table\(\s*\{((?:\s*\"[a-z_]+\"\s*,?)+)\}\s*\)")
