@@ -5,6 +5,7 @@
 #include "frf/file/file_format.hpp"
 #include "frf/file/memory_file.hpp"
 #include "frf/set/corrections.hpp"
+#include "frf/set/one_sided.hpp"
 #include "frf/set/unit_label.hpp"
 
 namespace jointid::frf {
@@ -75,7 +76,7 @@ std::unique_ptr<FrfSource> open(const std::filesystem::path& path, const OpenOpt
   require_own_unit(format, path, options);
   require_own_axis(format, path, options);
   auto source = format.open(path, options);
-  source->require_one_sided();
+  require_one_sided(*source);
   if (!format.variables) require_given_dofs(source->header(), path, options);
   return options.quantity ? reinterpreted(std::move(source), *options.quantity) : std::move(source);
 }

@@ -98,10 +98,6 @@ class FrfSource {
   /// Error sums of every line of the block. The ε of different lines or calls are independent. Only if has_error_sums().
   std::vector<ErrorSums> read_error_sums(const Block& block);
 
-  /// Throws InputError where FRFs go from 0 to the sampling rate, H(f_s − f) = H*(f). Looks at twelve lines of the first FRF, and only
-  /// where the axis allows it; they are not counted.
-  void require_one_sided();
-
   /// Whether all values are in memory already.
   virtual bool in_memory() const { return false; }
 

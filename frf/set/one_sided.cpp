@@ -1,8 +1,9 @@
+#include "frf/set/one_sided.hpp"
+
 #include <array>
 #include <cmath>
 
 #include "base/error.hpp"
-#include "frf/set/frf_source.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -30,24 +31,31 @@ bool may_mirror(const std::vector<double>& hz, const Ends& lines) {
   return true;
 }
 
+/// Reads what ReadCount does not count: it is no data that anybody asked for.
+class Uncounted : public FrfSource {
+ public:
+  using FrfSource::do_read;
+};
+
 }  // namespace
 
-void FrfSource::require_one_sided() {
-  const std::vector<double>& hz = header_.frequency_hz;
-  if (hz.size() < fewest_lines || header_.entries() == 0) return;
+void require_one_sided(FrfSource& source) {
+  const FrfHeader& header = source.header();
+  const std::vector<double>& hz = header.frequency_hz;
+  if (hz.size() < fewest_lines || header.entries() == 0) return;
   const Ends lines = ends_of(hz);
   if (!may_mirror(hz, lines)) return;
   const std::array<std::size_t, 1> one = {0};
   std::array<Complex, 2 * pairs> values{};
-  do_read({lines, one, one}, values);
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] *= from_receptance(header_.quantity, hz[lines[i]]);
+  (source.*&Uncounted::do_read)({lines, one, one}, values);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] *= from_receptance(header.quantity, hz[lines[i]]);
   for (std::size_t i = 0; i < pairs; ++i) {
     const Complex below = values[i], above = values[2 * pairs - 1 - i];
     const bool alike = std::abs(below - std::conj(above)) <= 1e-6 * std::abs(below);
     if (!alike || !(std::abs(below.imag()) > 1e-5 * std::abs(below))) return;
   }
   throw InputError({.kind = ErrorKind::data,
-                    .file = header_.file,
+                    .file = header.file,
                     .place = {},
                     .problem = "the upper half of the lines are the conjugates of the lower half: spectra from 0 to the sampling rate",
                     .remedy = "export the lines up to half of the sampling rate"});

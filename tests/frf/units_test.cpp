@@ -53,7 +53,9 @@ TEST(Units, AUnitOfAnotherQuantityIsAnError) {
 }
 
 TEST(Units, OfRotationsAreNotOfTranslations) {
-  FrfHeader header{.quantity = Quantity::receptance, .response = dofs({"1:+X"}), .reference = dofs({"1:+X"})};
+  FrfHeader header;
+  header.quantity = Quantity::receptance;
+  header.response = header.reference = dofs({"1:+X"});
   for (const char* label : {"1/lb", "1/N", "rad/N", "m/(N*m)", "deg/N"})
     EXPECT_NE(message_of([&] { si_factor(label, header); }).find("is of a rotation or a moment, and all DOFs are translations"),
               std::string::npos)
