@@ -79,11 +79,12 @@ def test_the_ways_that_were_finished(a1):
     assert 1 <= len(partial["combinations"]) < 4 and partial["interrupted"] and "finished" in partial.message
 
 
-def test_the_bound_that_was_predicted(noisy_a1):
+def test_the_bound_that_was_predicted(tmp_path):
     """The bound of the data as planned is there, and what a candidate is worth goes on."""
-    work = lambda progress: jointid.bound(noisy_a1, progress=progress)
+    scene = jointid.write_problem("rig1", tmp_path)
+    work = lambda progress: jointid.bound(scene, progress=progress)
     partial = stopped(work, lambda stage, done, total: "data set" in stage and "data set 1 " not in stage).partial
-    whole = jointid.bound(noisy_a1)
+    whole = jointid.bound(scene)
     assert not partial.usable and "Interrupted" in partial.message
     assert partial["bound"]["unknowns"] == whole["bound"]["unknowns"]
     assert len(partial["bound"]["without_coordinate"]) < len(whole["bound"]["without_coordinate"])
