@@ -67,7 +67,9 @@ NumberUse use_of_number(std::string_view name) {
   if (has_one_word(words, of_others)) return NumberUse::none;
   if (has_one_word(words, added)) return NumberUse::is_added;
   const bool to_si = words == NameWords{"to", "si"} || words == NameWords{"tosi"};
-  const bool factor = to_si || has_part_of(words, parts_of_factors) || has_one_word(words, words_of_factors);
+  constexpr std::array<std::string_view, 7> electrical = {"v", "mv", "volt", "volts", "eu", "pc", "counts"};
+  const bool sensitivity = std::ranges::find(words, "per") != words.end() && has_one_word(words, electrical);
+  const bool factor = to_si || sensitivity || has_part_of(words, parts_of_factors) || has_one_word(words, words_of_factors);
   return factor ? NumberUse::multiplies : NumberUse::none;
 }
 

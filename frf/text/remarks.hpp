@@ -6,8 +6,8 @@
 
 namespace jointid::frf {
 
-/// What a number with this name does to the numbers beside it: "scale", "gainFactor", "sens_acc", "to_si" multiply them, "offset"
-/// is added. Words are parted by signs and by capitals; "loss_factor" and "time_scale" are of something else.
+/// What a number with this name does to the numbers beside it: "scale", "gainFactor", "sens_acc", "to_si", "mV_per_g" multiply them,
+/// "offset" is added. Words are parted by signs and by capitals; "loss_factor" and "time_scale" are of something else.
 enum class NumberUse { none, multiplies, is_added };
 NumberUse use_of_number(std::string_view name);
 

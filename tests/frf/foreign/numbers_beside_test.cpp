@@ -39,7 +39,8 @@ class NumbersBeside : public FileTest {
 };
 
 TEST_F(NumbersBeside, AFactorThatNobodyAppliesIsAnError) {
-  for (const char* name : {"scale", "ScaleFactor", "gain", "calibration", "sensitivity", "sens_acc", "y_scale", "to_si", "frf_gain"}) {
+  for (const char* name : {"scale", "ScaleFactor", "gain", "calibration", "sensitivity", "sens_acc", "y_scale", "to_si", "frf_gain",
+                           "volts_per_eu", "mV_per_g"}) {
     EXPECT_THAT(error(named(name, 0.5)),
                 AllOf(HasSubstr(std::string("variable ") + name), HasSubstr("is 0.5 and is not applied to the FRFs"),
                       HasSubstr("store the FRFs multiplied by it and remove")))
