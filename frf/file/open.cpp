@@ -4,8 +4,8 @@
 #include "base/text.hpp"
 #include "frf/file/file_format.hpp"
 #include "frf/file/memory_file.hpp"
+#include "frf/file/one_sided.hpp"
 #include "frf/set/corrections.hpp"
-#include "frf/set/one_sided.hpp"
 #include "frf/set/unit_label.hpp"
 
 namespace jointid::frf {

@@ -1,4 +1,4 @@
-#include "frf/set/one_sided.hpp"
+#include "frf/file/one_sided.hpp"
 
 #include <array>
 #include <cmath>
