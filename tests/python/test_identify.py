@@ -1,6 +1,7 @@
 """Joints of FRFs in memory and of files."""
 
 import json
+import os
 import pickle
 
 import jointid
@@ -198,3 +199,29 @@ def test_matrices_of_many_dofs_are_put_together_of_blocks():
     np.testing.assert_array_equal(banded.bands[0][1]["stiffness"], expected)
     with pytest.raises(jointid.InputError, match="several frequency bands"):
         banded.matrices
+
+
+CONSTRAINTS = {
+    # name: (keys of [identify], whether the stiffness is definite, what the answer keeps)
+    "bounds": (dict(bounds={"K(1,1)": np.array([0.0, 1e5])}), False, lambda k, d: 0 <= k[0, 0] <= 1e5 * (1 + 1e-9)),
+    "ties": (dict(ties=["D(1,1) = 0.01*K(1,1)"]), False, lambda k, d: np.isclose(d[0, 0], 0.01 * k[0, 0], rtol=1e-9)),
+    "a ratio": (dict(inequalities=("0.02*K(1,1) <= D(1,1) <= 0.1*K(1,1)",)), False,
+                lambda k, d: 0.02 * (1 - 1e-6) <= d[0, 0] / k[0, 0] <= 0.1 * (1 + 1e-6)),
+    "passive": (dict(passive=(np.float32(400), 1000)), False, lambda k, d: np.linalg.eigvalsh(d)[0] >= -1e-6 * np.abs(d).max()),
+    "definite": ({}, np.bool_(True), lambda k, d: np.linalg.eigvalsh(k)[0] >= -1e-6 * np.abs(k).max()),
+}
+
+
+@pytest.mark.filterwarnings("ignore::jointid.JointidWarning")
+@pytest.mark.parametrize("name", CONSTRAINTS)
+def test_constraints_of_arguments_hold(name, noisy_a1, joint):
+    """Arrays, tuples and numbers of NumPy serve as lists and numbers of a scene do."""
+    keys, definite, kept = CONSTRAINTS[name]
+    if definite:
+        joint["stiffness"] = {"pattern": "symmetric", "definite": definite}
+    data = jointid._scene.Scene.table_of(noisy_a1)["data"]
+    folder = os.path.dirname(noisy_a1)
+    parts, assembly = ([jointid.read(os.path.join(folder, file)) for file in data[key]] for key in ("substructures", "assembly"))
+    solution = jointid.identify(parts, assembly, joint, method="one", identify=keys, frequency=(400, 1000))
+    assert kept(solution.matrices["stiffness"], solution.matrices["hysteretic_damping"])
+    assert solution["admissibility"]["constraints"]

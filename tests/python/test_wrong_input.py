@@ -172,6 +172,12 @@ WRONG_SCENES = {
     "a number for a key": (scene(nodes={4: [0, 0, 0]}), "[nodes]", "text"),
     "half of a letter": (scene(title="\ud800"), "[title]", "letters"),
     "no joint": ({"data": scene()["data"]}, "", "joint"),
+    "a bound of a missing unknown": (scene(identify={"bounds": {"Q(1,1)": [0, 1]}}), "[identify] bounds", "did you mean K(1,1)"),
+    "bounds turned round": (scene(identify={"bounds": {"K(1,1)": [2, 1]}}), "[identify.bounds]", "lowest < highest"),
+    "a bound that is NaN": (scene(identify={"bounds": {"K(1,1)": [np.nan, 1]}}), "[identify.bounds]", "finite"),
+    "no inequality": (scene(identify={"inequalities": ["K(1,1) < 2"]}), "[identify] inequalities", "<= or >="),
+    "frequencies of likelihood": (scene(identify={"method": "likelihood", "frequencies": [2.0]}), "[identify] frequencies", '"one"'),
+    "loose without a nominal stiffness": (scene(identify={"loose": True}), "[identify] loose", "nominal stiffness"),
     "a DOF that no set has": (scene(joint={"dofs": ["1:+X", "9:+Z"], "stiffness": {"pattern": "full"}}), "", "9:+Z"),
 }
 
