@@ -21,7 +21,7 @@
 namespace jointid::frf::hdf5 {
 namespace {
 
-constexpr double least_seconds = 0.4, bytes_per_second = 20e6;
+constexpr double least_seconds = 1.0, bytes_per_second = 20e6;
 constexpr rlim_t least_memory = rlim_t{64} << 20U, memory_per_byte = 2200;
 constexpr int asked_for_too_much = 3;
 
