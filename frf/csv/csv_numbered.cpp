@@ -50,12 +50,12 @@ std::optional<Numbers> numbers_of(std::string_view label) {
   if (!closed || label.empty()) return std::nullopt;
   constexpr std::size_t longest = 9;
   const bool named = std::isalpha(static_cast<unsigned char>(label.front())) != 0;
+  if (!named && !is_digit(label.front())) return std::nullopt;
   if (named && numbers.size() == 1 && numbers[0].size() == 2) {
     numbers = {numbers[0].substr(0, 1), numbers[0].substr(1)};
     before.emplace_back();
   }
   if (numbers.size() != 2 || numbers[0].size() > longest || numbers[1].size() > longest) return std::nullopt;
-  if (!named && !is_digit(label.front())) return std::nullopt;
   const std::string first = word_before_number(before[0]), second = word_before_number(before[1]);
   const bool arrow = before[1].find('>') != std::string::npos || before[1].find("\u2192") != std::string::npos;
   const bool turned = arrow || (is_word_of_reference(first) && !second.empty() && !is_word_of_reference(second));

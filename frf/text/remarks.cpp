@@ -59,6 +59,24 @@ std::string without_signs(std::string_view text, std::string_view signs) {
   return plain;
 }
 
+/// What stands behind a sign of multiplication at the beginning of a word, "1000" of "x1000"; empty where there is none.
+std::string_view behind_times(std::string_view word) {
+  for (const std::string_view sign : {"x", "*", "×"}) {
+    if (word.starts_with(sign)) return word.substr(sign.size());
+  }
+  return {};
+}
+
+/// The power of ten that a word multiplies by, "x1000" and "×10^-6"; of 10 and 0.1 only where an exponent or a point shows it.
+std::optional<double> power_of_ten(std::string_view word) {
+  std::string number(behind_times(word));
+  if (number.starts_with("10^")) number.replace(0, 3, "1e");
+  double value = 0.0;
+  if (number.empty() || !parse_cell(number, false, value) || !(value > 0.0)) return std::nullopt;
+  const double decades = std::log10(value), least = number.find_first_of("e.") != std::string::npos ? 1.0 : 2.0;
+  return decades == std::round(decades) && std::abs(decades) >= least ? std::optional(value) : std::nullopt;
+}
+
 }  // namespace
 
 NumberUse use_of_number(std::string_view name) {
@@ -95,17 +113,8 @@ std::optional<double> factor_in_title(std::string_view title) {
   constexpr std::string_view between = " \t()[]";
   for (std::size_t begin = title.find_first_not_of(between); begin != std::string_view::npos;) {
     const std::size_t end = std::min(title.find_first_of(between, begin), title.size());
-    std::string word = lower_case(title.substr(begin, end - begin));
+    if (const auto factor = power_of_ten(lower_case(title.substr(begin, end - begin)))) return factor;
     begin = title.find_first_not_of(between, end);
-    const std::size_t sign = word.starts_with("×") ? std::string_view("×").size() : word.starts_with('x') || word.starts_with('*') ? 1 : 0;
-    if (sign == 0) continue;
-    word.erase(0, sign);
-    if (word.starts_with("10^")) word.replace(0, 3, "1e");
-    double value = 0.0;
-    if (word.empty() || !parse_cell(word, false, value) || !(value > 0.0)) continue;
-    const double decades = std::log10(value);
-    const bool exponent = word.find_first_of("e.") != std::string::npos;
-    if (decades == std::round(decades) && decades != 0.0 && (exponent || std::abs(decades) >= 2.0)) return value;
   }
   return std::nullopt;
 }
@@ -125,10 +134,8 @@ std::optional<double> stated_factor(std::string_view text) {
   while (!word.empty() && (word.front() == '(' || word.front() == '[')) word.remove_prefix(1);
   while (!word.empty() && (word.back() == ')' || word.back() == ']')) word.remove_suffix(1);
   double value = 0.0;
-  for (const std::string_view sign : {"x", "*", "×"}) {
-    if (word.size() > sign.size() && word.starts_with(sign) && parse_cell(trimmed(word.substr(sign.size())), false, value)) return value;
-  }
-  return std::nullopt;
+  const std::string_view number = trimmed(behind_times(word));
+  return !number.empty() && parse_cell(number, false, value) ? std::optional(value) : std::nullopt;
 }
 
 bool states_conjugates(std::string_view text) {

@@ -44,8 +44,8 @@ std::string with_matrix(std::string text, const std::string& matrix, const std::
 
 std::string without_matrix(std::string text, const std::string& matrix) {
   text = without_value(text, "joint", matrix);
-  for (const char* key : {"pattern", "matrix", "springs", "definite"}) text = without_value(text, "joint." + matrix, key);
-  return text;
+  for (const char* form : forms) text = without_value(text, "joint." + matrix, form);
+  return without_value(text, "joint." + matrix, "definite");
 }
 
 }  // namespace
