@@ -59,7 +59,7 @@ class LikelihoodLine final : public ExactLine {
   Vector begin() const override {
     Vector out(at(2 * layout_.variables()));
     Eigen::Index next = 0;
-    for (const ident::Channel* channel : {&data_.x, &data_.y}) {
+    for (const ident::Channel* channel : {&data_.sub_jn, &data_.sub_jj}) {
       for (const Complex value : channel->value) {
         out[next++] = value.real();
         out[next++] = value.imag();
@@ -72,11 +72,11 @@ class LikelihoodLine final : public ExactLine {
     const Eigen::Index n = at(layout_.others), joint = at(layout_.joint);
     Pair<Exact> x(joint, n), y(joint, joint);
     Eigen::Index next = 0;
-    for (const auto& [row, column] : layout_.x) {
+    for (const auto& [row, column] : layout_.sub_jn) {
       x.re(at(row), at(column)) = own[next++];
       x.im(at(row), at(column)) = own[next++];
     }
-    for (const auto& [row, column] : layout_.y) {
+    for (const auto& [row, column] : layout_.sub_jj) {
       y.re(at(row), at(column)) = y.re(at(column), at(row)) = own[next++];
       y.im(at(row), at(column)) = y.im(at(column), at(row)) = own[next++];
     }
@@ -84,11 +84,11 @@ class LikelihoodLine final : public ExactLine {
     const Pair<Exact> a = solve_beside_one(yz, x), b = solve_beside_one(yz, y);
     const Pair<Exact> d = Pair<Exact>(x.re.transpose(), x.im.transpose()) * (z * a);
     std::vector<Exact> out;
-    add(layout_.x, data_.x, x, out);
-    add(layout_.y, data_.y, y, out);
-    add(layout_.a, data_.a, a, out);
-    add(layout_.b, data_.b, b, out);
-    add(layout_.d, data_.d, d, out);
+    add(layout_.sub_jn, data_.sub_jn, x, out);
+    add(layout_.sub_jj, data_.sub_jj, y, out);
+    add(layout_.asm_jn, data_.asm_jn, a, out);
+    add(layout_.asm_jj, data_.asm_jj, b, out);
+    add(layout_.drop_nn, data_.drop_nn, d, out);
     return Eigen::Map<const Vector>(out.data(), at(out.size()));
   }
 

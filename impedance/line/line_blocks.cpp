@@ -90,11 +90,11 @@ LineBlocks blocks_of(const ident::LineLayout& layout, const ident::LineData& dat
       elements.push_back(element);
     }
   };
-  add(layout.x, data.x, n, 0, false);
-  add(layout.y, data.y, n, n, false);
-  add(layout.a, data.a, n, 0, true);
-  add(layout.b, data.b, n, n, true);
-  add(layout.d, data.d, 0, 0, false);
+  add(layout.sub_jn, data.sub_jn, n, 0, false);
+  add(layout.sub_jj, data.sub_jj, n, n, false);
+  add(layout.asm_jn, data.asm_jn, n, 0, true);
+  add(layout.asm_jj, data.asm_jj, n, n, true);
+  add(layout.drop_nn, data.drop_nn, 0, 0, false);
   out.known_assembly.topLeftCorner(n, n) = out.known_substructures.topLeftCorner(n, n);
   out.errors = Directions(data, std::move(weights), std::move(elements)).all();
   return out;

@@ -90,7 +90,7 @@ class Descent {
 
  private:
   double cost_at(const std::vector<double>& theta, const ident::LineState& state) const {
-    return ident::line_cost(model_.layout(), data_, joint_.at(theta), state.x, state.y);
+    return ident::line_cost(model_.layout(), data_, joint_.at(theta), state.sub_jn, state.sub_jj);
   }
 
   bool linearise(double damping) {
@@ -115,7 +115,7 @@ class Descent {
     std::vector<double> theta = theta_;
     for (std::size_t t = 0; t < theta.size(); ++t) theta[t] += scale * step(static_cast<Eigen::Index>(t));
     ident::LineState state = state_;
-    ident::move(model_.layout(), reduced_.own + reduced_.answer(step), scale, state.x, state.y);
+    ident::move(model_.layout(), reduced_.own + reduced_.answer(step), scale, state.sub_jn, state.sub_jj);
     const double cost = cost_at(theta, state);
     if (!(cost <= cost_ * (1.0 + by_rounding))) return false;
     theta_ = std::move(theta);

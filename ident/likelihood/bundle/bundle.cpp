@@ -81,7 +81,7 @@ Bundle::Bundle(LikelihoodData& observations, const restrictions::Restriction& re
 }
 
 void Bundle::choose(Line& line, const LineState& state) const {
-  line.explicit_line.set_centre(state.x, state.y);
+  line.explicit_line.set_centre(state.sub_jn, state.sub_jj);
   line.u.assign(line.explicit_line.own(), 0.0);
 }
 

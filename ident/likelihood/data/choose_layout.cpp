@@ -39,9 +39,9 @@ Measured element_of(const BothSystems<Measured>& line, std::size_t block, std::s
 }
 
 void count_columns(LineLayout& layout) {
-  layout.x_first.assign(layout.others + 1, 0);
-  for (const Element& e : layout.x) ++layout.x_first[e.column + 1];
-  for (std::size_t k = 0; k < layout.others; ++k) layout.x_first[k + 1] += layout.x_first[k];
+  layout.sub_jn_first.assign(layout.others + 1, 0);
+  for (const Element& e : layout.sub_jn) ++layout.sub_jn_first[e.column + 1];
+  for (std::size_t k = 0; k < layout.others; ++k) layout.sub_jn_first[k + 1] += layout.sub_jn_first[k];
 }
 
 }  // namespace
@@ -76,12 +76,12 @@ LineLayout choose_layout(const Dofs& coordinates, std::size_t others, const std:
   LineLayout out{.coordinates = coordinates,
                  .others = others,
                  .joint = coordinates.size() - others,
-                 .x = std::move(blocks[0]),
-                 .x_first = {},
-                 .y = std::move(blocks[1]),
-                 .a = std::move(blocks[2]),
-                 .b = std::move(blocks[3]),
-                 .d = std::move(blocks[4])};
+                 .sub_jn = std::move(blocks[0]),
+                 .sub_jn_first = {},
+                 .sub_jj = std::move(blocks[1]),
+                 .asm_jn = std::move(blocks[2]),
+                 .asm_jj = std::move(blocks[3]),
+                 .drop_nn = std::move(blocks[4])};
   count_columns(out);
   return out;
 }
@@ -89,10 +89,10 @@ LineLayout choose_layout(const Dofs& coordinates, std::size_t others, const std:
 LineLayout without(LineLayout layout, const std::vector<std::size_t>& coordinates) {
   const std::size_t n = layout.others;
   const auto absent = [&](std::size_t coordinate) { return std::ranges::find(coordinates, coordinate) != coordinates.end(); };
-  std::erase_if(layout.x, [&](const Element& e) { return absent(e.column); });
-  std::erase_if(layout.a, [&](const Element& e) { return absent(e.column) || absent(n + e.row); });
-  std::erase_if(layout.b, [&](const Element& e) { return absent(n + e.row) || absent(n + e.column); });
-  std::erase_if(layout.d, [&](const Element& e) { return absent(e.row) || absent(e.column); });
+  std::erase_if(layout.sub_jn, [&](const Element& e) { return absent(e.column); });
+  std::erase_if(layout.asm_jn, [&](const Element& e) { return absent(e.column) || absent(n + e.row); });
+  std::erase_if(layout.asm_jj, [&](const Element& e) { return absent(n + e.row) || absent(n + e.column); });
+  std::erase_if(layout.drop_nn, [&](const Element& e) { return absent(e.row) || absent(e.column); });
   count_columns(layout);
   return layout;
 }

@@ -27,16 +27,16 @@ BothSystems<Complex> estimated_frfs(const LineLayout& layout, const BothSystems<
                                     const LineState& state, const ComplexMatrix& z) {
   const std::size_t n = layout.others, size = n + layout.joint;
   BothSystems<Complex> out{Symmetric<Complex>(size, nan), Symmetric<Complex>(size, nan)};
-  put(layout.x, {n, 0}, state.x, measured.substructures, out.substructures);
-  put(layout.y, {n, n}, state.y, measured.substructures, out.substructures);
-  put(layout.a, {n, 0}, state.a, measured.assembly, out.assembly);
-  put(layout.b, {n, n}, state.b, measured.assembly, out.assembly);
-  const ComplexMatrix za = z * state.a;
-  for (std::size_t i = 0; i < layout.d.size(); ++i) {
-    const auto [r, k] = layout.d[i];
+  put(layout.sub_jn, {n, 0}, state.sub_jn, measured.substructures, out.substructures);
+  put(layout.sub_jj, {n, n}, state.sub_jj, measured.substructures, out.substructures);
+  put(layout.asm_jn, {n, 0}, state.asm_jn, measured.assembly, out.assembly);
+  put(layout.asm_jj, {n, n}, state.asm_jj, measured.assembly, out.assembly);
+  const ComplexMatrix za = z * state.asm_jn;
+  for (std::size_t i = 0; i < layout.drop_nn.size(); ++i) {
+    const auto [r, k] = layout.drop_nn[i];
     const Measured &sub = measured.substructures.at(r, k), &whole = measured.assembly.at(r, k);
     if (!sub.known() || !whole.known()) continue;
-    const Complex residual = difference.value[i] - predicted_difference(state, za, layout.d[i]);
+    const Complex residual = difference.value[i] - predicted_difference(state, za, layout.drop_nn[i]);
     out.substructures.at(r, k) = sub.value - share(residual, sub.variance, whole.variance);
     out.assembly.at(r, k) = whole.value + share(residual, whole.variance, sub.variance);
   }

@@ -39,7 +39,7 @@ std::string listed_names(const std::vector<NamedSystematic>& all) {
 void limit_error_sums(std::size_t lines, Observations& observations) {
   constexpr double most = 512e6;  // bytes
   const LineLayout& layout = observations.layout();
-  const auto elements = static_cast<double>(layout.variables() + layout.d.size());
+  const auto elements = static_cast<double>(layout.variables() + layout.drop_nn.size());
   if (observations.has_error_sums() && elements * elements * sizeof(Complex) * static_cast<double>(lines) > most) {
     observations.forget_error_sums();
   }
@@ -141,7 +141,7 @@ std::size_t shared_right_sides(const Plan& plan, const LikelihoodPlan& own) {
 std::size_t expected_iterations(const Plan& plan, const LikelihoodPlan& own) {
   constexpr std::size_t usual = 8, from_start = 100, guessed = 20'000, fewest = 150, most = 1'000, constrained = 4;
   std::size_t count = usual;
-  if (own.observations->layout().a.empty()) {
+  if (own.observations->layout().asm_jn.empty()) {
     count = own.start ? std::clamp(guessed / std::max<std::size_t>(1, plan.lines.size()), fewest, most) : from_start;
   }
   return plan.admissible ? count + constrained : count;
@@ -161,9 +161,9 @@ Iteration iteration_cost(const Plan& plan, const LikelihoodPlan& own) {
   const bool eliminates = elimination_pays(layout, shared);
   const double each = eliminates ? flops_by_elimination(layout, shared) : flops_by_rows(layout, unknowns + 1);
   out.flops = lines * (out.complex ? 1.0 : 2.0) * each;
-  out.matrix = eliminates ? std::max(layout.y.size(), layout.d.size()) : (out.complex ? 1 : 2) * layout.variables();
-  const double width = eliminates ? number(layout.y.size() + layout.d.size()) : (out.complex ? 1.0 : 2.0) * v + p;
-  const double measured = 2.0 * v + number(layout.a.size() + layout.b.size() + layout.d.size());
+  out.matrix = eliminates ? std::max(layout.sub_jj.size(), layout.drop_nn.size()) : (out.complex ? 1 : 2) * layout.variables();
+  const double width = eliminates ? number(layout.sub_jj.size() + layout.drop_nn.size()) : (out.complex ? 1.0 : 2.0) * v + p;
+  const double measured = 2.0 * v + number(layout.asm_jn.size() + layout.asm_jj.size() + layout.drop_nn.size());
   out.memory_bytes = static_cast<std::size_t>(16.0 * 3.0 * measured * lines + 2.0 * (out.complex ? 16.0 : 8.0) * width * width +
                                               8.0 * 2.0 * v * p * lines);
   return out;
@@ -223,7 +223,7 @@ void LikelihoodPlan::read_first_line(const Plan& plan) {
 std::string LikelihoodPlan::not_shared(const Plan& plan) const {
   if (plan.solver == Solver::ceres) return "solver \"ceres\" works on all lines at once";
   if (plan.scene.identify.bootstrap > 0) return "a bootstrap simulates all lines at once";
-  return observations->layout().a.empty() ? "with H_nn alone the start needs all lines at once" : "";
+  return observations->layout().asm_jn.empty() ? "with H_nn alone the start needs all lines at once" : "";
 }
 
 LikelihoodPlan* likelihood_plan(const Plan& plan) { return dynamic_cast<LikelihoodPlan*>(plan.method.get()); }

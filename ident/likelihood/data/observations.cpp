@@ -122,7 +122,7 @@ std::size_t Observations::bytes() const {
   const std::size_t size = layout_.coordinates.size();
   total += raw_.size() * size * (size + 1) * sizeof(Measured);
   for (const LineData& line : data_) {
-    for (const Channel* channel : {&line.x, &line.y, &line.a, &line.b, &line.d}) {
+    for (const Channel* channel : {&line.sub_jn, &line.sub_jj, &line.asm_jn, &line.asm_jj, &line.drop_nn}) {
       total += (channel->value.capacity() + channel->weight.capacity()) * sizeof(Complex);
     }
     if (line.correlation) total += line.correlation->bytes();
@@ -225,16 +225,17 @@ LineData Observations::data_of(std::size_t own_line, double omega) const {
   const std::size_t n = layout_.others;
   LineData data;
   data.omega = omega;
-  for (const auto [p, k] : layout_.x) append(data.x, raw.substructures.at(n + p, k));
-  for (const auto [p, q] : layout_.y) append(data.y, raw.substructures.at(n + p, n + q));
-  for (const auto [p, k] : layout_.a) append(data.a, raw.assembly.at(n + p, k));
-  for (const auto [p, q] : layout_.b) append(data.b, raw.assembly.at(n + p, n + q));
-  for (const auto [r, k] : layout_.d) append(data.d, raw.substructures.at(r, k) - raw.assembly.at(r, k));
-  for (const Channel* channel : {&data.x, &data.y, &data.a, &data.b, &data.d}) data.measured += count_measured(*channel);
+  for (const auto [p, k] : layout_.sub_jn) append(data.sub_jn, raw.substructures.at(n + p, k));
+  for (const auto [p, q] : layout_.sub_jj) append(data.sub_jj, raw.substructures.at(n + p, n + q));
+  for (const auto [p, k] : layout_.asm_jn) append(data.asm_jn, raw.assembly.at(n + p, k));
+  for (const auto [p, q] : layout_.asm_jj) append(data.asm_jj, raw.assembly.at(n + p, n + q));
+  for (const auto [r, k] : layout_.drop_nn) append(data.drop_nn, raw.substructures.at(r, k) - raw.assembly.at(r, k));
+  for (const Channel* channel : {&data.sub_jn, &data.sub_jj, &data.asm_jn, &data.asm_jj, &data.drop_nn})
+    data.measured += count_measured(*channel);
   if (systematic_lines_) data.systematic = systematic_lines_->of(own_line, layout_, raw);
   if (errors_.empty()) return data;
   std::vector<Complex> variance;
-  for (const Channel* channel : {&data.x, &data.y, &data.a, &data.b, &data.d}) {
+  for (const Channel* channel : {&data.sub_jn, &data.sub_jj, &data.asm_jn, &data.asm_jj, &data.drop_nn}) {
     for (const Complex& weight : channel->weight) variance.push_back(variance_of(weight));
   }
   data.correlation = correlation_of(layout_, errors_[own_line].substructures.get(), errors_[own_line].assembly.get(), variance);
@@ -260,14 +261,14 @@ void Observations::weigh_at(std::size_t line, const LineState& state, const Comp
   LineData& data = data_[line];
   data = data_of(line - own_lines_.first, data.omega);
   const std::size_t n = layout_.others;
-  const BothSystems<Complex> values = estimated_frfs(layout_, raw, data.d, state, z);
+  const BothSystems<Complex> values = estimated_frfs(layout_, raw, data.drop_nn, state, z);
   substructures_.variances_of(plan_lines_[line].substructures, values.substructures);
   assembly_.variances_of(plan_lines_[line].assembly, values.assembly);
-  reweigh(layout_.x, {n, 0}, substructures_, raw.substructures, values.substructures, data.x);
-  reweigh(layout_.y, {n, n}, substructures_, raw.substructures, values.substructures, data.y);
-  reweigh(layout_.a, {n, 0}, assembly_, raw.assembly, values.assembly, data.a);
-  reweigh(layout_.b, {n, n}, assembly_, raw.assembly, values.assembly, data.b);
-  reweigh_differences(raw, values, data.d);
+  reweigh(layout_.sub_jn, {n, 0}, substructures_, raw.substructures, values.substructures, data.sub_jn);
+  reweigh(layout_.sub_jj, {n, n}, substructures_, raw.substructures, values.substructures, data.sub_jj);
+  reweigh(layout_.asm_jn, {n, 0}, assembly_, raw.assembly, values.assembly, data.asm_jn);
+  reweigh(layout_.asm_jj, {n, n}, assembly_, raw.assembly, values.assembly, data.asm_jj);
+  reweigh_differences(raw, values, data.drop_nn);
 }
 
 void Observations::reweigh(const std::vector<Element>& elements, Element origin, const SymmetricFrfs& system,
@@ -282,8 +283,8 @@ void Observations::reweigh(const std::vector<Element>& elements, Element origin,
 }
 
 void Observations::reweigh_differences(const Raw& raw, const BothSystems<Complex>& values, Channel& channel) const {
-  for (std::size_t i = 0; i < layout_.d.size(); ++i) {
-    const auto [r, k] = layout_.d[i];
+  for (std::size_t i = 0; i < layout_.drop_nn.size(); ++i) {
+    const auto [r, k] = layout_.drop_nn[i];
     const Measured &sub = raw.substructures.at(r, k), &whole = raw.assembly.at(r, k);
     if (!sub.known() || !whole.known()) continue;
     const Complex own = sub.is_zero() ? Complex(0.0) : substructures_.variance(r, k, sub.averaged);

@@ -40,7 +40,7 @@ class Observations final : public LikelihoodData {
 
   /// The FRFs that a state and a joint make of a line of this process (estimated_frfs()).
   BothSystems<Complex> estimated(std::size_t line, const LineState& state, const ComplexMatrix& z) const {
-    return estimated_frfs(layout_, raw_[line - own_lines_.first], data_[line].d, state, z);
+    return estimated_frfs(layout_, raw_[line - own_lines_.first], data_[line].drop_nn, state, z);
   }
 
   std::vector<FileVariances> origins() const;

@@ -11,7 +11,7 @@ namespace {
 
 /// Conjugates of lᵀ δY g by the elements of Y.
 void add_conjugates(const LineLayout& layout, const Complex* l, const Complex* g, Complex* out) {
-  for (const auto [i, j] : layout.y) {
+  for (const auto [i, j] : layout.sub_jj) {
     *out++ += std::conj(i == j ? product(l[i], g[i]) : product(l[i], g[j]) + product(l[j], g[i]));
   }
 }
@@ -25,14 +25,14 @@ void DifferenceRows::take(const LineData& data, const LineFactors& factors) {
   const std::size_t n = layout_.others;
   rows_.clear();
   std::ranges::fill(at_row_, -1);
-  for (std::size_t i = 0; i < layout_.d.size(); ++i) {
-    if (data.d.weight[i] == Complex(0.0)) continue;
-    const auto [r, k] = layout_.d[i];
+  for (std::size_t i = 0; i < layout_.drop_nn.size(); ++i) {
+    if (data.drop_nn.weight[i] == Complex(0.0)) continue;
+    const auto [r, k] = layout_.drop_nn[i];
     at_row_[r + k * n] = at_row_[k + r * n] = size();
     rows_.push_back({i, r, k});
   }
   weights_.resize(size());
-  for (std::size_t i = 0; i < rows_.size(); ++i) weights_[at(i)] = data.d.weight[rows_[i].element].real();
+  for (std::size_t i = 0; i < rows_.size(); ++i) weights_[at(i)] = data.drop_nn.weight[rows_[i].element].real();
   g_ = factors.za;
   h_ = factors.h;
 }
@@ -60,7 +60,7 @@ bool DifferenceRows::factor(const EliminatedColumns& columns, const ComplexMatri
       }
     }
   }
-  towards_y_.setZero(at(layout_.y.size()), size());
+  towards_y_.setZero(at(layout_.sub_jj.size()), size());
   Eigen::VectorXcd left;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const auto [element, r, k] = rows_[i];

@@ -16,17 +16,17 @@ void take_square(const ComplexMatrix& p, const std::vector<WeighedRow>& rows, Co
 EliminatedColumns::EliminatedColumns(const LineLayout& layout)
     : layout_(layout), columns_(layout.others), measured_(layout.others) {
   for (std::size_t k = 0; k < layout.others; ++k) {
-    columns_[k].first = at(layout.x_first[k]);
-    columns_[k].count = at(layout.x_first[k + 1] - layout.x_first[k]);
+    columns_[k].first = at(layout.sub_jn_first[k]);
+    columns_[k].count = at(layout.sub_jn_first[k + 1] - layout.sub_jn_first[k]);
   }
-  for (std::size_t i = 0; i < layout.a.size(); ++i) measured_[layout.a[i].column].push_back(i);
+  for (std::size_t i = 0; i < layout.asm_jn.size(); ++i) measured_[layout.asm_jn[i].column].push_back(i);
 }
 
 ComplexMatrix EliminatedColumns::rows_of(std::size_t k, const Eigen::Ref<const ComplexMatrix>& from) const {
   const Column& column = columns_[k];
   ComplexMatrix out(column.count, from.cols());
   for (Eigen::Index i = 0; i < column.count; ++i) {
-    out.row(i) = from.row(at(layout_.x[static_cast<std::size_t>(column.first + i)].row));
+    out.row(i) = from.row(at(layout_.sub_jn[static_cast<std::size_t>(column.first + i)].row));
   }
   return out;
 }
@@ -36,7 +36,7 @@ void EliminatedColumns::take(const LineData& data, const ComplexMatrix& p) {
   for (std::size_t k = 0; k < columns_.size(); ++k) {
     rows.clear();
     for (const std::size_t i : measured_[k]) {
-      if (const double weight = data.a.weight[i].real(); weight > 0.0) rows.push_back({layout_.a[i].row, weight});
+      if (const double weight = data.asm_jn.weight[i].real(); weight > 0.0) rows.push_back({layout_.asm_jn[i].row, weight});
     }
     take_square(p, rows, room_, columns_[k].square);
     columns_[k].pulled = rows_of(k, columns_[k].square).adjoint();

@@ -11,24 +11,26 @@ double factor_flops(double size) { return 4.0 / 3.0 * size * size * size; }
 double solve_flops(double size, double columns) { return 4.0 * size * size * columns; }
 
 double x_per_column(const LineLayout& layout) {
-  return layout.others > 0 ? number(layout.x.size()) / number(layout.others) : 0.0;
+  return layout.others > 0 ? number(layout.sub_jn.size()) / number(layout.others) : 0.0;
 }
 
 }  // namespace
 
 double flops_by_rows(const LineLayout& layout, std::size_t right_sides) {
-  const double v = number(layout.variables()), p = number(right_sides), common = number(layout.y.size()) + p;
+  const double v = number(layout.variables()), p = number(right_sides), common = number(layout.sub_jj.size()) + p;
   const double column = x_per_column(layout);
   const auto rows = [](double count, double width) { return 4.0 * count * width * width; };
-  return rows(number(layout.a.size()), column + common) + rows(number(layout.b.size()), common) +
-         rows(number(layout.d.size()), 2.0 * column + common) + factor_flops(v) + 2.0 * solve_flops(v, p) + 4.0 * v * p * p;
+  return rows(number(layout.asm_jn.size()), column + common) + rows(number(layout.asm_jj.size()), common) +
+         rows(number(layout.drop_nn.size()), 2.0 * column + common) + factor_flops(v) + 2.0 * solve_flops(v, p) + 4.0 * v * p * p;
 }
 
 double flops_by_elimination(const LineLayout& layout, std::size_t right_sides) {
-  const double joint = number(layout.joint), others = number(layout.others), p = number(right_sides), y = number(layout.y.size());
-  const double d = number(layout.d.size()), run = x_per_column(layout), terms = others + (layout.b.empty() ? 0.0 : joint);
+  const double joint = number(layout.joint), others = number(layout.others), p = number(right_sides),
+               y = number(layout.sub_jj.size());
+  const double d = number(layout.drop_nn.size()), run = x_per_column(layout),
+               terms = others + (layout.asm_jj.empty() ? 0.0 : joint);
   double both = 0.0;  // elements of Y, those off the diagonal twice
-  for (const Element& e : layout.y) both += e.row == e.column ? 1.0 : 2.0;
+  for (const Element& e : layout.sub_jj) both += e.row == e.column ? 1.0 : 2.0;
   const double squares = terms * product_flops(joint, joint, joint) / 2.0 + product_flops(both, both, terms) / 2.0;
   const double columns = others * (factor_flops(run) + solve_flops(run, 2.0 * (joint + p + others)) +
                                    product_flops(joint, joint, run) / 2.0 + product_flops(joint, others + 2.0 * p, run));

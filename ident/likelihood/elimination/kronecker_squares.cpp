@@ -20,8 +20,8 @@ struct ColumnPair {
 
 KroneckerSquares::KroneckerSquares(const LineLayout& layout) : joint_(layout.joint), place_(layout.joint * layout.joint, -1) {
   std::vector<std::vector<std::size_t>> rows(joint_);
-  for (std::size_t i = 0; i < layout.y.size(); ++i) {
-    const auto [row, column] = layout.y[i];
+  for (std::size_t i = 0; i < layout.sub_jj.size(); ++i) {
+    const auto [row, column] = layout.sub_jj[i];
     place_[row + column * joint_] = place_[column + row * joint_] = at(i);
     rows[column].push_back(row);
     if (row != column) rows[row].push_back(column);

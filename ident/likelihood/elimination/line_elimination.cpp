@@ -12,19 +12,19 @@ LineElimination::LineElimination(const LineLayout& layout)
       columns_(layout),
       squares_(layout),
       differences_(layout),
-      b_squares_(layout.b.empty() ? 0 : layout.joint) {}
+      b_squares_(layout.asm_jj.empty() ? 0 : layout.joint) {}
 
 void LineElimination::take_weights(const LineData& data, const LineState& state) {
   const std::size_t v = layout_.variables();
-  weights_.resize(at(v + layout_.a.size() + layout_.b.size() + layout_.d.size()));
+  weights_.resize(at(v + layout_.asm_jn.size() + layout_.asm_jj.size() + layout_.drop_nn.size()));
   Eigen::Index i = 0;
-  for (const Channel* channel : {&data.x, &data.y, &data.a, &data.b, &data.d}) {
+  for (const Channel* channel : {&data.sub_jn, &data.sub_jj, &data.asm_jn, &data.asm_jj, &data.drop_nn}) {
     for (const Complex weight : channel->weight) weights_[i++] = weight.real();
   }
   guesses_ = weights_.head(at(v));
-  const double x_guess = guessed_weight(state.x), y_guess = guessed_weight(state.y);
+  const double x_guess = guessed_weight(state.sub_jn), y_guess = guessed_weight(state.sub_jj);
   for (std::size_t k = 0; k < v; ++k) {
-    if (guesses_[at(k)] == 0.0) guesses_[at(k)] = k < layout_.x.size() ? x_guess : y_guess;
+    if (guesses_[at(k)] == 0.0) guesses_[at(k)] = k < layout_.sub_jn.size() ? x_guess : y_guess;
   }
   guesses_ = guesses_.cwiseAbs2();
 }
@@ -32,7 +32,7 @@ void LineElimination::take_weights(const LineData& data, const LineState& state)
 /// Of a symmetric change of Y by its elements.
 void LineElimination::fold(const Complex* matrix, Complex* out) const {
   const std::size_t n = layout_.joint;
-  for (const auto [i, j] : layout_.y) *out++ += i == j ? matrix[i + i * n] : matrix[i + j * n] + matrix[j + i * n];
+  for (const auto [i, j] : layout_.sub_jj) *out++ += i == j ? matrix[i + i * n] : matrix[i + j * n] + matrix[j + i * n];
 }
 
 bool LineElimination::linearise(const LineData& data, const LineState& state, const LineFactors& factors,
@@ -44,15 +44,15 @@ bool LineElimination::linearise(const LineData& data, const LineState& state, co
   columns_.take(data, p_);
   for (std::size_t q = 0; q < b_squares_.size(); ++q) {
     weighed_rows_.clear();
-    for (std::size_t i = 0; i < layout_.b.size(); ++i) {
-      const double weight = data.b.weight[i].real();
-      if (layout_.b[i].column == q && weight > 0.0) weighed_rows_.push_back({layout_.b[i].row, weight});
+    for (std::size_t i = 0; i < layout_.asm_jj.size(); ++i) {
+      const double weight = data.asm_jj.weight[i].real();
+      if (layout_.asm_jj[i].column == q && weight > 0.0) weighed_rows_.push_back({layout_.asm_jj[i].row, weight});
     }
     take_square(p_, weighed_rows_, room_, b_squares_[q]);
   }
-  if (!layout_.b.empty()) c_ = factors.c;
+  if (!layout_.asm_jj.empty()) c_ = factors.c;
   differences_.take(data, factors);
-  off_ = differences_.pick(sides_.values.bottomRows(at(layout_.d.size())));
+  off_ = differences_.pick(sides_.values.bottomRows(at(layout_.drop_nn.size())));
   take_normal_right_sides(factors);
   return factor(0.0);
 }
@@ -60,10 +60,11 @@ bool LineElimination::linearise(const LineData& data, const LineState& state, co
 /// By A and B, column by column of these: Pᴴ W² of their right-hand sides is that of X, and times −Gᴴ and (I − Z B)ᴴ that of Y.
 void LineElimination::take_normal_right_sides(const LineFactors& factors) {
   const auto joint = at(layout_.joint), others = at(layout_.others), sides = sides_.values.cols();
-  const Eigen::Index first_b = others, width = others + (layout_.b.empty() ? 0 : joint);
-  const Eigen::Index x = at(layout_.x.size()), v = at(layout_.variables()), a = at(layout_.a.size()), b = at(layout_.b.size());
+  const Eigen::Index first_b = others, width = others + (layout_.asm_jj.empty() ? 0 : joint);
+  const Eigen::Index x = at(layout_.sub_jn.size()), v = at(layout_.variables()), a = at(layout_.asm_jn.size()),
+                     b = at(layout_.asm_jj.size());
   const Eigen::VectorXd squared = weights_.cwiseAbs2();
-  const Eigen::Index without_d = sides_.values.rows() - at(layout_.d.size());
+  const Eigen::Index without_d = sides_.values.rows() - at(layout_.drop_nn.size());
   room_ = (weights_.head(without_d).asDiagonal() * sides_.values.topRows(without_d)).adjoint();
   square_.setZero(sides, sides);
   dense::add_square(room_, square_);
@@ -71,11 +72,11 @@ void LineElimination::take_normal_right_sides(const LineFactors& factors) {
   ComplexMatrix given = ComplexMatrix::Zero(width * sides, joint);  // adjoint
   for (Eigen::Index s = 0; s < sides; ++s) {
     for (Eigen::Index i = 0; i < a; ++i) {
-      const auto [p, k] = layout_.a[static_cast<std::size_t>(i)];
+      const auto [p, k] = layout_.asm_jn[static_cast<std::size_t>(i)];
       given(s * width + at(k), at(p)) = squared[v + i] * std::conj(sides_.values(v + i, s));
     }
     for (Eigen::Index i = 0; i < b; ++i) {
-      const auto [p, q] = layout_.b[static_cast<std::size_t>(i)];
+      const auto [p, q] = layout_.asm_jj[static_cast<std::size_t>(i)];
       given(s * width + first_b + at(q), at(p)) = squared[v + a + i] * std::conj(sides_.values(v + a + i, s));
     }
   }
@@ -83,20 +84,20 @@ void LineElimination::take_normal_right_sides(const LineFactors& factors) {
   dense::add_product(p_.adjoint().eval(), given, told);
   ComplexMatrix by(joint, width), of_y(joint, joint);
   by.leftCols(others) = -factors.za;
-  if (!layout_.b.empty()) by.rightCols(joint) = factors.c;
+  if (!layout_.asm_jj.empty()) by.rightCols(joint) = factors.c;
   for (Eigen::Index s = 0; s < sides; ++s) {
     of_y.setZero();
     dense::add_product(told.middleCols(s * width, width), by, of_y);
     fold(of_y.data(), right_.col(s).data() + x);
     for (Eigen::Index i = 0; i < x; ++i) {
-      const auto [p, k] = layout_.x[static_cast<std::size_t>(i)];
+      const auto [p, k] = layout_.sub_jn[static_cast<std::size_t>(i)];
       right_(i, s) += told(at(p), s * width + at(k));
     }
   }
 }
 
 bool LineElimination::factor(double damping) {
-  const Eigen::Index x = at(layout_.x.size()), y = at(layout_.y.size());
+  const Eigen::Index x = at(layout_.sub_jn.size()), y = at(layout_.sub_jj.size());
   damping_ = -1.0;  // none, should it fail
   const Eigen::VectorXd damped = guesses_ * (1.0 + damping);
   if (!columns_.factor(damped.head(x))) return false;
@@ -115,7 +116,7 @@ bool LineElimination::factor(double damping) {
 /// off their squares is added to `square`, the lower triangle.
 ComplexMatrix LineElimination::solve(const ComplexMatrix& right, ComplexMatrix differences, ComplexMatrix& square) const {
   const auto joint = at(layout_.joint), others = at(layout_.others), sides = right.cols();
-  const Eigen::Index x_size = at(layout_.x.size()), y_size = at(layout_.y.size());
+  const Eigen::Index x_size = at(layout_.sub_jn.size()), y_size = at(layout_.sub_jj.size());
   ComplexMatrix x = right.topRows(x_size), y = right.bottomRows(y_size);
   ComplexMatrix taken = ComplexMatrix::Zero(sides, sides), pulled(joint, others * sides);
   ComplexMatrix half(x_size, sides);
@@ -151,7 +152,7 @@ ComplexMatrix LineElimination::solve(const ComplexMatrix& right, ComplexMatrix d
     moved.setZero();
     for (Eigen::Index s = 0; s < sides; ++s) {
       for (Eigen::Index i = 0; i < y_size; ++i) {
-        const auto [p, q] = layout_.y[static_cast<std::size_t>(i)];
+        const auto [p, q] = layout_.sub_jj[static_cast<std::size_t>(i)];
         change(at(p), at(q)) = change(at(q), at(p)) = y(i, s);
       }
       dense::add_product(change, g_adjoint, moved.middleCols(s * others, others));

@@ -11,9 +11,9 @@ struct ElementPlaces {
   const LineLayout& layout;
 
   Eigen::Index a() const { return at(layout.variables()); }
-  Eigen::Index b() const { return a() + at(layout.a.size()); }
-  Eigen::Index d() const { return b() + at(layout.b.size()); }
-  Eigen::Index end() const { return d() + at(layout.d.size()); }
+  Eigen::Index b() const { return a() + at(layout.asm_jn.size()); }
+  Eigen::Index d() const { return b() + at(layout.asm_jj.size()); }
+  Eigen::Index end() const { return d() + at(layout.drop_nn.size()); }
 };
 
 void take_residuals(const LineLayout& layout, const LineData& data, const LineState& state, const LineFactors& f, Complex* out) {
@@ -23,11 +23,11 @@ void take_residuals(const LineLayout& layout, const LineData& data, const LineSt
       *out++ = measured ? channel.value[i] - predicted(at(elements[i].row), at(elements[i].column)) : Complex(0.0);
     }
   };
-  put(layout.x, data.x, state.x);
-  put(layout.y, data.y, state.y);
-  put(layout.a, data.a, ComplexMatrix(state.a + f.p * f.r));
-  if (!layout.b.empty()) put(layout.b, data.b, ComplexMatrix(state.b + f.p * f.rest_b));
-  put(layout.d, data.d, ComplexMatrix(state.x.transpose() * f.za + f.h.transpose() * f.r));
+  put(layout.sub_jn, data.sub_jn, state.sub_jn);
+  put(layout.sub_jj, data.sub_jj, state.sub_jj);
+  put(layout.asm_jn, data.asm_jn, ComplexMatrix(state.asm_jn + f.p * f.r));
+  if (!layout.asm_jj.empty()) put(layout.asm_jj, data.asm_jj, ComplexMatrix(state.asm_jj + f.p * f.rest_b));
+  put(layout.drop_nn, data.drop_nn, ComplexMatrix(state.sub_jn.transpose() * f.za + f.h.transpose() * f.r));
 }
 
 /// left(row)ᵀ S right(column) of every element, S the matrix of a shape.
@@ -58,9 +58,9 @@ void take_right_sides(const LineLayout& layout, const LineData& data, const Line
     const ImpedanceShape& shape = joint->shapes()[s];
     const auto matrix = joint->terms().subspan(shape.first_term, shape.last_term - shape.first_term);
     Complex* const column = out.values.col(at(s)).data();
-    add_shape(matrix, layout.a, of_rows, state.a, column + places.a());
-    add_shape(matrix, layout.b, of_rows, state.b, column + places.b());
-    add_shape(matrix, layout.d, of_d, state.a, column + places.d());
+    add_shape(matrix, layout.asm_jn, of_rows, state.asm_jn, column + places.a());
+    add_shape(matrix, layout.asm_jj, of_rows, state.asm_jj, column + places.b());
+    add_shape(matrix, layout.drop_nn, of_d, state.asm_jn, column + places.d());
     for (std::size_t i = shape.first_part; i < shape.last_part; ++i) {
       out.unknowns[joint->parts()[i].unknown] = {at(s), joint->parts()[i].factor};
     }

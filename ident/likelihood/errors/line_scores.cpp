@@ -99,7 +99,7 @@ class LineScores {
 
 std::vector<Complex> weights_of(const LineData& line) {
   std::vector<Complex> out;
-  for (const Channel* channel : {&line.x, &line.y, &line.a, &line.b, &line.d}) {
+  for (const Channel* channel : {&line.sub_jn, &line.sub_jj, &line.asm_jn, &line.asm_jj, &line.drop_nn}) {
     out.insert(out.end(), channel->weight.begin(), channel->weight.end());
   }
   return out;

@@ -48,7 +48,8 @@ class Answer {
     const ComplexMatrix z = estimator_.impedance_of(line, theta);
     LineState state = fitted.state;
     const LineLayout& layout = observations_.layout();
-    move(layout, fitted.reduced.answer(way * Eigen::VectorXd::Unit(at(fitted.columns.size()), at(k))), 1.0, state.x, state.y);
+    move(layout, fitted.reduced.answer(way * Eigen::VectorXd::Unit(at(fitted.columns.size()), at(k))), 1.0, state.sub_jn,
+         state.sub_jj);
     put_on_constraint(layout, z, state);
     return observations_.estimated(line, state, z).substructures;
   }

@@ -32,10 +32,10 @@ void add_block(const std::vector<Element>& of_sub, const Channel& sub, const std
 }
 
 void add_effects(const LineLayout& layout, const LineData& data, Numbers& out) {
-  add_block(layout.x, data.x, layout.a, data.a, out);
-  add_block(layout.y, data.y, layout.b, data.b, out);
-  for (std::size_t i = 0; i < layout.d.size(); ++i) {
-    const Complex value = data.d.value[i], weight = data.d.weight[i];
+  add_block(layout.sub_jn, data.sub_jn, layout.asm_jn, data.asm_jn, out);
+  add_block(layout.sub_jj, data.sub_jj, layout.asm_jj, data.asm_jj, out);
+  for (std::size_t i = 0; i < layout.drop_nn.size(); ++i) {
+    const Complex value = data.drop_nn.value[i], weight = data.drop_nn.weight[i];
     if (weight.real() > 0.0) out.push_back(std::abs(value.real()) * weight.real());
     if (weight.imag() > 0.0) out.push_back(std::abs(value.imag()) * weight.imag());
   }
@@ -43,9 +43,9 @@ void add_effects(const LineLayout& layout, const LineData& data, Numbers& out) {
 
 /// |a_kᵀ δZ a_k| / |x_kᵀ δZ x_k| for every non-joint coordinate k.
 void add_deformations(const LineState& state, const ComplexMatrix& dz, Numbers& out) {
-  for (Eigen::Index k = 0; k < state.x.cols(); ++k) {
-    const Complex assembled = (state.a.col(k).transpose() * dz * state.a.col(k)).value();
-    const Complex free = (state.x.col(k).transpose() * dz * state.x.col(k)).value();
+  for (Eigen::Index k = 0; k < state.sub_jn.cols(); ++k) {
+    const Complex assembled = (state.asm_jn.col(k).transpose() * dz * state.asm_jn.col(k)).value();
+    const Complex free = (state.sub_jn.col(k).transpose() * dz * state.sub_jn.col(k)).value();
     if (free != Complex(0.0)) out.push_back(std::abs(assembled / free));
   }
 }
@@ -68,7 +68,7 @@ JointVisibility joint_visibility(const LikelihoodData& data, const LinearisedLik
   const std::vector<double> origin(direction.size(), 0.0);
   for (std::size_t i = 0; i < data.lines().size(); ++i) {
     const LineState& state = estimator.state_of(i);
-    if (state.a.size() == 0) continue;
+    if (state.asm_jn.size() == 0) continue;
     add_effects(data.layout(), data.lines()[i], effects);
     add_deformations(state, estimator.impedance_of(i, direction) - estimator.impedance_of(i, origin), deformations);
   }
@@ -90,9 +90,9 @@ std::optional<double> relative_motion(const LikelihoodData& data, const Linearis
   Numbers ratios;
   for (std::size_t line = 0; line < data.lines().size(); ++line) {
     const LineState& state = estimator.state_of(line);
-    for (Eigen::Index k = 0; k < state.a.cols(); ++k) {
-      const double free = std::abs(state.x(i, k) - sign * state.x(j, k));
-      if (free > 0.0) ratios.push_back(std::abs(state.a(i, k) - sign * state.a(j, k)) / free);
+    for (Eigen::Index k = 0; k < state.asm_jn.cols(); ++k) {
+      const double free = std::abs(state.sub_jn(i, k) - sign * state.sub_jn(j, k));
+      if (free > 0.0) ratios.push_back(std::abs(state.asm_jn(i, k) - sign * state.asm_jn(j, k)) / free);
     }
   }
   return median_of_all(ratios, data.shares());

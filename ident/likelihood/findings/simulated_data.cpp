@@ -15,9 +15,13 @@ std::vector<Complex> values_at(const std::vector<Element>& elements, const Compl
 }
 
 ExactLine exact_line(const LineLayout& layout, const LineState& state, const ComplexMatrix& za) {
-  ExactLine out{values_at(layout.x, state.x), values_at(layout.y, state.y), values_at(layout.a, state.a), {}, {}};
-  if (!layout.b.empty()) out.b = values_at(layout.b, state.b);
-  for (const Element& e : layout.d) out.d.push_back(predicted_difference(state, za, e));
+  ExactLine out{values_at(layout.sub_jn, state.sub_jn),
+                values_at(layout.sub_jj, state.sub_jj),
+                values_at(layout.asm_jn, state.asm_jn),
+                {},
+                {}};
+  if (!layout.asm_jj.empty()) out.asm_jj = values_at(layout.asm_jj, state.asm_jj);
+  for (const Element& e : layout.drop_nn) out.drop_nn.push_back(predicted_difference(state, za, e));
   return out;
 }
 
@@ -44,11 +48,11 @@ std::vector<ExactLine> exact_lines(const LikelihoodData& data, const LinearisedL
   std::vector<ExactLine> out;
   for (std::size_t i = 0; i < data.lines().size(); ++i) {
     const LineState& state = fitted.state_of(i);
-    if (state.x.rows() == 0) {
+    if (state.sub_jn.rows() == 0) {
       out.emplace_back();
       continue;
     }
-    out.push_back(exact_line(data.layout(), state, fitted.impedance_of(i, theta) * state.a));
+    out.push_back(exact_line(data.layout(), state, fitted.impedance_of(i, theta) * state.asm_jn));
   }
   return out;
 }
@@ -58,7 +62,7 @@ SimulatedData::SimulatedData(const LikelihoodData& data, const std::vector<doubl
   data_ = data.lines();
   for (std::size_t i = 0; i < data_.size(); ++i) {
     LineData& line = data_[i];
-    for (Channel* channel : {&line.x, &line.y, &line.a, &line.b, &line.d}) {
+    for (Channel* channel : {&line.sub_jn, &line.sub_jj, &line.asm_jn, &line.asm_jj, &line.drop_nn}) {
       for (Complex& weight : channel->weight) weight *= std::sqrt(line_weight[i]);
     }
   }
@@ -67,8 +71,11 @@ SimulatedData::SimulatedData(const LikelihoodData& data, const std::vector<doubl
 void SimulatedData::draw(const std::vector<ExactLine>& exact, const RandomStream& stream) {
   for (std::size_t i = 0; i < data_.size(); ++i) {
     LineData& line = data_[i];
-    const std::array<std::pair<const std::vector<Complex>*, Channel*>, 5> channels = {
-        {{&exact[i].x, &line.x}, {&exact[i].y, &line.y}, {&exact[i].a, &line.a}, {&exact[i].b, &line.b}, {&exact[i].d, &line.d}}};
+    const std::array<std::pair<const std::vector<Complex>*, Channel*>, 5> channels = {{{&exact[i].sub_jn, &line.sub_jn},
+                                                                                       {&exact[i].sub_jj, &line.sub_jj},
+                                                                                       {&exact[i].asm_jn, &line.asm_jn},
+                                                                                       {&exact[i].asm_jj, &line.asm_jj},
+                                                                                       {&exact[i].drop_nn, &line.drop_nn}}};
     const std::vector<Complex> errors = draw_errors(channels, line.correlation.get(), stream, 5 * i);
     std::size_t next = 0;
     for (const auto& [values, channel] : channels) {

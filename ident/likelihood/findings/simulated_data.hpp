@@ -9,7 +9,7 @@ namespace jointid::ident {
 
 /// Values that every channel of a line would have without errors.
 struct ExactLine {
-  std::vector<Complex> x, y, a, b, d;
+  std::vector<Complex> sub_jn, sub_jj, asm_jn, asm_jj, drop_nn;
 };
 
 /// The FRFs that a fit with the result `theta` takes for true, in the order of the channels; empty for lines that it does not use.

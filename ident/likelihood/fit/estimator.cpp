@@ -89,7 +89,7 @@ LinearisedLikelihood LikelihoodEstimator::run(const Starts& starts, const FitWat
   StepMemory memory;
   SecondOpinion opinion(options.second_opinion);
   const JointIteration fresh(all_, memory, opinion, watch, options.listener);
-  const std::ptrdiff_t enough = all_.lines.layout().a.empty() ? 4 : 2;
+  const std::ptrdiff_t enough = all_.lines.layout().asm_jn.empty() ? 4 : 2;
   Ends ends;
   for (std::size_t k = 0;; ++k) {
     const auto start = starts(k);
@@ -154,7 +154,7 @@ double LikelihoodEstimator::misfit_at(std::vector<double> theta) {
   theta.resize(all_.unknowns, 0.0);
   FittedLines& lines = all_.lines;
   lines.take_variances_as_measured();
-  const bool poor = lines.layout().a.empty(), some_alone = lines.look_at_some(poor ? some_of_poor : some);
+  const bool poor = lines.layout().asm_jn.empty(), some_alone = lines.look_at_some(poor ? some_of_poor : some);
   lines.begin(theta);
   if (!some_alone && (lines.layout().is_large() || !poor)) {  // the fit mostly begins at the first start that is looked at
     lines.linearise(theta);

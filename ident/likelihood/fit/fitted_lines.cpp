@@ -174,7 +174,7 @@ void FittedLines::take_gradients(const std::vector<double>& theta) {
     if (line.followed && has_plain_errors(data)) {
       take_gradient(data, z, layout(), line);
     } else {
-      line.cost = line_cost(layout(), data, z, line.state.x, line.state.y);
+      line.cost = line_cost(layout(), data, z, line.state.sub_jn, line.state.sub_jj);
       line.reduced = linearised(data, z, model, line);
     }
   });
@@ -197,7 +197,7 @@ void FittedLines::answer(const std::vector<FittedLine>& before, const std::vecto
   for_all([&](std::size_t i, LineModel&) {
     FittedLine& line = lines_[i];
     line.state = before[i].state;
-    move(layout(), before[i].reduced.answer(pick(step, line.columns)), 1.0, line.state.x, line.state.y);
+    move(layout(), before[i].reduced.answer(pick(step, line.columns)), 1.0, line.state.sub_jn, line.state.sub_jj);
     put_on_constraint(layout(), line.joint.at(theta), line.state);
     line.followed = before[i].reduced.tells();
   });
@@ -241,7 +241,7 @@ Eigen::MatrixXd FittedLines::relaxed_gradients(std::size_t i, const FittedLine& 
   for (std::size_t k = 0; k < nearby.size(); ++k) {
     FittedLine line = before;
     const ComplexMatrix z = line.joint.at(nearby[k]);
-    move(layout(), before.reduced.answer(pick(offsets[k], line.columns)), 1.0, line.state.x, line.state.y);
+    move(layout(), before.reduced.answer(pick(offsets[k], line.columns)), 1.0, line.state.sub_jn, line.state.sub_jj);
     const LineData& data = data_at(i, nearby[k]);
     ident::relax(data, z, model, line);
     out.col(at(k)) = linearised(data, z, model, line).gradient;
@@ -261,7 +261,7 @@ void FittedLines::follow(const std::vector<FittedLine>& before, const std::vecto
     const LineStep answer = reduced.answer(own_step);
     const auto cost_after = [&](const LineStep& change) {
       line.state = before[i].state;
-      move(layout(), change, 1.0, line.state.x, line.state.y);
+      move(layout(), change, 1.0, line.state.sub_jn, line.state.sub_jj);
       return cost_on_constraint(layout(), data, z, line.state);
     };
     line.cost = cost_after(reduced.own + answer);
@@ -379,7 +379,8 @@ std::size_t FittedLines::bytes() const {
     const LineState& state = line.state;
     const ReducedLine& reduced = line.reduced;
     sum += sizeof(FittedLine) +
-           sizeof(Complex) * static_cast<std::size_t>(state.x.size() + state.y.size() + state.a.size() + state.b.size()) +
+           sizeof(Complex) *
+               static_cast<std::size_t>(state.sub_jn.size() + state.sub_jj.size() + state.asm_jn.size() + state.asm_jj.size()) +
            sizeof(double) * static_cast<std::size_t>(reduced.information.size() + reduced.gradient.size() + reduced.own.size() +
                                                      (reduced.back ? reduced.back->size() : 0));
   }

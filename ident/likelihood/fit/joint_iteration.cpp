@@ -107,7 +107,7 @@ bool JointIteration::whiten(LikelihoodFit& fit, std::size_t most, double toleran
 }
 
 void JointIteration::correct(LikelihoodFit& fit) {
-  const bool poor = all_.lines.layout().a.empty();  // without H_jn of the assembly the start may be far off
+  const bool poor = all_.lines.layout().asm_jn.empty();  // without H_jn of the assembly the start may be far off
   const std::size_t most = poor ? 30 : 15;
   const double near = poor ? 6.0 : 1.0;  // in standard deviations: close enough for the last stage
   const std::vector<double> start = fit.theta;
@@ -136,7 +136,7 @@ Eigen::VectorXd JointIteration::joint_step(const std::vector<double>& theta, con
 
 /// Without H_jn of the assembly the problem is far from linear: the way is safer along optimised FRFs.
 Relaxation JointIteration::relaxation(double tolerance) const {
-  return tolerance < rough || all_.lines.layout().a.empty() ? Relaxation::end : Relaxation::beginning;
+  return tolerance < rough || all_.lines.layout().asm_jn.empty() ? Relaxation::end : Relaxation::beginning;
 }
 
 bool JointIteration::project(LikelihoodFit& fit, double tolerance, From from, const LikelihoodFit* known, Constraint* within) {
@@ -240,7 +240,7 @@ void JointIteration::finish_exactly(LikelihoodFit& fit, Relaxation until, Constr
 void JointIteration::run(LikelihoodFit& fit, const LikelihoodFit* known) {
   const double usual =
       std::sqrt(static_cast<double>(all_.unknowns));  // how far an estimate is from the truth, in standard deviations
-  if (all_.lines.layout().a.empty() || !whiten(fit, 4, usual, true)) correct(fit);
+  if (all_.lines.layout().asm_jn.empty() || !whiten(fit, 4, usual, true)) correct(fit);
   if (all_.lines.variances_by_law()) {
     all_.lines.arrive(fit.theta);
     all_.lines.take_variances_here(fit.theta);

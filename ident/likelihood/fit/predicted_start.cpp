@@ -24,17 +24,17 @@ ReachableFrfs frfs_of(const LineLayout& layout, const LineData& data) {
   const auto place = [](const Element& element) {
     return std::pair(at(element.row), at(element.column));
   };
-  for (std::size_t i = 0; i < layout.x.size(); ++i) {
-    const auto [p, k] = place(layout.x[i]);
-    out.ba(p, k) = measured(data.x, i);
+  for (std::size_t i = 0; i < layout.sub_jn.size(); ++i) {
+    const auto [p, k] = place(layout.sub_jn[i]);
+    out.ba(p, k) = measured(data.sub_jn, i);
   }
-  for (std::size_t i = 0; i < layout.y.size(); ++i) {
-    const auto [p, q] = place(layout.y[i]);
-    out.bb(p, q) = out.bb(q, p) = measured(data.y, i);
+  for (std::size_t i = 0; i < layout.sub_jj.size(); ++i) {
+    const auto [p, q] = place(layout.sub_jj[i]);
+    out.bb(p, q) = out.bb(q, p) = measured(data.sub_jj, i);
   }
-  for (std::size_t i = 0; i < layout.d.size(); ++i) {
-    const auto [r, k] = place(layout.d[i]);
-    out.nn(r, k) = -measured(data.d, i);
+  for (std::size_t i = 0; i < layout.drop_nn.size(); ++i) {
+    const auto [r, k] = place(layout.drop_nn[i]);
+    out.nn(r, k) = -measured(data.drop_nn, i);
   }
   out.ab = out.ba.transpose();
   return out;

@@ -20,13 +20,13 @@ using Indices = std::vector<std::size_t>;
 std::vector<double> roots_of_stiffness(const LikelihoodData& data) {
   const LineLayout& layout = data.layout();
   std::vector<double> roots(layout.joint, 0.0);
-  for (std::size_t i = 0; i < layout.y.size(); ++i) {
-    if (layout.y[i].row != layout.y[i].column) continue;
+  for (std::size_t i = 0; i < layout.sub_jj.size(); ++i) {
+    if (layout.sub_jj[i].row != layout.sub_jj[i].column) continue;
     std::vector<double> sizes;
     for (const LineData& line : data.lines()) {
-      if (line.y.weight[i] != Complex(0.0)) sizes.push_back(std::abs(line.y.value[i]));
+      if (line.sub_jj.weight[i] != Complex(0.0)) sizes.push_back(std::abs(line.sub_jj.value[i]));
     }
-    if (!sizes.empty()) roots[layout.y[i].row] = 1.0 / std::sqrt(median(sizes));
+    if (!sizes.empty()) roots[layout.sub_jj[i].row] = 1.0 / std::sqrt(median(sizes));
   }
   const bool all = std::ranges::all_of(roots, [](double root) { return std::isnormal(root); });
   return all ? roots : std::vector<double>();

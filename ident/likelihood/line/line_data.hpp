@@ -18,7 +18,7 @@ struct Channel {
 /// One line as the likelihood sees it, in the order of a LineLayout.
 struct LineData {
   double omega = 0.0;  ///< rad/s
-  Channel x, y, a, b, d;
+  Channel sub_jn, sub_jj, asm_jn, asm_jj, drop_nn;
   std::size_t measured = 0;  ///< real numbers with a weight
   std::shared_ptr<const minimise::Correlation> correlation;  ///< of the errors; empty where they are independent
   std::shared_ptr<const SystematicFrfs> systematic{};  ///< as measured; empty where there are none

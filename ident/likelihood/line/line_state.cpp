@@ -37,12 +37,13 @@ double correlated_cost(const LineLayout& layout, const LineData& data, const Com
       errors.push_back(weighted(channel, i, predicted(at(elements[i].row), at(elements[i].column))));
     }
   };
-  append(layout.x, data.x, state.x);
-  append(layout.y, data.y, state.y);
-  append(layout.a, data.a, state.a);
-  append(layout.b, data.b, state.b);
-  const ComplexMatrix za = z * state.a;
-  for (std::size_t i = 0; i < layout.d.size(); ++i) errors.push_back(weighted(data.d, i, predicted_difference(state, za, layout.d[i])));
+  append(layout.sub_jn, data.sub_jn, state.sub_jn);
+  append(layout.sub_jj, data.sub_jj, state.sub_jj);
+  append(layout.asm_jn, data.asm_jn, state.asm_jn);
+  append(layout.asm_jj, data.asm_jj, state.asm_jj);
+  const ComplexMatrix za = z * state.asm_jn;
+  for (std::size_t i = 0; i < layout.drop_nn.size(); ++i)
+    errors.push_back(weighted(data.drop_nn, i, predicted_difference(state, za, layout.drop_nn[i])));
   data.correlation->whiten(errors);
   double cost = 0.0;
   for (const Complex& error : errors) cost += std::norm(error);
@@ -58,8 +59,8 @@ void move(const LineLayout& layout, const LineStep& step, double scale, ComplexM
     v += 2;
     return scale * change;
   };
-  for (const Element& e : layout.x) x(at(e.row), at(e.column)) += next();
-  for (const Element& e : layout.y) {
+  for (const Element& e : layout.sub_jn) x(at(e.row), at(e.column)) += next();
+  for (const Element& e : layout.sub_jj) {
     const Complex change = next();
     y(at(e.row), at(e.column)) += change;
     if (e.row != e.column) y(at(e.column), at(e.row)) += change;
@@ -67,13 +68,14 @@ void move(const LineLayout& layout, const LineStep& step, double scale, ComplexM
 }
 
 void take_measured(const LineLayout& layout, const LineData& data, LineState& state) {
-  for (std::size_t v = 0; v < layout.x.size(); ++v) {
-    if (data.x.weight[v] != Complex(0.0)) state.x(at(layout.x[v].row), at(layout.x[v].column)) = data.x.value[v];
+  for (std::size_t v = 0; v < layout.sub_jn.size(); ++v) {
+    if (data.sub_jn.weight[v] != Complex(0.0))
+      state.sub_jn(at(layout.sub_jn[v].row), at(layout.sub_jn[v].column)) = data.sub_jn.value[v];
   }
-  for (std::size_t v = 0; v < layout.y.size(); ++v) {
-    if (data.y.weight[v] == Complex(0.0)) continue;
-    const auto p = at(layout.y[v].row), q = at(layout.y[v].column);
-    state.y(p, q) = state.y(q, p) = data.y.value[v];
+  for (std::size_t v = 0; v < layout.sub_jj.size(); ++v) {
+    if (data.sub_jj.weight[v] == Complex(0.0)) continue;
+    const auto p = at(layout.sub_jj[v].row), q = at(layout.sub_jj[v].column);
+    state.sub_jj(p, q) = state.sub_jj(q, p) = data.sub_jj.value[v];
   }
 }
 
@@ -85,20 +87,21 @@ LineState measured_start(const LineLayout& layout, const LineData& data) {
 }
 
 void put_on_constraint(const LineLayout& layout, const ComplexMatrix& z, LineState& state) {
-  const auto n = at(layout.joint), others = state.x.cols();
-  if (layout.b.empty()) {
-    state.a = others > 0 ? coupling::motion_with_joint(state.y, z, state.x) : state.x;  // without columns there is nothing to solve
+  const auto n = at(layout.joint), others = state.sub_jn.cols();
+  if (layout.asm_jj.empty()) {
+    state.asm_jn = others > 0 ? coupling::motion_with_joint(state.sub_jj, z, state.sub_jn)
+                              : state.sub_jn;  // without columns there is nothing to solve
     return;
   }
   ComplexMatrix both(n, others + n);
-  both << state.x, state.y;
-  both = coupling::motion_with_joint(state.y, z, both);
-  state.a = both.leftCols(others);
-  state.b = both.rightCols(n);
+  both << state.sub_jn, state.sub_jj;
+  both = coupling::motion_with_joint(state.sub_jj, z, both);
+  state.asm_jn = both.leftCols(others);
+  state.asm_jj = both.rightCols(n);
 }
 
 Complex predicted_difference(const LineState& state, const ComplexMatrix& za, Element e) {
-  const Complex *x = state.x.col(at(e.row)).data(), *g = za.col(at(e.column)).data();
+  const Complex *x = state.sub_jn.col(at(e.row)).data(), *g = za.col(at(e.column)).data();
   Complex sum = 0.0;
   for (Eigen::Index i = 0; i < za.rows(); ++i) sum += product(x[i], g[i]);
   return sum;
@@ -113,19 +116,22 @@ double line_cost(const LineLayout& layout, const LineData& data, const ComplexMa
 double cost_on_constraint(const LineLayout& layout, const LineData& data, const ComplexMatrix& z, LineState& state) {
   put_on_constraint(layout, z, state);
   if (data.correlation) return correlated_cost(layout, data, z, state);
-  double cost = block_cost(layout.x, data.x, state.x) + block_cost(layout.y, data.y, state.y) + block_cost(layout.a, data.a, state.a);
-  if (!layout.b.empty()) cost += block_cost(layout.b, data.b, state.b);
-  const ComplexMatrix za = z * state.a;
-  if (8 * layout.d.size() < layout.others * layout.others) {
-    for (std::size_t i = 0; i < layout.d.size(); ++i) cost += square(data.d, i, predicted_difference(state, za, layout.d[i]));
+  double cost = block_cost(layout.sub_jn, data.sub_jn, state.sub_jn) + block_cost(layout.sub_jj, data.sub_jj, state.sub_jj) +
+                block_cost(layout.asm_jn, data.asm_jn, state.asm_jn);
+  if (!layout.asm_jj.empty()) cost += block_cost(layout.asm_jj, data.asm_jj, state.asm_jj);
+  const ComplexMatrix za = z * state.asm_jn;
+  if (8 * layout.drop_nn.size() < layout.others * layout.others) {
+    for (std::size_t i = 0; i < layout.drop_nn.size(); ++i)
+      cost += square(data.drop_nn, i, predicted_difference(state, za, layout.drop_nn[i]));
     return cost;
   }
   const auto number = [](const ComplexMatrix& of) { return [&of](std::size_t i, std::size_t j) { return of(at(i), at(j)); }; };
   const LaneMatrix g(layout.joint, layout.others, number(za));
-  const LaneMatrix x(layout.others, layout.joint, [&](std::size_t i, std::size_t j) { return state.x(at(j), at(i)); });
+  const LaneMatrix x(layout.others, layout.joint, [&](std::size_t i, std::size_t j) { return state.sub_jn(at(j), at(i)); });
   LaneMatrix all(layout.others, layout.others);
   all.add_product(x.plain(), g.plain());
-  for (std::size_t i = 0; i < layout.d.size(); ++i) cost += square(data.d, i, all(layout.d[i].row, layout.d[i].column));
+  for (std::size_t i = 0; i < layout.drop_nn.size(); ++i)
+    cost += square(data.drop_nn, i, all(layout.drop_nn[i].row, layout.drop_nn[i].column));
   return cost;
 }
 

@@ -8,11 +8,11 @@ namespace jointid::ident {
 /// Where a line stands: current values of the true FRFs. On the constraint A = (I + Y Z)⁻¹ X and B = (I + Y Z)⁻¹ Y; while the
 /// implicit estimator is under way A and B are values of their own.
 struct LineState {
-  ComplexMatrix x, y;  ///< N×n, N×N
-  ComplexMatrix a, b;  ///< N×n, N×N (empty where no B is measured)
+  ComplexMatrix sub_jn, sub_jj;  ///< N×n, N×N
+  ComplexMatrix asm_jn, asm_jj;  ///< N×n, N×N (empty where no asm_jj is measured)
 };
 
-/// A change of the free FRFs of a line, in the order of LineLayout::x and y, real and imaginary part in turn.
+/// A change of the free FRFs of a line, in the order of LineLayout::sub_jn and sub_jj, real and imaginary part in turn.
 using LineStep = Eigen::VectorXd;
 
 /// X and Y moved by `scale` times a step.

@@ -58,7 +58,7 @@ Complex rate_of(const SystematicUnknown& unknown, const SystematicFactor& factor
 /// Real and imaginary parts of the blocks of a line as one list of elements.
 class Elements {
  public:
-  explicit Elements(LineData& line) : channels_{&line.x, &line.y, &line.a, &line.b, &line.d} {}
+  explicit Elements(LineData& line) : channels_{&line.sub_jn, &line.sub_jj, &line.asm_jn, &line.asm_jj, &line.drop_nn} {}
 
   std::size_t size() const {
     std::size_t sum = 0;
@@ -277,7 +277,8 @@ void write_terms(const LineData& measured, std::span<const SystematicUnknown> un
     }
   }
   std::size_t elements = 0;
-  for (const Channel* channel : {&measured.x, &measured.y, &measured.a, &measured.b, &measured.d}) elements += channel->value.size();
+  for (const Channel* channel : {&measured.sub_jn, &measured.sub_jj, &measured.asm_jn, &measured.asm_jj, &measured.drop_nn})
+    elements += channel->value.size();
   out.first.resize(elements + 1, out.terms.size());
 }
 

@@ -54,7 +54,7 @@ ExplicitLine::ExplicitLine(const LineLayout& layout, const LineData& data, const
     theta[column] = 0.0;
   }
   std::size_t first = 0;
-  for (const Channel* channel : {&data.x, &data.y, &data.a, &data.b, &data.d}) {
+  for (const Channel* channel : {&data.sub_jn, &data.sub_jj, &data.asm_jn, &data.asm_jj, &data.drop_nn}) {
     for (std::size_t i = 0; i < channel->value.size(); ++i) {
       const Complex weight = channel->weight[i], value = channel->value[i];
       if (weight.real() > 0.0) rows_.push_back({first + i, false, weight.real(), value.real()});
@@ -85,11 +85,11 @@ LineState ExplicitLine::state(std::span<const double> theta, const double* u) co
   LineState out{x_centre_, y_centre_, {}, {}};
   LineStep step(at(own()));
   for (std::size_t i = 0; i < own(); ++i) step[at(i)] = scale_[i] * u[i];
-  move(*layout_, step, 1.0, out.x, out.y);
+  move(*layout_, step, 1.0, out.sub_jn, out.sub_jj);
   const ComplexMatrix z = impedance(theta);
-  Explicit predicted(z, out.x, out.y);
-  out.a = std::move(predicted.a);
-  out.b = std::move(predicted.b);
+  Explicit predicted(z, out.sub_jn, out.sub_jj);
+  out.asm_jn = std::move(predicted.a);
+  out.asm_jj = std::move(predicted.b);
   return out;
 }
 
@@ -99,18 +99,18 @@ std::vector<Complex> ExplicitLine::stacked(const ComplexMatrix& x, const Complex
   const auto append = [&](const std::vector<Element>& elements, const ComplexMatrix& from) {
     for (const Element& e : elements) all.push_back(from(at(e.row), at(e.column)));
   };
-  append(layout_->x, x);
-  append(layout_->y, y);
-  append(layout_->a, a);
-  append(layout_->b, b);
-  append(layout_->d, d);
+  append(layout_->sub_jn, x);
+  append(layout_->sub_jj, y);
+  append(layout_->asm_jn, a);
+  append(layout_->asm_jj, b);
+  append(layout_->drop_nn, d);
   return all;
 }
 
 /// L⁻¹ of real and imaginary parts that belong together, column by column.
 void ExplicitLine::whiten(Eigen::Ref<RowMatrixXd> rows) const {
   if (!correlation_) return;
-  const std::size_t elements = layout_->variables() + layout_->a.size() + layout_->b.size() + layout_->d.size();
+  const std::size_t elements = layout_->variables() + layout_->asm_jn.size() + layout_->asm_jj.size() + layout_->drop_nn.size();
   for (Eigen::Index column = 0; column < rows.cols(); ++column) {
     std::vector<Complex> errors(elements);
     for (std::size_t r = 0; r < rows_.size(); ++r) {
@@ -128,7 +128,7 @@ void ExplicitLine::evaluate(std::span<const double> theta, const double* u, doub
                             RowMatrixXd* by_own) const {
   const ComplexMatrix z = impedance(theta);
   const LineState now = state(theta, u);
-  const Explicit f(z, now.x, now.y);
+  const Explicit f(z, now.sub_jn, now.sub_jj);
   const std::vector<Complex> values = stacked(f.x, f.y, f.a, f.b, f.d());
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     const Complex& value = values[rows_[r].at];
@@ -153,8 +153,8 @@ void ExplicitLine::evaluate(std::span<const double> theta, const double* u, doub
   if (!by_own) return;
   by_own->resize(at(rows_.size()), at(own()));
   for (std::size_t v = 0; v < layout_->variables(); ++v) {
-    const bool is_x = v < layout_->x.size();
-    const Element e = is_x ? layout_->x[v] : layout_->y[v - layout_->x.size()];
+    const bool is_x = v < layout_->sub_jn.size();
+    const Element e = is_x ? layout_->sub_jn[v] : layout_->sub_jj[v - layout_->sub_jn.size()];
     const auto put = [&](double to) {
       if (is_x) {
         dx(at(e.row), at(e.column)) = to;

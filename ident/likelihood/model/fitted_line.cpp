@@ -38,8 +38,8 @@ double enough(const FittedLine& line, Relaxation until) {
 /// Takes a step of the FRFs if χ² does not rise by it, and puts the line on the constraint. By how much χ² fell.
 std::optional<double> take(const LineData& data, const ComplexMatrix& z, const LineLayout& layout, const LineStep& step,
                            FittedLine& line) {
-  LineState moved{line.state.x, line.state.y, {}, {}};
-  move(layout, step, 1.0, moved.x, moved.y);
+  LineState moved{line.state.sub_jn, line.state.sub_jj, {}, {}};
+  move(layout, step, 1.0, moved.sub_jn, moved.sub_jj);
   const double cost = cost_on_constraint(layout, data, z, moved);
   if (!(cost <= line.cost)) return std::nullopt;
   line.state = std::move(moved);
@@ -79,7 +79,7 @@ std::optional<Eigen::VectorXd> followed_gradient(const LineData& data, const Com
     if (!(promised <= shrinks * last)) return std::nullopt;
     last = promised;
     cost = gradient.cost;
-    move(model.layout(), step, 1.0, line.state.x, line.state.y);
+    move(model.layout(), step, 1.0, line.state.sub_jn, line.state.sub_jj);
   }
 }
 
@@ -89,13 +89,14 @@ LineState first_state(const LineLayout& layout, const LineData& data, const Comp
   LineState state = measured_start(layout, data);
   guess_y(layout, data, z, state);
   put_on_constraint(layout, z, state);
-  for (std::size_t v = 0; v < layout.a.size(); ++v) {
-    if (data.a.weight[v] != Complex(0.0)) state.a(at(layout.a[v].row), at(layout.a[v].column)) = data.a.value[v];
+  for (std::size_t v = 0; v < layout.asm_jn.size(); ++v) {
+    if (data.asm_jn.weight[v] != Complex(0.0))
+      state.asm_jn(at(layout.asm_jn[v].row), at(layout.asm_jn[v].column)) = data.asm_jn.value[v];
   }
-  for (std::size_t v = 0; v < layout.b.size(); ++v) {
-    if (data.b.weight[v] == Complex(0.0)) continue;
-    state.b(at(layout.b[v].row), at(layout.b[v].column)) = data.b.value[v];
-    state.b(at(layout.b[v].column), at(layout.b[v].row)) = data.b.value[v];
+  for (std::size_t v = 0; v < layout.asm_jj.size(); ++v) {
+    if (data.asm_jj.weight[v] == Complex(0.0)) continue;
+    state.asm_jj(at(layout.asm_jj[v].row), at(layout.asm_jj[v].column)) = data.asm_jj.value[v];
+    state.asm_jj(at(layout.asm_jj[v].column), at(layout.asm_jj[v].row)) = data.asm_jj.value[v];
   }
   return state;
 }
@@ -121,7 +122,7 @@ Eigen::MatrixXd gradients_nearby(const LineData& data, const ComplexMatrix& here
   FittedLine moved = line;
   for (std::size_t k = 0; k < joints.size(); ++k) {
     moved.state = line.state;
-    move(model.layout(), line.reduced.answer(joints[k].offset), 1.0, moved.state.x, moved.state.y);
+    move(model.layout(), line.reduced.answer(joints[k].offset), 1.0, moved.state.sub_jn, moved.state.sub_jj);
     if (!has_factors) {
       model.linearise(data, line.joint, here, line.state, false);
       has_factors = model.reduce(0.0).has_value();

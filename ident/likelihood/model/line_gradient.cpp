@@ -39,21 +39,22 @@ LineGradient gradient_of(const LineLayout& layout, const LineData& data, const J
                          const LineState& state) {
   LineGradient out;
   const std::size_t n = layout.joint, others = layout.others;
-  const ComplexMatrix inverse = coupling::closed_loop(state.y, z);
-  const LaneMatrix p = split(inverse), p_h = split(inverse.adjoint()), a = split(state.a);
+  const ComplexMatrix inverse = coupling::closed_loop(state.sub_jj, z);
+  const LaneMatrix p = split(inverse), p_h = split(inverse.adjoint()), a = split(state.asm_jn);
   LaneMatrix b(n, n), g(n, others), d(others, others);
-  b.add_product(p.plain(), split(state.y).plain());
+  b.add_product(p.plain(), split(state.sub_jj).plain());
   g.add_product(split(z).plain(), a.plain());
-  d.add_product(split(state.x.transpose()).plain(), g.plain());
-  const LaneMatrix e_d = weighed(layout.d, data.d, d, out.cost), e_a = weighed(layout.a, data.a, a, out.cost);
+  d.add_product(split(state.sub_jn.transpose()).plain(), g.plain());
+  const LaneMatrix e_d = weighed(layout.drop_nn, data.drop_nn, d, out.cost),
+                   e_a = weighed(layout.asm_jn, data.asm_jn, a, out.cost);
   LaneMatrix by_x(n, others), by_y(n, n), by_z(n, n), answered(n, n), driven(n, others);
   by_x.add_product(p_h.plain(), e_a.plain());
   by_x.add_product(g.conjugate(), e_d.plain());
   by_y.add_product(by_x.plain(), g.adjoint(), -1.0);
   by_x.add_product(g.conjugate(), e_d.transpose());
   answered.add_product(e_a.plain(), a.adjoint());
-  if (!layout.b.empty()) {
-    const LaneMatrix e_b = weighed(layout.b, data.b, b, out.cost);
+  if (!layout.asm_jj.empty()) {
+    const LaneMatrix e_b = weighed(layout.asm_jj, data.asm_jj, b, out.cost);
     LaneMatrix through(n, n);
     through.add_product(p_h.plain(), e_b.plain());
     by_y.add_product(through.plain(), p.conjugate());
@@ -71,13 +72,13 @@ LineGradient gradient_of(const LineLayout& layout, const LineData& data, const J
     out.own[v++] = value.real();
     out.own[v++] = value.imag();
   };
-  for (std::size_t i = 0; i < layout.x.size(); ++i) {
-    const auto [row, column] = layout.x[i];
-    put(weighed(data.x, i, state.x(at(row), at(column)), out.cost) + by_x(row, column));
+  for (std::size_t i = 0; i < layout.sub_jn.size(); ++i) {
+    const auto [row, column] = layout.sub_jn[i];
+    put(weighed(data.sub_jn, i, state.sub_jn(at(row), at(column)), out.cost) + by_x(row, column));
   }
-  for (std::size_t i = 0; i < layout.y.size(); ++i) {
-    const auto [row, column] = layout.y[i];
-    const Complex measured = weighed(data.y, i, state.y(at(row), at(column)), out.cost);
+  for (std::size_t i = 0; i < layout.sub_jj.size(); ++i) {
+    const auto [row, column] = layout.sub_jj[i];
+    const Complex measured = weighed(data.sub_jj, i, state.sub_jj(at(row), at(column)), out.cost);
     put(measured + (row == column ? by_y(row, row) : by_y(row, column) + by_y(column, row)));
   }
   return out;

@@ -15,9 +15,10 @@ namespace jointid::ident {
 
 bool LineModel::are_circular(const LineData& data) const {
   if (data.correlation && !data.correlation->is_circular()) return false;
-  return std::ranges::all_of(std::array{&data.x, &data.y, &data.a, &data.b, &data.d}, [](const Channel* channel) {
-    return std::ranges::all_of(channel->weight, [](const Complex& weight) { return weight.real() == weight.imag(); });
-  });
+  return std::ranges::all_of(
+      std::array{&data.sub_jn, &data.sub_jj, &data.asm_jn, &data.asm_jj, &data.drop_nn}, [](const Channel* channel) {
+        return std::ranges::all_of(channel->weight, [](const Complex& weight) { return weight.real() == weight.imag(); });
+      });
 }
 
 /// Whether the line is one for LineElimination, which is made for the first of them.
@@ -31,7 +32,7 @@ bool LineModel::eliminates(const LineData& data, const JointImpedance& joint) {
 }
 
 NormalRows::Run LineModel::column(std::size_t other) const {
-  return {layout_.x_first[other], layout_.x_first[other + 1] - layout_.x_first[other]};
+  return {layout_.sub_jn_first[other], layout_.sub_jn_first[other + 1] - layout_.sub_jn_first[other]};
 }
 
 void LineModel::put(Complex coefficient) { row_[place_++] += coefficient; }
@@ -40,10 +41,10 @@ void LineModel::put(Complex coefficient) { row_[place_++] += coefficient; }
 void LineModel::put_y(const Complex* left, const ComplexMatrix& right, Eigen::Index k) {
   const Complex* const r = right.col(k).data();
   Complex* out = row_.data() + place_;
-  for (const auto [row, column] : layout_.y) {
+  for (const auto [row, column] : layout_.sub_jj) {
     *out++ -= row == column ? product(left[row], r[row]) : product(left[row], r[column]) + product(left[column], r[row]);
   }
-  place_ += layout_.y.size();
+  place_ += layout_.sub_jj.size();
 }
 
 void LineModel::put_joint(const JointImpedance& joint, const Complex* left, const Complex* right) {
@@ -100,8 +101,9 @@ void LineModel::put_correlated(minimise::Correlation::Place place, Complex weigh
   const auto weighted = [&](Complex z) { return Complex(weight.real() * z.real(), weight.imag() * z.imag()); };
   Complex* const out = correlated_rows_.row(place);
   for (std::size_t k = 0; k < frfs; ++k) {
-    const std::size_t column =
-        k < first.count ? first.first + k : k < head ? second.first + k - first.count : layout_.x.size() + k - head;
+    const std::size_t column = k < first.count ? first.first + k
+                               : k < head      ? second.first + k - first.count
+                                               : layout_.sub_jn.size() + k - head;
     if (complex_) {
       out[column] = weighted(row_[k]);
     } else {
@@ -114,10 +116,10 @@ void LineModel::put_correlated(minimise::Correlation::Place place, Complex weigh
 
 /// A measured FRF with systematic errors, as a row.
 void LineModel::put_systematic_prior(std::size_t variable, const Channel& channel, std::size_t i, Complex current) {
-  const bool is_x = variable < layout_.x.size();
-  const NormalRows::Run run = is_x ? column(layout_.x[variable].column) : NormalRows::Run{layout_.x.size(), 0};
+  const bool is_x = variable < layout_.sub_jn.size();
+  const NormalRows::Run run = is_x ? column(layout_.sub_jn[variable].column) : NormalRows::Run{layout_.sub_jn.size(), 0};
   row_[variable - run.first] = 1.0;
-  place_ = run.count + layout_.y.size() + joint_unknowns_;
+  place_ = run.count + layout_.sub_jj.size() + joint_unknowns_;
   first_element_ = variable - i;
   emit(channel, i, current, is_x ? run : NormalRows::Run{}, {});
   prior_weight_.push_back(channel.weight[i].real());
@@ -166,14 +168,14 @@ bool LineModel::put_correlated_prior(std::size_t variable, Complex residual, Com
 
 void LineModel::prepare(const ComplexMatrix& z, const LineState& state) {
   const auto n = at(layout_.joint);
-  p_ = coupling::closed_loop(state.y, z);
-  py_ = p_ * state.y;
-  za_ = z * state.a;
-  r_ = state.x - state.a - state.y * za_;
+  p_ = coupling::closed_loop(state.sub_jj, z);
+  py_ = p_ * state.sub_jj;
+  za_ = z * state.asm_jn;
+  r_ = state.sub_jn - state.asm_jn - state.sub_jj * za_;
   pr_ = p_ * r_;
-  if (layout_.b.empty()) return;
-  c_ = ComplexMatrix::Identity(n, n) - z * state.b;
-  rest_b_ = state.y * c_ - state.b;
+  if (layout_.asm_jj.empty()) return;
+  c_ = ComplexMatrix::Identity(n, n) - z * state.asm_jj;
+  rest_b_ = state.sub_jj * c_ - state.asm_jj;
   pr_b_ = p_ * rest_b_;
 }
 
@@ -183,8 +185,8 @@ void LineModel::linearise(const LineData& data, const JointImpedance& joint, con
   joint_unknowns_ = with_joint ? joint.columns().size() : 0;
   terms_ = with_joint ? data.terms.get() : nullptr;
   unknowns_ = joint_unknowns_ + (terms_ ? terms_->unknowns : 0);
-  h_ = (p_.transpose() * z.transpose()) * state.x;  // hᵀ: N×n
-  yh_ = state.x - state.y.transpose() * h_;
+  h_ = (p_.transpose() * z.transpose()) * state.sub_jn;  // hᵀ: N×n
+  yh_ = state.sub_jn - state.sub_jj.transpose() * h_;
   const LineFactors factors{p_, py_, za_, h_, yh_, r_, c_, rest_b_};
   eliminated_ = eliminates(data, joint) && elimination_->linearise(data, state, factors, with_joint ? &joint : nullptr, terms_);
   if (eliminated_) return;
@@ -192,8 +194,8 @@ void LineModel::linearise(const LineData& data, const JointImpedance& joint, con
   complex_ = (numbers_ == Numbers::chosen ? pays : numbers_ != Numbers::real) && are_circular(data);
   const std::size_t others = unknowns_ + 1;
   row_.assign(layout_.variables() + others, 0.0);
-  complex_ ? complex_rows_.reset(layout_.variables() + others, layout_.x.size())
-           : rows_.reset(2 * layout_.variables() + others, 2 * layout_.x.size());
+  complex_ ? complex_rows_.reset(layout_.variables() + others, layout_.sub_jn.size())
+           : rows_.reset(2 * layout_.variables() + others, 2 * layout_.sub_jn.size());
   correlation_ = data.correlation.get();
   if (correlation_) correlated_rows_.reset(*correlation_, (complex_ ? 1 : 2) * layout_.variables() + others);
   add_priors(data, state);
@@ -202,7 +204,7 @@ void LineModel::linearise(const LineData& data, const JointImpedance& joint, con
     return;
   }
   add_a(data, joint, state);
-  if (!layout_.b.empty()) add_b(data, joint, state);
+  if (!layout_.asm_jj.empty()) add_b(data, joint, state);
   add_d(data, joint, state);
   complex_ ? complex_rows_.finish() : rows_.finish();
   if (!correlation_) return;
@@ -241,7 +243,7 @@ void LineModel::add_prior(std::size_t variable, Complex residual, Complex weight
 
 void LineModel::add_priors(const LineData& data, const LineState& state) {
   prior_weight_.clear();
-  const double x_guess = guessed_weight(state.x), y_guess = guessed_weight(state.y);
+  const double x_guess = guessed_weight(state.sub_jn), y_guess = guessed_weight(state.sub_jj);
   const auto is_systematic = [&](std::size_t variable, Complex weight) {
     return terms_ && terms_->has(variable) && weight.real() > 0.0 && weight.imag() > 0.0;
   };
@@ -255,61 +257,64 @@ void LineModel::add_priors(const LineData& data, const LineState& state) {
     add_prior(variable, residual, weight, guess);
     if (systematic) add_prior_terms(variable, residual, weight);
   };
-  for (std::size_t i = 0; i < layout_.x.size(); ++i) add(i, data.x, i, state.x(at(layout_.x[i].row), at(layout_.x[i].column)), x_guess);
-  for (std::size_t i = 0; i < layout_.y.size(); ++i) {
-    add(layout_.x.size() + i, data.y, i, state.y(at(layout_.y[i].row), at(layout_.y[i].column)), y_guess);
+  for (std::size_t i = 0; i < layout_.sub_jn.size(); ++i)
+    add(i, data.sub_jn, i, state.sub_jn(at(layout_.sub_jn[i].row), at(layout_.sub_jn[i].column)), x_guess);
+  for (std::size_t i = 0; i < layout_.sub_jj.size(); ++i) {
+    add(layout_.sub_jn.size() + i, data.sub_jj, i, state.sub_jj(at(layout_.sub_jj[i].row), at(layout_.sub_jj[i].column)),
+        y_guess);
   }
 }
 
 void LineModel::add_a(const LineData& data, const JointImpedance& joint, const LineState& state) {
   std::vector<Complex> p_row(layout_.joint), left(layout_.joint);
   first_element_ = layout_.variables();
-  for (std::size_t i = 0; i < layout_.a.size(); ++i) {
-    if (data.a.weight[i] == Complex(0.0)) continue;
-    const auto [p, k] = layout_.a[i];
+  for (std::size_t i = 0; i < layout_.asm_jn.size(); ++i) {
+    if (data.asm_jn.weight[i] == Complex(0.0)) continue;
+    const auto [p, k] = layout_.asm_jn[i];
     for (std::size_t m = 0; m < layout_.joint; ++m) {
       p_row[m] = p_(at(p), at(m));
       left[m] = -py_(at(p), at(m));
     }
     place_ = 0;
-    for (std::size_t v = layout_.x_first[k]; v < layout_.x_first[k + 1]; ++v) put(p_row[layout_.x[v].row]);
+    for (std::size_t v = layout_.sub_jn_first[k]; v < layout_.sub_jn_first[k + 1]; ++v) put(p_row[layout_.sub_jn[v].row]);
     put_y(p_row.data(), za_, at(k));
-    put_joint(joint, left.data(), state.a.col(at(k)).data());
-    emit(data.a, i, state.a(at(p), at(k)) + pr_(at(p), at(k)), column(k), {});
+    put_joint(joint, left.data(), state.asm_jn.col(at(k)).data());
+    emit(data.asm_jn, i, state.asm_jn(at(p), at(k)) + pr_(at(p), at(k)), column(k), {});
   }
 }
 
 void LineModel::add_b(const LineData& data, const JointImpedance& joint, const LineState& state) {
   std::vector<Complex> minus_p_row(layout_.joint), left(layout_.joint);
-  first_element_ = layout_.variables() + layout_.a.size();
-  for (std::size_t i = 0; i < layout_.b.size(); ++i) {
-    if (data.b.weight[i] == Complex(0.0)) continue;
-    const auto [p, q] = layout_.b[i];
+  first_element_ = layout_.variables() + layout_.asm_jn.size();
+  for (std::size_t i = 0; i < layout_.asm_jj.size(); ++i) {
+    if (data.asm_jj.weight[i] == Complex(0.0)) continue;
+    const auto [p, q] = layout_.asm_jj[i];
     for (std::size_t m = 0; m < layout_.joint; ++m) {
       minus_p_row[m] = -p_(at(p), at(m));
       left[m] = -py_(at(p), at(m));
     }
     place_ = 0;
     put_y(minus_p_row.data(), c_, at(q));
-    put_joint(joint, left.data(), state.b.col(at(q)).data());
-    emit(data.b, i, state.b(at(p), at(q)) + pr_b_(at(p), at(q)), {}, {});
+    put_joint(joint, left.data(), state.asm_jj.col(at(q)).data());
+    emit(data.asm_jj, i, state.asm_jj(at(p), at(q)) + pr_b_(at(p), at(q)), {}, {});
   }
 }
 
 void LineModel::add_d(const LineData& data, const JointImpedance& joint, const LineState& state) {
-  first_element_ = layout_.variables() + layout_.a.size() + layout_.b.size();
-  for (std::size_t i = 0; i < layout_.d.size(); ++i) {
-    if (data.d.weight[i] == Complex(0.0)) continue;
-    const auto [r, k] = layout_.d[i];
+  first_element_ = layout_.variables() + layout_.asm_jn.size() + layout_.asm_jj.size();
+  for (std::size_t i = 0; i < layout_.drop_nn.size(); ++i) {
+    if (data.drop_nn.weight[i] == Complex(0.0)) continue;
+    const auto [r, k] = layout_.drop_nn[i];
     const Complex* h = h_.col(at(r)).data();
     place_ = 0;
-    for (std::size_t v = layout_.x_first[r]; v < layout_.x_first[r + 1]; ++v) put(za_(at(layout_.x[v].row), at(k)));
+    for (std::size_t v = layout_.sub_jn_first[r]; v < layout_.sub_jn_first[r + 1]; ++v)
+      put(za_(at(layout_.sub_jn[v].row), at(k)));
     if (r == k) place_ = 0;
-    for (std::size_t v = layout_.x_first[k]; v < layout_.x_first[k + 1]; ++v) put(h[layout_.x[v].row]);
+    for (std::size_t v = layout_.sub_jn_first[k]; v < layout_.sub_jn_first[k + 1]; ++v) put(h[layout_.sub_jn[v].row]);
     put_y(h, za_, at(k));
-    put_joint(joint, yh_.col(at(r)).data(), state.a.col(at(k)).data());
+    put_joint(joint, yh_.col(at(r)).data(), state.asm_jn.col(at(k)).data());
     const Complex along = (h_.col(at(r)).transpose() * r_.col(at(k))).value();
-    emit(data.d, i, predicted_difference(state, za_, {r, k}) + along, column(r), r == k ? NormalRows::Run{} : column(k));
+    emit(data.drop_nn, i, predicted_difference(state, za_, {r, k}) + along, column(r), r == k ? NormalRows::Run{} : column(k));
   }
 }
 
@@ -397,14 +402,14 @@ LineStep LineModel::own_step(const LineStep& gradient) const {
 }
 
 void LineModel::advance(const LineStep& step, const ComplexMatrix& dz, LineState& state) const {
-  ComplexMatrix dx = ComplexMatrix::Zero(state.x.rows(), state.x.cols());
-  ComplexMatrix dy = ComplexMatrix::Zero(state.y.rows(), state.y.cols());
+  ComplexMatrix dx = ComplexMatrix::Zero(state.sub_jn.rows(), state.sub_jn.cols());
+  ComplexMatrix dy = ComplexMatrix::Zero(state.sub_jj.rows(), state.sub_jj.cols());
   move(layout_, step, 1.0, dx, dy);
-  const ComplexMatrix da = pr_ + p_ * (dx - dy * za_) - py_ * (dz * state.a);
-  if (!layout_.b.empty()) state.b += pr_b_ + p_ * (dy * c_) - py_ * (dz * state.b);
-  state.a += da;
-  state.x += dx;
-  state.y += dy;
+  const ComplexMatrix da = pr_ + p_ * (dx - dy * za_) - py_ * (dz * state.asm_jn);
+  if (!layout_.asm_jj.empty()) state.asm_jj += pr_b_ + p_ * (dy * c_) - py_ * (dz * state.asm_jj);
+  state.asm_jn += da;
+  state.sub_jn += dx;
+  state.sub_jj += dy;
 }
 
 }  // namespace jointid::ident

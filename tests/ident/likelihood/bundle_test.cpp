@@ -97,7 +97,7 @@ struct OneLine {
     const JointImpedance joint = joint_at(plan.restriction, *plan.columns, plan.omega0, data.omega);
     ExplicitLine out(observations.layout(), data, joint);
     const LineState start = measured_start(observations.layout(), data);
-    out.set_centre(start.x, start.y);
+    out.set_centre(start.sub_jn, start.sub_jj);
     return out;
   }
 
@@ -164,8 +164,8 @@ TEST(LineStart, FromExactDataIsExactEitherWay) {
     const JointImpedance joint = joint_at(plan->restriction, *plan->columns, plan->omega0, data.omega);
     const LineState measured = measured_start(observations.layout(), data);
     const LineState found = lifted_start(observations.layout(), data, joint.at(theta));
-    EXPECT_LT((found.x - measured.x).norm(), 1e-8 * measured.x.norm());
-    EXPECT_LT((found.y - measured.y).norm(), 1e-8 * measured.y.norm());
+    EXPECT_LT((found.sub_jn - measured.sub_jn).norm(), 1e-8 * measured.sub_jn.norm());
+    EXPECT_LT((found.sub_jj - measured.sub_jj).norm(), 1e-8 * measured.sub_jj.norm());
   }
 }
 

@@ -13,14 +13,14 @@ namespace jointid::ident {
 class DenseStep {
  public:
   /// `state`: X, Y, A, B anywhere, not on the constraint.
-  DenseStep(const LineSample& s, const LineState& state) : s_(s), n_(state.x.cols()), j_(state.x.rows()) {
+  DenseStep(const LineSample& s, const LineState& state) : s_(s), n_(state.sub_jn.cols()), j_(state.sub_jn.rows()) {
     const auto size = n_ + j_;
     hs_ = ha_ = z_ = ComplexMatrix::Zero(size, size);
-    hs_.bottomLeftCorner(j_, n_) = state.x;
-    hs_.topRightCorner(n_, j_) = state.x.transpose();
-    hs_.bottomRightCorner(j_, j_) = state.y;
-    ha_.bottomLeftCorner(j_, n_) = state.a;
-    if (!s.layout.b.empty()) ha_.bottomRightCorner(j_, j_) = state.b;
+    hs_.bottomLeftCorner(j_, n_) = state.sub_jn;
+    hs_.topRightCorner(n_, j_) = state.sub_jn.transpose();
+    hs_.bottomRightCorner(j_, j_) = state.sub_jj;
+    ha_.bottomLeftCorner(j_, n_) = state.asm_jn;
+    if (!s.layout.asm_jj.empty()) ha_.bottomRightCorner(j_, j_) = state.asm_jj;
     z_.bottomRightCorner(j_, j_) = s.joint.at(s.theta);
     list_conditions();
     b_.resize(2 * at(rows_.size()), 0);
@@ -62,11 +62,11 @@ class DenseStep {
   }
 
   void list_conditions() {
-    for (std::size_t i = 0; i < s_.layout.d.size(); ++i) {
-      if (s_.data.d.weight[i] != Complex(0.0)) rows_.push_back(s_.layout.d[i]);
+    for (std::size_t i = 0; i < s_.layout.drop_nn.size(); ++i) {
+      if (s_.data.drop_nn.weight[i] != Complex(0.0)) rows_.push_back(s_.layout.drop_nn[i]);
     }
     for (Eigen::Index p = 0; p < j_; ++p) {
-      const auto last = s_.layout.b.empty() ? n_ : n_ + j_;
+      const auto last = s_.layout.asm_jj.empty() ? n_ : n_ + j_;
       for (Eigen::Index k = 0; k < last; ++k) rows_.push_back({std::size_t(n_ + p), std::size_t(k)});
     }
   }
@@ -103,27 +103,28 @@ class DenseStep {
 
   void add_variables(const LineState& state) {
     const LineLayout& layout = s_.layout;
-    const double x_wide = 1e3 * state.x.cwiseAbs().maxCoeff(), y_wide = 1e3 * state.y.cwiseAbs().maxCoeff(), free = 0.0;
-    for (std::size_t i = 0; i < layout.x.size(); ++i) {
-      const auto r = at(layout.x[i].row), c = at(layout.x[i].column);
-      add(n_ + r, c, true, true, s_.data.x.weight[i], s_.data.x.value[i] - state.x(r, c), x_wide);
+    const double x_wide = 1e3 * state.sub_jn.cwiseAbs().maxCoeff(), y_wide = 1e3 * state.sub_jj.cwiseAbs().maxCoeff(), free = 0.0;
+    for (std::size_t i = 0; i < layout.sub_jn.size(); ++i) {
+      const auto r = at(layout.sub_jn[i].row), c = at(layout.sub_jn[i].column);
+      add(n_ + r, c, true, true, s_.data.sub_jn.weight[i], s_.data.sub_jn.value[i] - state.sub_jn(r, c), x_wide);
     }
-    for (std::size_t i = 0; i < layout.y.size(); ++i) {
-      const auto r = at(layout.y[i].row), c = at(layout.y[i].column);
-      add(n_ + r, n_ + c, true, true, s_.data.y.weight[i], s_.data.y.value[i] - state.y(r, c), y_wide);
+    for (std::size_t i = 0; i < layout.sub_jj.size(); ++i) {
+      const auto r = at(layout.sub_jj[i].row), c = at(layout.sub_jj[i].column);
+      add(n_ + r, n_ + c, true, true, s_.data.sub_jj.weight[i], s_.data.sub_jj.value[i] - state.sub_jj(r, c), y_wide);
     }
-    for (std::size_t i = 0; i < layout.a.size(); ++i) {
-      const auto r = at(layout.a[i].row), c = at(layout.a[i].column);
-      add(n_ + r, c, false, false, s_.data.a.weight[i], s_.data.a.value[i] - state.a(r, c), free);
+    for (std::size_t i = 0; i < layout.asm_jn.size(); ++i) {
+      const auto r = at(layout.asm_jn[i].row), c = at(layout.asm_jn[i].column);
+      add(n_ + r, c, false, false, s_.data.asm_jn.weight[i], s_.data.asm_jn.value[i] - state.asm_jn(r, c), free);
     }
-    for (std::size_t i = 0; i < layout.b.size(); ++i) {
-      const auto r = at(layout.b[i].row), c = at(layout.b[i].column);
-      add(n_ + r, n_ + c, false, false, s_.data.b.weight[i], s_.data.b.value[i] - state.b(r, c), free);
+    for (std::size_t i = 0; i < layout.asm_jj.size(); ++i) {
+      const auto r = at(layout.asm_jj[i].row), c = at(layout.asm_jj[i].column);
+      add(n_ + r, n_ + c, false, false, s_.data.asm_jj.weight[i], s_.data.asm_jj.value[i] - state.asm_jj(r, c), free);
       if (r != c) add(n_ + c, n_ + r, false, false, 0.0, 0.0, free);  // its reciprocal, as far as conditions mention it
     }
-    for (std::size_t i = 0; i < layout.d.size(); ++i) {
-      if (s_.data.d.weight[i] == Complex(0.0)) continue;
-      add(at(layout.d[i].row), at(layout.d[i].column), false, true, s_.data.d.weight[i], s_.data.d.value[i], free);
+    for (std::size_t i = 0; i < layout.drop_nn.size(); ++i) {
+      if (s_.data.drop_nn.weight[i] == Complex(0.0)) continue;
+      add(at(layout.drop_nn[i].row), at(layout.drop_nn[i].column), false, true, s_.data.drop_nn.weight[i],
+          s_.data.drop_nn.value[i], free);
     }
   }
 

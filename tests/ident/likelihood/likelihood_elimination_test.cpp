@@ -17,7 +17,7 @@ namespace {
 /// Circular errors, of sizes that are apart by factors up to `ratio`.
 void make_circular(LineSample& s, double ratio, std::mt19937_64& random) {
   std::uniform_real_distribution<double> power(-0.5, 0.5);
-  for (Channel* channel : {&s.data.x, &s.data.y, &s.data.a, &s.data.b, &s.data.d}) {
+  for (Channel* channel : {&s.data.sub_jn, &s.data.sub_jj, &s.data.asm_jn, &s.data.asm_jj, &s.data.drop_nn}) {
     for (Complex& weight : channel->weight) weight = weight.real() * std::pow(ratio, power(random)) * Complex(1.0, 1.0);
   }
 }
@@ -27,11 +27,11 @@ LineState moved(LineSample& s, bool on_constraint) {
   LineState state = s.exact;
   LineStep step(at(2 * s.layout.variables()));
   for (double& value : step) value = s.normal();
-  move(s.layout, step, 0.05, state.x, state.y);
+  move(s.layout, step, 0.05, state.sub_jn, state.sub_jj);
   put_on_constraint(s.layout, s.joint.at(s.theta), state);
   if (on_constraint) return state;
-  state.a += 0.05 * s.any(state.a);
-  if (!s.layout.b.empty()) state.b += 0.05 * s.any(state.b);
+  state.asm_jn += 0.05 * s.any(state.asm_jn);
+  if (!s.layout.asm_jj.empty()) state.asm_jj += 0.05 * s.any(state.asm_jj);
   return state;
 }
 
@@ -84,7 +84,7 @@ RC_GTEST_PROP(LikelihoodElimination, SolvesTheEquationsOfAllRows, (unsigned seed
   make_circular(s, coin(random) ? 10.0 : 1.0, random);
   // Not all of A, B and D.
   std::bernoulli_distribution absent(coin(random) ? 0.2 : 0.0);
-  for (Channel* channel : {&s.data.a, &s.data.b, &s.data.d}) {
+  for (Channel* channel : {&s.data.asm_jn, &s.data.asm_jj, &s.data.drop_nn}) {
     for (Complex& weight : channel->weight) weight = absent(random) ? Complex(0.0) : weight;
   }
   const LineState state = moved(s, coin(random));

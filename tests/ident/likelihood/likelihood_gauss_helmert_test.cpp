@@ -18,17 +18,15 @@ struct Example {
       : sample(shape, random), z(sample.joint.at(sample.theta)), state(sample.exact) {
     LineStep step(at(2 * sample.layout.variables()));
     for (double& value : step) value = sample.normal();
-    move(sample.layout, step, 0.05, state.x, state.y);
-    state.a += 0.05 * sample.any(state.a);
-    if (shape.with_b) state.b += 0.05 * sample.any(state.b);
+    move(sample.layout, step, 0.05, state.sub_jn, state.sub_jj);
+    state.asm_jn += 0.05 * sample.any(state.asm_jn);
+    if (shape.with_b) state.asm_jj += 0.05 * sample.any(state.asm_jj);
   }
 
-  ComplexMatrix coupled() const { return ComplexMatrix::Identity(z.rows(), z.cols()) + state.y * z; }
+  ComplexMatrix coupled() const { return ComplexMatrix::Identity(z.rows(), z.cols()) + state.sub_jj * z; }
 
   /// Turns and stretches Y until I + YZ has the eigenvalue `distance`: a resonance of the assembly is that close.
-  void approach_resonance(double distance) {
-    state.y *= (distance - 1.0) / largest_eigenvalue(state.y * z);
-  }
+  void approach_resonance(double distance) { state.sub_jj *= (distance - 1.0) / largest_eigenvalue(state.sub_jj * z); }
 
   /// Of the real matrix [Re −Im; Im Re], which has those of the complex one and their conjugates.
   static Complex largest_eigenvalue(const ComplexMatrix& a) {

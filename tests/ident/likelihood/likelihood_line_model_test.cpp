@@ -49,11 +49,11 @@ Eigen::VectorXd residuals(const LineSample& s, const std::vector<double>& theta,
       all.push_back(off.imag() * channel.weight[i].imag());
     }
   };
-  add(s.layout.x, s.data.x, x);
-  add(s.layout.y, s.data.y, y);
-  add(s.layout.a, s.data.a, coupled.bottomLeftCorner(j, n));
-  add(s.layout.b, s.data.b, coupled.bottomRightCorner(j, j));
-  add(s.layout.d, s.data.d, difference.topLeftCorner(n, n));
+  add(s.layout.sub_jn, s.data.sub_jn, x);
+  add(s.layout.sub_jj, s.data.sub_jj, y);
+  add(s.layout.asm_jn, s.data.asm_jn, coupled.bottomLeftCorner(j, n));
+  add(s.layout.asm_jj, s.data.asm_jj, coupled.bottomRightCorner(j, j));
+  add(s.layout.drop_nn, s.data.drop_nn, difference.topLeftCorner(n, n));
   return independent(s, Eigen::Map<Eigen::VectorXd>(all.data(), at(all.size())));
 }
 
@@ -61,13 +61,13 @@ Eigen::VectorXd residuals(const LineSample& s, const std::vector<double>& theta,
 Eigen::MatrixXd jacobian(const LineSample& s, const LineState& state, double h = 1e-6) {
   const auto v = at(2 * s.layout.variables()), p = at(s.theta.size());
   const auto moved = [&](Eigen::Index i, double by) {
-    ComplexMatrix x = state.x, y = state.y;
+    ComplexMatrix x = state.sub_jn, y = state.sub_jj;
     std::vector<double> theta = s.theta;
     if (i < v) move(s.layout, Eigen::VectorXd::Unit(v, i), by, x, y);
     if (i >= v) theta[static_cast<std::size_t>(i - v)] += by;
     return residuals(s, theta, x, y);
   };
-  Eigen::MatrixXd out(residuals(s, s.theta, state.x, state.y).size(), v + p);
+  Eigen::MatrixXd out(residuals(s, s.theta, state.sub_jn, state.sub_jj).size(), v + p);
   for (Eigen::Index i = 0; i < v + p; ++i) out.col(i) = (moved(i, h) - moved(i, -h)) / (2.0 * h);
   return out;
 }
@@ -88,7 +88,7 @@ LineState nearby(LineSample& s) {
   LineState state = s.exact;
   LineStep step(at(2 * s.layout.variables()));
   for (double& value : step) value = s.normal();
-  move(s.layout, step, 0.05, state.x, state.y);
+  move(s.layout, step, 0.05, state.sub_jn, state.sub_jj);
   put_on_constraint(s.layout, s.joint.at(s.theta), state);
   return state;
 }
@@ -101,8 +101,8 @@ RC_GTEST_PROP(LikelihoodLine, CostIsTheSumOfSquares, (unsigned seed)) {
   std::mt19937_64 random(seed);
   LineSample s(any_shape(random), random);
   const LineState state = nearby(s);
-  const double plain = residuals(s, s.theta, state.x, state.y).squaredNorm();
-  const double cost = line_cost(s.layout, s.data, s.joint.at(s.theta), state.x, state.y);
+  const double plain = residuals(s, s.theta, state.sub_jn, state.sub_jj).squaredNorm();
+  const double cost = line_cost(s.layout, s.data, s.joint.at(s.theta), state.sub_jn, state.sub_jj);
   RC_ASSERT(std::abs(cost - plain) <= (s.data.correlation ? 1e-8 : 1e-10) * plain);
 }
 
@@ -110,11 +110,11 @@ RC_GTEST_PROP(LikelihoodLine, CostIsTheSumOfSquares, (unsigned seed)) {
 /// a row 1/(10³ · the largest) δ.
 Eigen::MatrixXd equations(const LineSample& s, const LineState& state, const Eigen::MatrixXd& j) {
   const auto v = at(2 * s.layout.variables());
-  const double x_size = state.x.cwiseAbs().maxCoeff(), y_size = state.y.cwiseAbs().maxCoeff();
+  const double x_size = state.sub_jn.cwiseAbs().maxCoeff(), y_size = state.sub_jj.cwiseAbs().maxCoeff();
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(j.rows() + v, j.cols() + 1);
-  rows.topRows(j.rows()) << j, residuals(s, s.theta, state.x, state.y);
+  rows.topRows(j.rows()) << j, residuals(s, s.theta, state.sub_jn, state.sub_jj);
   for (Eigen::Index i = 0; i < v; ++i) {
-    const bool is_x = i < at(2 * s.layout.x.size());
+    const bool is_x = i < at(2 * s.layout.sub_jn.size());
     if (j.col(i)[i] == 0.0) rows(j.rows() + i, i) = 1e-3 / (is_x ? x_size : y_size);
   }
   return rows;
@@ -155,7 +155,7 @@ RC_GTEST_PROP(LikelihoodLine, GradientIsThatOfTheNormalEquations, (unsigned seed
   shape.correlated = false;
   LineSample s(shape, random);
   if (circular) {
-    for (Channel* channel : {&s.data.x, &s.data.y, &s.data.a, &s.data.b, &s.data.d}) {
+    for (Channel* channel : {&s.data.sub_jn, &s.data.sub_jj, &s.data.asm_jn, &s.data.asm_jj, &s.data.drop_nn}) {
       for (Complex& weight : channel->weight) weight.imag(weight.real());
     }
   }
@@ -167,7 +167,7 @@ RC_GTEST_PROP(LikelihoodLine, GradientIsThatOfTheNormalEquations, (unsigned seed
   RC_PRE(reduced.has_value());
   RC_ASSERT(has_plain_errors(s.data));
   const LineGradient gradient = gradient_of(s.layout, s.data, s.joint, z, state);
-  RC_ASSERT(std::abs(gradient.cost - line_cost(s.layout, s.data, z, state.x, state.y)) <= 1e-10 * gradient.cost);
+  RC_ASSERT(std::abs(gradient.cost - line_cost(s.layout, s.data, z, state.sub_jn, state.sub_jj)) <= 1e-10 * gradient.cost);
   const double brings = gradient.own.dot(model.own_step(gradient.own));  // of χ²: steps that only weak rows fix count little
   RC_ASSERT(std::abs(gradient.own.dot(reduced->own) - brings) <= 1e-8 * brings);
   RC_ASSERT(std::abs(gradient.cost - reduced->cost - brings) <= 1e-8 * gradient.cost);
@@ -185,7 +185,7 @@ std::optional<LineState> settled(const LineSample& s, const std::vector<double>&
     model.linearise(s.data, s.joint, z, state, false);
     const auto reduced = model.reduce(0.0);
     if (!reduced || !reduced->own.allFinite()) return std::nullopt;
-    move(s.layout, reduced->own, 1.0, state.x, state.y);
+    move(s.layout, reduced->own, 1.0, state.sub_jn, state.sub_jj);
     if (reduced->own.norm() < 1e-13) {
       put_on_constraint(s.layout, z, state);
       return state;
@@ -199,7 +199,7 @@ std::shared_ptr<const SystematicTerms> any_terms(LineSample& s) {
   auto out = std::make_shared<SystematicTerms>();
   out->unknowns = 3;
   out->first = {0};
-  for (const Channel* channel : {&s.data.x, &s.data.y, &s.data.a, &s.data.b, &s.data.d}) {
+  for (const Channel* channel : {&s.data.sub_jn, &s.data.sub_jj, &s.data.asm_jn, &s.data.asm_jj, &s.data.drop_nn}) {
     for (std::size_t i = 0; i < channel->value.size(); ++i) {
       for (std::size_t u = 0; u < out->unknowns; ++u) {
         if (s.normal() > 0.4) out->terms.push_back({u, 0.1 * s.any(), s.any(), 1.0});
@@ -216,7 +216,7 @@ RC_GTEST_PROP(LikelihoodLine, ComplexEquationsAreTheRealOnes, (unsigned seed, bo
   std::mt19937_64 random(seed);
   LineSample s(any_shape(random), random);
   if (systematic) s.data.terms = any_terms(s);
-  for (Channel* channel : {&s.data.x, &s.data.y, &s.data.a, &s.data.b, &s.data.d}) {
+  for (Channel* channel : {&s.data.sub_jn, &s.data.sub_jj, &s.data.asm_jn, &s.data.asm_jj, &s.data.drop_nn}) {
     for (Complex& weight : channel->weight) weight.imag(weight.real());
   }
   const LineState state = nearby(s);
@@ -262,7 +262,7 @@ RC_GTEST_PROP(LikelihoodLine, GradientIsThatOfTheMinimisedCost, (unsigned seed))
       theta[t] += side == 0 ? -h : h;
       const auto state = settled(s, theta);
       RC_PRE(state.has_value());
-      cost[static_cast<std::size_t>(side)] = line_cost(s.layout, s.data, s.joint.at(theta), state->x, state->y);
+      cost[static_cast<std::size_t>(side)] = line_cost(s.layout, s.data, s.joint.at(theta), state->sub_jn, state->sub_jj);
     }
     const double slope = (cost[1] - cost[0]) / (2.0 * h), scale = std::sqrt(reduced->information(at(t), at(t)));
     RC_ASSERT(std::abs(slope + 2.0 * reduced->gradient[at(t)]) <= 1e-3 * (std::abs(slope) + scale));

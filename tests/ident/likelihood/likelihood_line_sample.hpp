@@ -32,17 +32,18 @@ class LineSample {
     const auto n = index(shape.others), j = index(shape.joint);
     for (std::size_t i = 0; i < columns.size(); ++i) theta.push_back(0.4 * normal());
     exact = {ComplexMatrix::Zero(j, n), ComplexMatrix::Zero(j, j), {}, {}};
-    for (const Element& e : layout.x) exact.x(index(e.row), index(e.column)) = any();
-    for (const Element& e : layout.y) exact.y(index(e.row), index(e.column)) = exact.y(index(e.column), index(e.row)) = any();
+    for (const Element& e : layout.sub_jn) exact.sub_jn(index(e.row), index(e.column)) = any();
+    for (const Element& e : layout.sub_jj)
+      exact.sub_jj(index(e.row), index(e.column)) = exact.sub_jj(index(e.column), index(e.row)) = any();
     const ComplexMatrix z = joint.at(theta);
     put_on_constraint(layout, z, exact);
-    const ComplexMatrix d = exact.x.transpose() * z * exact.a;
+    const ComplexMatrix d = exact.sub_jn.transpose() * z * exact.asm_jn;
     data.omega = 2.0;
-    measure(layout.x, exact.x, shape, data.x);
-    measure(layout.y, exact.y, shape, data.y);
-    measure(layout.a, exact.a, shape, data.a);
-    measure(layout.b, exact.b, shape, data.b);
-    measure(layout.d, d, shape, data.d);
+    measure(layout.sub_jn, exact.sub_jn, shape, data.sub_jn);
+    measure(layout.sub_jj, exact.sub_jj, shape, data.sub_jj);
+    measure(layout.asm_jn, exact.asm_jn, shape, data.asm_jn);
+    measure(layout.asm_jj, exact.asm_jj, shape, data.asm_jj);
+    measure(layout.drop_nn, d, shape, data.drop_nn);
     if (shape.correlated) correlate();
   }
 
@@ -66,7 +67,7 @@ class LineSample {
   /// Measured elements at random in one of two groups, or in none.
   void correlate() {
     std::vector<Complex> weights;
-    for (const Channel* channel : {&data.x, &data.y, &data.a, &data.b, &data.d}) {
+    for (const Channel* channel : {&data.sub_jn, &data.sub_jj, &data.asm_jn, &data.asm_jj, &data.drop_nn}) {
       weights.insert(weights.end(), channel->weight.begin(), channel->weight.end());
     }
     correlation = Eigen::MatrixXcd::Identity(index(weights.size()), index(weights.size()));
@@ -121,19 +122,19 @@ class LineSample {
     LineLayout layout;
     layout.others = shape.others;
     layout.joint = shape.joint;
-    layout.x_first = {0};
+    layout.sub_jn_first = {0};
     for (std::size_t k = 0; k < shape.others; ++k) {
       for (std::size_t p = 0; p < shape.joint; ++p) {
-        if (other[k] == joint[p]) layout.x.push_back({p, k});
-        layout.a.push_back({p, k});
+        if (other[k] == joint[p]) layout.sub_jn.push_back({p, k});
+        layout.asm_jn.push_back({p, k});
       }
-      for (std::size_t r = 0; r <= k; ++r) layout.d.push_back({r, k});
-      layout.x_first.push_back(layout.x.size());
+      for (std::size_t r = 0; r <= k; ++r) layout.drop_nn.push_back({r, k});
+      layout.sub_jn_first.push_back(layout.sub_jn.size());
     }
     for (std::size_t q = 0; q < shape.joint; ++q) {
       for (std::size_t p = 0; p <= q; ++p) {
-        if (joint[p] == joint[q]) layout.y.push_back({p, q});
-        if (shape.with_b) layout.b.push_back({p, q});
+        if (joint[p] == joint[q]) layout.sub_jj.push_back({p, q});
+        if (shape.with_b) layout.asm_jj.push_back({p, q});
       }
     }
     return layout;

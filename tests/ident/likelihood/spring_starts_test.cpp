@@ -23,13 +23,13 @@ class JointAlone final : public LikelihoodData {
   explicit JointAlone(const std::vector<double>& receptances) {
     layout_.joint = receptances.size();
     for (std::size_t i = 0; i < receptances.size(); ++i) {
-      for (std::size_t j = i; j < receptances.size(); ++j) layout_.y.push_back({i, j});
+      for (std::size_t j = i; j < receptances.size(); ++j) layout_.sub_jj.push_back({i, j});
     }
     for (const double factor : {1.0, 9.0, 2.5}) {
       LineData line;
-      for (const Element& e : layout_.y) {
-        line.y.value.emplace_back(0.0, factor * (e.row == e.column ? receptances[e.row] : 7.0));
-        line.y.weight.emplace_back(receptances[e.row] > 0.0 ? 1.0 : 0.0);
+      for (const Element& e : layout_.sub_jj) {
+        line.sub_jj.value.emplace_back(0.0, factor * (e.row == e.column ? receptances[e.row] : 7.0));
+        line.sub_jj.weight.emplace_back(receptances[e.row] > 0.0 ? 1.0 : 0.0);
       }
       data_.push_back(line);
     }

@@ -13,7 +13,7 @@ const std::vector<SystematicUnknown> unknowns = {
 
 /// Real and imaginary parts with the same errors, as the derivatives take them.
 void make_circular(LineData& data) {
-  for (Channel* channel : {&data.x, &data.y, &data.a, &data.b, &data.d}) {
+  for (Channel* channel : {&data.sub_jn, &data.sub_jj, &data.asm_jn, &data.asm_jj, &data.drop_nn}) {
     for (Complex& weight : channel->weight) weight = {weight.real(), weight.real() > 0.0 ? weight.real() : 0.0};
   }
 }
@@ -27,7 +27,7 @@ void add_errors(LineSample& sample, bool with_several) {
     return out;
   };
   std::size_t element = 0;
-  for (const Channel* channel : {&sample.data.x, &sample.data.y, &sample.data.a, &sample.data.b}) {
+  for (const Channel* channel : {&sample.data.sub_jn, &sample.data.sub_jj, &sample.data.asm_jn, &sample.data.asm_jj}) {
     for (std::size_t i = 0; i < channel->value.size(); ++i, ++element) {
       if (element % 3 == 0) continue;
       const bool both = with_several && element % 3 == 1;
@@ -36,9 +36,9 @@ void add_errors(LineSample& sample, bool with_several) {
       frfs->push_back({element, 1.0, channel->value[i], 1.0, ways});
     }
   }
-  for (std::size_t i = 0; with_several && i < sample.data.d.value.size(); ++i, ++element) {
+  for (std::size_t i = 0; with_several && i < sample.data.drop_nn.value.size(); ++i, ++element) {
     const Complex whole = sample.any();
-    frfs->push_back({element, 1.0, sample.data.d.value[i] + whole, 0.3, {way(1.0, {0})}});
+    frfs->push_back({element, 1.0, sample.data.drop_nn.value[i] + whole, 0.3, {way(1.0, {0})}});
     frfs->push_back({element, -1.0, whole, 0.7, {way(1.0, {1, 2})}});
   }
   sample.data.systematic = frfs;
@@ -100,9 +100,9 @@ TEST(SystematicLine, NothingChangesAtZero) {
   LineSample sample({.missing = 0.2}, random);
   add_errors(sample, true);
   const LineData data = corrected_line(sample.data, unknowns, {});
-  EXPECT_EQ(data.x.value, sample.data.x.value);
-  EXPECT_EQ(data.d.value, sample.data.d.value);
-  EXPECT_EQ(data.a.weight, sample.data.a.weight);
+  EXPECT_EQ(data.sub_jn.value, sample.data.sub_jn.value);
+  EXPECT_EQ(data.drop_nn.value, sample.data.drop_nn.value);
+  EXPECT_EQ(data.asm_jn.weight, sample.data.asm_jn.weight);
 }
 
 TEST(SystematicLine, TermsAloneAreThoseOfALineThatNothingCorrects) {
@@ -135,30 +135,31 @@ TEST(SystematicLine, TermsAloneAreThoseOfALineThatNothingCorrects) {
 TEST(SystematicLine, MassIsRemovedExactly) {
   std::mt19937_64 random(5);
   LineSample sample({}, random);
-  const Complex free = sample.data.a.value[0], driving_free = sample.any();
+  const Complex free = sample.data.asm_jn.value[0], driving_free = sample.any();
   const double omega = sample.data.omega, mass = 0.25;
   const auto loaded = [&](Complex h) { return h / (1.0 - omega * omega * mass * driving_free); };
   const std::size_t element = sample.layout.variables();
-  sample.data.a.value[0] = loaded(free);
+  sample.data.asm_jn.value[0] = loaded(free);
   sample.data.systematic =
       std::make_shared<SystematicFrfs>(SystematicFrfs{{element, 1.0, loaded(free), 1.0, {{1.0, {{0, loaded(driving_free)}}}}}});
   const std::vector<SystematicUnknown> one = {{Systematic::mass, 0.5}};
   const std::vector<double> phi = {mass / 0.5};
-  EXPECT_NEAR(std::abs(corrected_line(sample.data, one, phi).a.value[0] - free), 0.0, 1e-12 * std::abs(loaded(free)));
+  EXPECT_NEAR(std::abs(corrected_line(sample.data, one, phi).asm_jn.value[0] - free), 0.0, 1e-12 * std::abs(loaded(free)));
 }
 
 TEST(SystematicLine, AnAngleTakesOffTheOtherAxisAndLeavesTheError) {
   std::mt19937_64 random(6);
   LineSample sample({}, random);
   const std::size_t element = sample.layout.variables();
-  const Complex measured = sample.data.a.value[0], other = sample.any();
+  const Complex measured = sample.data.asm_jn.value[0], other = sample.any();
   sample.data.systematic =
       std::make_shared<SystematicFrfs>(SystematicFrfs{{element, 1.0, measured, 1.0, {{1.0, {{0, other / measured}}}}}});
   const std::vector<SystematicUnknown> one = {{Systematic::angle, 0.1}};
   const std::vector<double> phi = {0.7};
   const LineData corrected = corrected_line(sample.data, one, phi);
-  EXPECT_NEAR(std::abs(corrected.a.value[0] - (measured - 0.07 * other)), 0.0, 1e-12);
-  EXPECT_NEAR(std::abs(corrected.a.weight[0] - sample.data.a.weight[0]), 0.0, 1e-12 * std::abs(sample.data.a.weight[0]));
+  EXPECT_NEAR(std::abs(corrected.asm_jn.value[0] - (measured - 0.07 * other)), 0.0, 1e-12);
+  EXPECT_NEAR(std::abs(corrected.asm_jn.weight[0] - sample.data.asm_jn.weight[0]), 0.0,
+              1e-12 * std::abs(sample.data.asm_jn.weight[0]));
   ASSERT_EQ(corrected.terms->terms.size(), 1U);
   EXPECT_NEAR(std::abs(corrected.terms->terms[0].derivative(sample.any()) + 0.1 * other), 0.0, 1e-12);
 }
@@ -169,26 +170,26 @@ TEST(SystematicLine, TheNoiseOfADrivingPointIsSharedByItsRow) {
   std::mt19937_64 random(7);
   LineSample sample({}, random);
   make_circular(sample.data);
-  ASSERT_GE(sample.data.a.value.size(), 2U);
+  ASSERT_GE(sample.data.asm_jn.value.size(), 2U);
   const std::vector<SystematicUnknown> one = {{Systematic::mass, 0.5}};
   const std::vector<double> phi = {0.8};
   const std::size_t first = sample.layout.variables();
   const double omega = sample.data.omega, driving_deviation = 0.3;
   const Complex driving = sample.any() / (omega * omega);
-  std::vector<Complex> measured = {sample.data.a.value[0], sample.data.a.value[1], driving};
+  std::vector<Complex> measured = {sample.data.asm_jn.value[0], sample.data.asm_jn.value[1], driving};
   const auto data = [&] {
     LineData out = sample.data;
     const SystematicFactor mass{0, measured[2], 4, driving_deviation * driving_deviation};
     SystematicFrfs frfs;
     for (std::size_t i = 0; i < 2; ++i) {
-      out.a.value[i] = measured[i];
+      out.asm_jn.value[i] = measured[i];
       frfs.push_back({first + i, 1.0, measured[i], 1.0, {{1.0, {mass}}}});
     }
     out.systematic = std::make_shared<SystematicFrfs>(frfs);
     return corrected_line(out, one, phi);
   };
   const LineData corrected = data();
-  const double own[] = {1.0 / sample.data.a.weight[0].real(), 1.0 / sample.data.a.weight[1].real()};
+  const double own[] = {1.0 / sample.data.asm_jn.weight[0].real(), 1.0 / sample.data.asm_jn.weight[1].real()};
   const double variance[] = {2.0 * own[0] * own[0], 2.0 * own[1] * own[1], driving_deviation * driving_deviation};
   Eigen::Matrix2cd expected = Eigen::Matrix2cd::Zero();
   for (std::size_t m = 0; m < 3; ++m) {
@@ -197,7 +198,8 @@ TEST(SystematicLine, TheNoiseOfADrivingPointIsSharedByItsRow) {
     const LineData moved = data();
     measured[m] = kept;
     Eigen::Vector2cd by;
-    for (std::size_t i = 0; i < 2; ++i) by[static_cast<Eigen::Index>(i)] = (moved.a.value[i] - corrected.a.value[i]) / step;
+    for (std::size_t i = 0; i < 2; ++i)
+      by[static_cast<Eigen::Index>(i)] = (moved.asm_jn.value[i] - corrected.asm_jn.value[i]) / step;
     expected += variance[m] * by * by.adjoint();
   }
   ASSERT_TRUE(corrected.correlation);
@@ -205,7 +207,7 @@ TEST(SystematicLine, TheNoiseOfADrivingPointIsSharedByItsRow) {
   const minimise::Correlation::Group& group = corrected.correlation->groups().front();
   EXPECT_EQ(group.elements, (std::vector<std::size_t>{first, first + 1}));
   for (Eigen::Index i = 0; i < 2; ++i) {
-    const double weight = corrected.a.weight[static_cast<std::size_t>(i)].real();
+    const double weight = corrected.asm_jn.weight[static_cast<std::size_t>(i)].real();
     EXPECT_NEAR(2.0 / (weight * weight) / expected(i, i).real(), 1.0, 1e-5);
   }
   const Complex rho = (group.factor.row(0) * group.factor.row(1).adjoint()).value();

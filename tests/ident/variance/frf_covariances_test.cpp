@@ -169,7 +169,7 @@ LineData observed(const Sets& sets, const Dofs& coordinates, LineLayout* layout 
 
 VectorXcd values_of(const LineData& data) {
   std::vector<Complex> all;
-  for (const Channel* channel : {&data.x, &data.y, &data.a, &data.b, &data.d}) {
+  for (const Channel* channel : {&data.sub_jn, &data.sub_jj, &data.asm_jn, &data.asm_jj, &data.drop_nn}) {
     all.insert(all.end(), channel->value.begin(), channel->value.end());
   }
   return Eigen::Map<VectorXcd>(all.data(), at(all.size()));
@@ -217,7 +217,7 @@ void expect_by_differences(const Sets& sets, const Dofs& coordinates) {
   for (std::size_t k = 0; k < sets.substructures.size(); ++k) add_by_differences(sets, coordinates, &Sets::substructures, k, expected);
   for (std::size_t k = 0; k < sets.assembly.size(); ++k) add_by_differences(sets, coordinates, &Sets::assembly, k, expected);
   std::vector<Complex> weights;
-  for (const Channel* channel : {&data.x, &data.y, &data.a, &data.b, &data.d}) {
+  for (const Channel* channel : {&data.sub_jn, &data.sub_jj, &data.asm_jn, &data.asm_jj, &data.drop_nn}) {
     weights.insert(weights.end(), channel->weight.begin(), channel->weight.end());
   }
   MatrixXcd found = MatrixXcd::Zero(values.size(), values.size());
