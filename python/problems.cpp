@@ -20,7 +20,7 @@ py::dict names_and_descriptions() {
   return out;
 }
 
-std::string write(const std::string& name, const std::string& directory, const std::string& format, std::uint64_t seed,
+std::string write_problem(const std::string& name, const std::string& directory, const std::string& format, std::uint64_t seed,
                   bool clean) {
   const py::gil_scoped_release release;
   const auto kinds = problems::all_kinds();
@@ -33,7 +33,7 @@ std::string write(const std::string& name, const std::string& directory, const s
 
 void bind_problems(py::module_& module) {
   module.def("problems", names_and_descriptions);
-  module.def("write_problem", write);
+  module.def("write_problem", write_problem);
 }
 
 }  // namespace jointid::python

@@ -83,7 +83,7 @@ py::object read(const std::vector<std::string>& paths, const frf::OpenOptions& o
   }));
 }
 
-void write(const py::dict& of, const std::string& path, const std::string& format) {
+void write_set(const py::dict& of, const std::string& path, const std::string& format) {
   watched(py::none(), 0, [arrays = arrays_of(of), path, format](const ident::Control&) {
     frf::write(frf::load_with_covariance(*frf::from_arrays(arrays)), path, format);
     return true;
@@ -170,7 +170,7 @@ void bind_sets(py::module_& module) {
       .def(py::init([](const py::dict& of) { return std::make_unique<frf::MemoryFile>(arrays_of(of)); }))
       .def_property_readonly("path", [](const frf::MemoryFile& file) { return file.path().string(); });
   module.def("read", read);
-  module.def("write", write);
+  module.def("write", write_set);
   module.def("dof_parts", dof_parts);
   module.def("unit_factor", unit_factor);
   module.def("quantity_of_unit", quantity_of_unit);
