@@ -34,6 +34,7 @@ std::size_t equations_used(const Observations& observations, const std::vector<d
   return count;
 }
 
+void BestJoint::tell(const LikelihoodFit& fit, double loss) {
   ++steps_;
   if (!(loss <= least_)) return;
   least_ = loss;
@@ -49,5 +50,6 @@ std::size_t equations_used(const Observations& observations, const std::vector<d
   best.fit.iterations = steps_;
   best.runtime_s.solve = std::max(0.0, seconds_since(begin_) - best.runtime_s.start);
   control_.so_far(best);
+}
 
 }  // namespace jointid::ident

@@ -20,9 +20,7 @@ class BestJoint {
  public:
   BestJoint(const Plan& plan, const Solution& begun, const Control& control) : plan_(plan), begun_(begun), control_(control) {}
 
-
   void tell(const LikelihoodFit& fit, double loss);
-
 
  private:
   const Plan& plan_;
