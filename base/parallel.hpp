@@ -9,6 +9,8 @@
 #include <thread>
 #include <vector>
 
+#include "base/stop_scope.hpp"
+
 namespace jointid {
 
 /// The threads that were asked for; for 0 all cores of the machine, or the part of them of each of so many processes.
@@ -27,15 +29,21 @@ std::vector<std::jthread> threads_of(std::size_t count, const Work& work) {
   return threads;
 }
 
-/// each(i) for i = 0 … count − 1 on as many threads, in any order. The first exception ends it and is thrown here.
+/// each(i) for i = 0 … count − 1 on as many threads, in any order. The first exception ends it and is thrown here. All threads have the
+/// StopScope of this one, and stop between two of them.
 template <class Each>
 void for_each_index(std::size_t count, std::size_t threads, const Each& each) {
   std::atomic<std::size_t> next = 0;
   std::exception_ptr error;
   std::mutex mutex;
+  const StopScope::Ask* const asked = StopScope::current();
   const auto work = [&] {
+    const StopScope scope(asked);
     try {
-      for (std::size_t i; (i = next++) < count;) each(i);
+      for (std::size_t i; (i = next++) < count;) {
+        stop_point();
+        each(i);
+      }
     } catch (...) {
       next = count;
       const std::scoped_lock lock(mutex);

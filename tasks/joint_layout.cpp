@@ -1,7 +1,10 @@
 #include "tasks/joint_layout.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
+
+#include "frf/text/direction_names.hpp"
 
 namespace jointid::tasks {
 namespace {
@@ -10,8 +13,9 @@ using Springs = std::vector<std::string>;
 
 /// "x", "y", "z", "rx", "ry", "rz".
 std::string word(frf::Direction direction) {
-  static const char* const words[] = {"x", "y", "z", "rx", "ry", "rz"};
-  return words[static_cast<std::size_t>(direction) - 1];
+  std::string name(frf::direction_names[static_cast<std::size_t>(direction) - 1]);
+  std::ranges::transform(name, name.begin(), [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return name;
 }
 
 std::string spring(const NodePair& pair, frf::Direction direction) {

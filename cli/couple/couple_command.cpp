@@ -6,8 +6,8 @@
 #include "cli/options/display_options.hpp"
 #include "cli/options/output.hpp"
 #include "cli/options/whole_number.hpp"
-#include "cli/text/failure.hpp"
 #include "cli/text/progress.hpp"
+#include "cli/text/tell_status.hpp"
 #include "frf/file/file_format.hpp"
 #include "models/model_file.hpp"
 #include "report/couple/couple_page.hpp"
@@ -84,9 +84,7 @@ ExitCode execute(const CoupleArguments& arguments, std::ostream& out) {
   if (arguments.csv) write_target(*arguments.csv, report::couple_csv(result), out);
   if (arguments.report) write_target(*arguments.report, page_of(arguments, scene, result), out);
   if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::couple_text(scene, result);
-  if (result.status == ident::Status::ok) return ExitCode::done;
-  print_error(arguments.scene.string() + ": " + result.message);
-  return ExitCode::unusable;
+  return tell_status(arguments.scene.string(), result.status, result.message);
 }
 
 }  // namespace jointid::cli

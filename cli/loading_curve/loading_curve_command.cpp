@@ -5,9 +5,9 @@
 #include "base/error.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
-#include "cli/text/failure.hpp"
 #include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
+#include "cli/text/tell_status.hpp"
 #include "report/loading_curve/joint_history_text.hpp"
 #include "report/loading_curve/loading_curve_page.hpp"
 #include "report/loading_curve/loading_curve_text.hpp"
@@ -72,9 +72,7 @@ ExitCode execute(const LoadingCurveArguments& arguments, std::ostream& out) {
   check(arguments);
   const tasks::LoadingCurveResult result = fitted(arguments, out);
   write(arguments, result, out);
-  if (tasks::some_usable(result)) return ExitCode::done;
-  print_error(result.title + ": " + result.fits.front().message);
-  return ExitCode::unusable;
+  return tell_status(result.title, result.fits.front().status, result.fits.front().message);  // the best law stands first
 }
 
 }  // namespace jointid::cli

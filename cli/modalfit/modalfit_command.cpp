@@ -4,9 +4,9 @@
 
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
-#include "cli/text/failure.hpp"
 #include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
+#include "cli/text/tell_status.hpp"
 #include "report/modalfit/modal_page.hpp"
 #include "report/modalfit/modal_text.hpp"
 #include "tasks/modalfit/modal_run.hpp"
@@ -46,9 +46,7 @@ ExitCode execute(const ModalfitArguments& arguments, std::ostream& out) {
   if (arguments.report) write_target(*arguments.report, report::modal_page(run), out);
   if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::modal_text(run);
   if (!complete) throw Interrupted("interrupted; what was fitted so far is written");
-  if (is_usable(run.fit.status)) return ExitCode::done;
-  print_error(run.files + ": " + run.fit.message);
-  return ExitCode::unusable;
+  return tell_status(run.files, run.fit.status, run.fit.message);
 }
 
 }  // namespace jointid::cli

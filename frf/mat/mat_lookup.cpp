@@ -15,6 +15,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "frf/set/unit_label.hpp"
+#include "frf/text/direction_names.hpp"
 #include "frf/text/label_text.hpp"
 #include "frf/text/located.hpp"
 #include "frf/text/unit_names.hpp"
@@ -76,10 +77,9 @@ std::string trimmed_end(std::string text) {
 
 /// "+X" of 1, "-RZ" of −6, the codes of UFF 58.
 std::string direction_text(double code) {
-  constexpr std::array<std::string_view, 7> names = {"", "X", "Y", "Z", "RX", "RY", "RZ"};
   const double size = std::abs(code);
   if (size != std::floor(size) || size < 1.0 || size > 6.0) return fmt::format("{:g}", code);
-  return (code < 0.0 ? "-" : "+") + std::string(names[static_cast<std::size_t>(size)]);
+  return (code < 0.0 ? "-" : "+") + std::string(direction_names[static_cast<std::size_t>(size) - 1]);
 }
 
 }  // namespace

@@ -8,13 +8,12 @@
 
 #include "base/error.hpp"
 #include "frf/set/virtual_node.hpp"
+#include "frf/text/direction_names.hpp"
 
 namespace jointid::frf {
 namespace {
 
 constexpr std::array<std::string_view, 3> virtual_endings = {"", "E", "S"};
-
-constexpr std::array<std::string_view, 6> direction_names = {"X", "Y", "Z", "RX", "RY", "RZ"};
 
 /// In capitals, without blanks, quotes and underscores, with a plain minus sign.
 std::string plain_dof(std::string_view text) {

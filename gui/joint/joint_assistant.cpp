@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "base/text.hpp"
+#include "frf/text/direction_names.hpp"
 #include "gui/look/buttons.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/said.hpp"
@@ -25,12 +26,15 @@ using tasks::NodePair;
 
 constexpr int node_role = Qt::UserRole, part_role = Qt::UserRole + 1;
 
-const char* const direction_names[] = {"X", "Y", "Z", "RX", "RY", "RZ"};
+QString direction_name(std::size_t i) {
+  const std::string_view name = frf::direction_names[i];
+  return QString::fromLatin1(name.data(), static_cast<int>(name.size()));
+}
 
 QString directions_text(const NodePair& pair) {
   QStringList words;
   for (const frf::Direction direction : pair.directions)
-    words << QString::fromLatin1(direction_names[static_cast<std::size_t>(direction) - 1]);
+    words << direction_name(static_cast<std::size_t>(direction) - 1);
   return words.join(QStringLiteral(", "));
 }
 
@@ -96,7 +100,7 @@ QLayout* JointAssistant::make_directions() {
   auto* row = new QHBoxLayout;
   row->addWidget(new QLabel(tr("Directions:")));
   for (std::size_t i = 0; i < directions_.size(); ++i) {
-    const QString name = QString::fromLatin1(direction_names[i]);
+    const QString name = direction_name(i);
     directions_[i] = named(new QCheckBox(name), ("joint_" + name.toLower()).toLatin1().constData(), tr("Joined along %1").arg(name));
     directions_[i]->setChecked(true);
     directions_[i]->hide();

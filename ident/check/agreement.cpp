@@ -10,8 +10,8 @@
 #include "base/statistics.hpp"
 #include "dense/minimum_norm.hpp"
 #include "frf/noise/variance_law.hpp"
-#include "ident/check/file_tests.hpp"
-#include "ident/check/slope_fit.hpp"
+#include "ident/check/test/file_tests.hpp"
+#include "ident/check/test/slope_fit.hpp"
 #include "ident/variance/noise_fit.hpp"
 
 namespace jointid::ident {

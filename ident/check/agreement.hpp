@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "ident/check/checked_file.hpp"
-#include "ident/check/span_test.hpp"
+#include "ident/check/test/checked_file.hpp"
+#include "ident/check/test/span_test.hpp"
 #include "ident/result/suspect.hpp"
 
 namespace jointid::ident {

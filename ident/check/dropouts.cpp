@@ -5,7 +5,7 @@
 
 #include "base/eigen.hpp"
 #include "base/text.hpp"
-#include "ident/check/reference_groups.hpp"
+#include "ident/check/test/reference_groups.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -8,14 +8,15 @@
 #include "base/parallel.hpp"
 #include "base/statistics.hpp"
 #include "base/text.hpp"
-#include "ident/check/axis_trials.hpp"
 #include "ident/check/agreement.hpp"
-#include "ident/check/group_trials.hpp"
 #include "ident/check/repeated_numbers.hpp"
 #include "ident/check/rest.hpp"
 #include "ident/check/rigid_mass.hpp"
 #include "ident/check/sameness.hpp"
-#include "ident/check/trials.hpp"
+#include "ident/check/test/screening.hpp"
+#include "ident/check/trial/axis_trials.hpp"
+#include "ident/check/trial/group_trials.hpp"
+#include "ident/check/trial/trials.hpp"
 
 namespace jointid::ident {
 namespace {

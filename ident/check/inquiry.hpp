@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ident/check/checked_file.hpp"
+#include "ident/check/test/checked_file.hpp"
 #include "ident/result/control.hpp"
 
 namespace jointid::ident {

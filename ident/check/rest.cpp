@@ -11,7 +11,9 @@
 #include "frf/noise/variance_law.hpp"
 #include "ident/check/agreement.hpp"
 #include "ident/check/dropouts.hpp"
-#include "ident/check/reference_groups.hpp"
+#include "ident/check/test/misfit.hpp"
+#include "ident/check/test/reference_groups.hpp"
+#include "ident/check/trial/mistake_trial.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ident/check/trials.hpp"
+#include "ident/check/test/screening.hpp"
 
 namespace jointid::ident {
 

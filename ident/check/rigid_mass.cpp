@@ -7,8 +7,9 @@
 #include "base/complex.hpp"
 #include "base/eigen.hpp"
 #include "dense/eigen.hpp"
-#include "ident/check/span_test.hpp"
-#include "ident/check/trials.hpp"
+#include "ident/check/test/span_test.hpp"
+#include "ident/check/trial/mistake_trial.hpp"
+#include "ident/check/trial/mistaken_units.hpp"
 
 namespace jointid::ident {
 namespace {

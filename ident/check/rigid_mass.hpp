@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "ident/check/checked_file.hpp"
+#include "ident/check/test/checked_file.hpp"
 
 namespace jointid::ident {
 

@@ -4,15 +4,13 @@
 #include <cmath>
 
 #include "base/text.hpp"
-#include "ident/check/trials.hpp"
+#include "ident/check/trial/mistake_trial.hpp"
 
 namespace jointid::ident {
 namespace {
 
 constexpr double identical_numbers = 1e-9;
 constexpr double no_motion = 0.02;  ///< FRFs across parts below 2 % of the others: nothing is transmitted
-
-std::string quoted_label(const frf::Dof& dof) { return "\"" + dof.name() + "\""; }
 
 bool anyone_has(const std::vector<CheckedFile>& files, bool assembly, const frf::Dof& dof) {
   return std::ranges::any_of(files, [&](const CheckedFile& file) {
@@ -147,7 +145,7 @@ std::vector<Suspect> find_labels(const std::vector<CheckedFile>& files, const Do
          .evidence = "no other file has a response " + wrong.name() + ", and " + right.name() +
                      " lacks its counterpart; taken for it, the FRFs fit to " + percent(best_fit.level),
          .confidence = 0.9,
-         .remedy = remedy_in(files[file].name, "rename = { " + quoted_label(wrong) + " = " + quoted_label(right) + " }")});
+         .remedy = remedy_in(files[file].name, "rename = { " + quoted_dof(wrong) + " = " + quoted_dof(right) + " }")});
   }
   return found;
 }

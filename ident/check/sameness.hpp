@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ident/check/span_test.hpp"
+#include "ident/check/test/span_test.hpp"
 
 namespace jointid::ident {
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ident/scene/scene.hpp"
+#include "scene/if_readable.hpp"
 #include "scene/reader.hpp"
 
 namespace jointid::ident {
@@ -12,16 +13,7 @@ frf::Corrections read_corrections(const scene::Table& table);
 /// [data]; paths are resolved against `folder`.
 DataSection read_data(const scene::Item& item, const Path& folder);
 
-/// Whether `read` reads; what it refuses counts as not written.
-template <class Read>
-bool if_readable(Read read) {
-  try {
-    read();
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
-}
+using scene::if_readable;
 
 /// The files of [data] that can be read, with the options and corrections that can; none of them need be there. `parts` are
 /// substructures, too.

@@ -1,23 +1,13 @@
 #include "tasks/open/file_kind.hpp"
 
-#include "base/error.hpp"
 #include "frf/set/frf_source.hpp"
 #include "frf/uff/uff_lines.hpp"
 #include "records/file/open_samples.hpp"
+#include "scene/if_readable.hpp"
 #include "tasks/loading_curve/loading_curve_data.hpp"
 
 namespace jointid::tasks {
 namespace {
-
-/// Whether a reader takes the file.
-template <class Read>
-bool takes(Read read) {
-  try {
-    return read();
-  } catch (const InputError&) {
-    return false;
-  }
-}
 
 bool is_record(const std::filesystem::path& file) {
   const auto samples = records::open_samples(file);
@@ -27,12 +17,12 @@ bool is_record(const std::filesystem::path& file) {
 }  // namespace
 
 FileKind kind_of_file(const std::filesystem::path& file) {
-  if (takes([&] { return frf::open(file) != nullptr; })) return FileKind::frfs;
+  if (scene::if_readable([&] { frf::open(file); })) return FileKind::frfs;
   LoadingCurveTask curve;
   curve.files = {file};
-  if (takes([&] { return !read_curves(curve).curves.empty(); })) return FileKind::loading_curve;
-  if (takes([&] { return is_record(file); })) return FileKind::time_record;
-  return takes([&] { return !frf::read_uff_nodes(file).empty(); }) ? FileKind::geometry : FileKind::other;
+  if (scene::if_readable([&] { return !read_curves(curve).curves.empty(); })) return FileKind::loading_curve;
+  if (scene::if_readable([&] { return is_record(file); })) return FileKind::time_record;
+  return scene::if_readable([&] { return !frf::read_uff_nodes(file).empty(); }) ? FileKind::geometry : FileKind::other;
 }
 
 }  // namespace jointid::tasks

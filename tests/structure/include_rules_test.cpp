@@ -8,6 +8,7 @@
 #include <regex>
 #include <sstream>
 
+#include "function_lines.hpp"
 #include "knots.hpp"
 
 namespace jointid::structure {
@@ -304,6 +305,39 @@ TEST(Lines, AreNotAbove140Characters) {
     }
   }
   EXPECT_GT(lines, 0U);
+}
+
+std::string function_of(std::size_t lines, const std::string& first = "  work();") {
+  std::string text = "int f(int a,\n      int b = 0) {\n" + first + "\n";
+  for (std::size_t i = 4; i < lines; ++i) text += i % 2 == 0 ? "  if (a) {\n" : "  }\n";
+  return text + "}\n";
+}
+
+TEST(Functions, AreCounted) {
+  std::istringstream source("struct A {\n  int g() const {\n    return 0;\n  }\n  int value = 0;\n};\n\n" +
+                            std::string("constexpr auto list = make({\n  1,\n});\n") + function_of(61) +
+                            function_of(62, "  static const int all = {") + "int h() { return 1; }\n");
+  const std::vector<FunctionLines> found = functions_of(source);
+  ASSERT_THAT(found, SizeIs(3));
+  EXPECT_EQ(found[0].lines, 3U);
+  EXPECT_EQ(found[1].lines, 61U);
+  EXPECT_EQ(found[2].lines, 62U);
+  EXPECT_FALSE(found[1].is_list);
+  EXPECT_TRUE(found[2].is_list);
+}
+
+TEST(Functions, HaveAtMostSixtyLines) {
+  std::size_t functions = 0;
+  for (const auto& row : folders_of(table_of_the_docs())) {
+    for (const auto& path : sources(root / row.first)) {
+      std::ifstream source(path);
+      for (const FunctionLines& each : functions_of(source)) {
+        EXPECT_TRUE(each.lines <= 60 || each.is_list) << path << ": " << each.begin << ": " << each.lines << " lines";
+        ++functions;
+      }
+    }
+  }
+  EXPECT_GT(functions, 5000U);
 }
 
 /// Headers of the table of docs/library.md.

@@ -1,14 +1,13 @@
 #include "ident/likelihood/findings/bootstrap.hpp"
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 
 #include "base/eigen.hpp"
+#include "base/parallel.hpp"
 #include "base/statistics.hpp"
 #include "ident/likelihood/data/likelihood_plan.hpp"
 #include "ident/likelihood/findings/simulated_data.hpp"
@@ -58,8 +57,7 @@ std::vector<Replicate> bootstrap(const Plan& plan, const LinearisedLikelihood& f
     replicates[b] = replicate_of(refined.fit);
     if (control.progress) control.progress("bootstrap", ++done, replicates.size());
   };
-  const int threads = control.threads == 0 ? oneapi::tbb::task_arena::automatic : static_cast<int>(control.threads);
-  oneapi::tbb::task_arena(threads).execute([&] { oneapi::tbb::parallel_for(std::size_t{0}, replicates.size(), run_one); });
+  for_each_index(replicates.size(), threads_or_cores(control.threads), run_one);
   return replicates;
 }
 

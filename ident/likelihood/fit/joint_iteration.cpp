@@ -139,6 +139,42 @@ Relaxation JointIteration::relaxation(double tolerance) const {
   return tolerance < rough || all_.lines.layout().asm_jn.empty() ? Relaxation::end : Relaxation::beginning;
 }
 
+/// Lines linearised on their constraint; their gradients alone where the joint has hardly moved since.
+void JointIteration::linearise(const std::vector<double>& theta, double tolerance) {
+  if (moved_ > (tolerance < rough ? kept : kept_while_rough)) {
+    all_.lines.linearise(theta);
+    moved_ = 0.0;
+  } else {
+    all_.lines.take_gradients(theta);
+  }
+}
+
+/// Along a step, shortened until Σ L falls; how much of it was taken. Nothing where no attempt helped: the lines are where they were.
+std::optional<double> JointIteration::descend(LikelihoodFit& fit, const Eigen::VectorXd& step, Relaxation until, double& loss) {
+  const std::vector<FittedLine> before = all_.lines.snapshot();
+  double scale = 1.0;
+  for (int attempt = 0; attempt < most_attempts; ++attempt, scale *= shortened) {
+    const std::vector<double> next = added(fit.theta, step, scale);
+    all_.lines.follow(before, next, scale * step, until);
+    const double reached = all_.total(next);
+    if (!(reached <= loss * (1.0 + by_rounding))) continue;
+    loss = reached;
+    fit.theta = next;
+    tell(fit, loss);
+    return scale;
+  }
+  all_.lines.restore(before);
+  return std::nullopt;
+}
+
+/// Whether the last steps did not mend lines that are far from fitting.
+bool JointIteration::is_hopeless(const std::vector<double>& theta, const std::vector<double>& losses) {
+  if (!(all_.lines.tolerance() > lost_misfit)) return false;
+  const bool beyond = opinion_.is_beyond_any_joint(all_, theta);
+  const std::size_t steps = beyond ? patience_beyond : patience;
+  return losses.size() > steps && losses.back() > (1.0 - (beyond ? mended_beyond : mended)) * losses[losses.size() - 1 - steps];
+}
+
 bool JointIteration::project(LikelihoodFit& fit, double tolerance, From from, const LikelihoodFit* known, Constraint* within) {
   const Relaxation until = relaxation(tolerance);
   if (from == From::anywhere) {
@@ -150,56 +186,32 @@ bool JointIteration::project(LikelihoodFit& fit, double tolerance, From from, co
   if (within == nullptr) all_.lines.choose_tolerance();
   all_.lines.weigh_robustly();
   bool is_linearised = true;
-  double loss = all_.total(fit.theta);
   double last = 0.0, ratio = memory_.shrinks;
   int crawling = 0;  // steps in a row of which next to nothing helped
-  std::vector<double> losses = {loss};
+  std::vector<double> losses = {all_.total(fit.theta)};
   Eigen::VectorXd gradient, taken;
   while (fit.iterations < most_iterations) {
     watch_(++fit.iterations);
-    if (!std::exchange(is_linearised, false)) {
-      if (moved_ > (tolerance < rough ? kept : kept_while_rough)) {
-        all_.lines.linearise(fit.theta);
-        moved_ = 0.0;
-      } else {
-        all_.lines.take_gradients(fit.theta);
-      }
-    }
+    if (!std::exchange(is_linearised, false)) linearise(fit.theta, tolerance);
     const Eigen::VectorXd before_taken = std::exchange(gradient, {});
     all_.sum(fit.theta, fit.information, gradient);
     if (taken.size() > 0) memory_.secants.note(taken, before_taken - gradient, fit.information);
     const Eigen::VectorXd step = joint_step(fit.theta, fit.information, gradient, within);
     const double size = norm_of(step, fit.information) / std::sqrt(all_.lines.tolerance());
-    const std::vector<FittedLine> before = all_.lines.snapshot();
-    double scale = 1.0;
-    for (int attempt = 0;; ++attempt, scale *= shortened) {
-      if (attempt == most_attempts) {
-        all_.lines.restore(before);
-        return size < tolerance;
-      }
-      const std::vector<double> next = added(fit.theta, step, scale);
-      all_.lines.follow(before, next, scale * step, until);
-      const double reached = all_.total(next);
-      if (!(reached <= loss * (1.0 + by_rounding))) continue;
-      loss = reached;
-      fit.theta = next;
-      tell(fit, loss);
-      break;
-    }
-    if (known && scale == 1.0 && size < 1.0 && is_at(*known, fit.theta, all_.lines.tolerance())) {
+    double loss = losses.back();
+    const std::optional<double> scale = descend(fit, step, until, loss);
+    if (!scale) return size < tolerance;
+    if (known && *scale == 1.0 && size < 1.0 && is_at(*known, fit.theta, all_.lines.tolerance())) {
       fit.reached_known = true;
       return true;
     }
-    taken = scale * step;
-    moved_ += scale * size;
+    taken = *scale * step;
+    moved_ += *scale * size;
     all_.lines.weigh_robustly();
-    crawling = scale < crawl ? crawling + 1 : 0;
+    crawling = *scale < crawl ? crawling + 1 : 0;
     if (crawling == most_crawling) return false;
     losses.push_back(loss);
-    const bool lost = all_.lines.tolerance() > lost_misfit, beyond = lost && opinion_.is_beyond_any_joint(all_, fit.theta);
-    const std::size_t steps = beyond ? patience_beyond : patience;
-    if (lost && losses.size() > steps &&
-        loss > (1.0 - (beyond ? mended_beyond : mended)) * losses[losses.size() - 1 - steps]) {
+    if (is_hopeless(fit.theta, losses)) {
       fit.hopeless = true;
       return false;
     }

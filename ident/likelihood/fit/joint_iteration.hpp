@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "ident/admissible/admissible_fit.hpp"
@@ -63,6 +64,9 @@ class JointIteration {
   Eigen::VectorXd whitened_step(const std::vector<double>& theta, Eigen::MatrixXd& information);
   Eigen::VectorXd joint_step(const std::vector<double>& theta, const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient,
                              Constraint* within);
+  void linearise(const std::vector<double>& theta, double tolerance);
+  std::optional<double> descend(LikelihoodFit& fit, const Eigen::VectorXd& step, Relaxation until, double& loss);
+  bool is_hopeless(const std::vector<double>& theta, const std::vector<double>& losses);
   void finish_exactly(LikelihoodFit& fit, Relaxation until, Constraint* within);
   Relaxation relaxation(double tolerance) const;
   void tell(const LikelihoodFit& fit, double loss) const;

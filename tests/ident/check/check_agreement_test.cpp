@@ -11,7 +11,7 @@
 #include "ident/check/agreement.hpp"
 #include "ident/check/check.hpp"
 #include "ident/check/inquiry.hpp"
-#include "ident/check/reference_groups.hpp"
+#include "ident/check/test/reference_groups.hpp"
 #include "ident/check/repeated_numbers.hpp"
 #include "ident/check/rest.hpp"
 #include "ident/check/rigid_mass.hpp"

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "ident/check/file_tests.hpp"
-#include "ident/check/slope_fit.hpp"
+#include "ident/check/test/file_tests.hpp"
+#include "ident/check/test/slope_fit.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "ident/whole_check.hpp"
 #include "problems/problem.hpp"

@@ -1,4 +1,4 @@
-#include "ident/check/delay_fit.hpp"
+#include "ident/check/test/delay_fit.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "ident/check/reference_groups.hpp"
+#include "ident/check/test/reference_groups.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ident/check/trials.hpp"
+#include "ident/check/trial/mistake_trial.hpp"
 
 namespace jointid::ident {
 

@@ -1,11 +1,12 @@
-#include "ident/check/group_trials.hpp"
+#include "ident/check/trial/group_trials.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/eigen.hpp"
 #include "base/text.hpp"
-#include "ident/check/reference_groups.hpp"
+#include "ident/check/test/reference_groups.hpp"
+#include "ident/check/trial/trials.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -45,7 +46,7 @@ void put_back(CheckedFile& whole, const CheckedFile& part) {
 
 /// Lines for the scene that mend it for these references; where the scene has no key for that, those for a file of their own.
 std::string remedy_for(const MistakeTrial& trial, const std::string& file, const Dofs& references) {
-  const std::string names = comma_list(references, [](const frf::Dof& dof) { return "\"" + dof.name() + "\""; });
+  const std::string names = comma_list(references, quoted_dof);
   if (trial.kind == SuspectKind::sign && trial.dofs.empty()) return trial.remedy;
   return "# of the references " + names + " alone: write them to a file of their own, and\n# there, in place of " + file +
          ":\n" + trial.remedy;

@@ -1,4 +1,4 @@
-#include "ident/check/axis_trials.hpp"
+#include "ident/check/trial/axis_trials.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include "ident/check/axis_shift.hpp"
-#include "ident/check/slope_fit.hpp"
+#include "ident/check/test/screening.hpp"
+#include "ident/check/test/slope_fit.hpp"
+#include "ident/check/trial/axis_shift.hpp"
 
 namespace jointid::ident {
 namespace {

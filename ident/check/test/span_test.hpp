@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "ident/check/checked_file.hpp"
+#include "ident/check/test/checked_file.hpp"
 
 namespace jointid::ident {
 

@@ -2,7 +2,8 @@
 
 #include <vector>
 
-#include "ident/check/trials.hpp"
+#include "ident/check/test/screening.hpp"
+#include "ident/check/trial/mistake_trial.hpp"
 
 namespace jointid::ident {
 

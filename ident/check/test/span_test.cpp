@@ -1,11 +1,11 @@
-#include "ident/check/span_test.hpp"
+#include "ident/check/test/span_test.hpp"
 
 #include <cmath>
 
 #include "base/eigen.hpp"
 #include "dense/blas.hpp"
 #include "dense/minimum_norm.hpp"
-#include "ident/check/slope_fit.hpp"
+#include "ident/check/test/slope_fit.hpp"
 
 namespace jointid::ident {
 namespace {

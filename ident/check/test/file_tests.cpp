@@ -1,4 +1,4 @@
-#include "ident/check/file_tests.hpp"
+#include "ident/check/test/file_tests.hpp"
 
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
@@ -8,8 +8,8 @@
 #include "base/complex.hpp"
 #include "base/eigen.hpp"
 #include "base/statistics.hpp"
-#include "ident/check/delay_fit.hpp"
-#include "ident/check/slope_fit.hpp"
+#include "ident/check/test/delay_fit.hpp"
+#include "ident/check/test/slope_fit.hpp"
 
 namespace jointid::ident {
 namespace {

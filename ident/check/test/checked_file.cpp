@@ -1,4 +1,4 @@
-#include "ident/check/checked_file.hpp"
+#include "ident/check/test/checked_file.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ident/check/axis_shift.hpp"
+#include "ident/check/trial/axis_shift.hpp"
 
 #include <algorithm>
 #include <cmath>

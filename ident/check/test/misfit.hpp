@@ -2,10 +2,12 @@
 
 #include <vector>
 
-#include "ident/check/file_tests.hpp"
-#include "ident/check/span_test.hpp"
+#include "ident/check/test/file_tests.hpp"
+#include "ident/check/test/span_test.hpp"
 
 namespace jointid::ident {
+
+constexpr double large_misfit = 0.08;  ///< above it, signs and labels of single channels are tried
 
 /// How badly files agree with each other and with physics; smaller is better.
 struct Misfit {

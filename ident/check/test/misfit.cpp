@@ -1,4 +1,4 @@
-#include "ident/check/misfit.hpp"
+#include "ident/check/test/misfit.hpp"
 
 #include <algorithm>
 #include <cmath>

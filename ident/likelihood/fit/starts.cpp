@@ -1,0 +1,101 @@
+#include "ident/likelihood/fit/starts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+#include <utility>
+
+#include "ident/equations/linear_plan.hpp"
+#include "ident/likelihood/data/likelihood_plan.hpp"
+#include "ident/likelihood/fit/predicted_start.hpp"
+#include "ident/likelihood/fit/spring_starts.hpp"
+#include "ident/plan/joint_guess.hpp"
+#include "minimise/linear/start_points.hpp"
+
+namespace jointid::ident {
+namespace {
+
+using enum weighting::Weighting;
+
+constexpr std::array<std::pair<weighting::Weighting, double>, 4> linear_ways = {{{wb, 0.0}, {wbg, 0.0}, {wbs, 0.1}, {wa, 0.0}}};
+
+/// Linear estimates with one weighting after the other.
+std::optional<std::vector<double>> linear_start(const Plan& plan, std::size_t k, const Control& control) {
+  if (k >= linear_ways.size()) return std::nullopt;
+  const Plan& start = *likelihood_plan(plan)->start;
+  AssemblySpec& spec = linear_plan(start)->spec;
+  std::tie(spec.weighting, spec.delta) = linear_ways[k];
+  return started(plan, start, control);
+}
+
+/// Joints that were given or guessed, in sizes that fit.
+minimise::StartPoints in_sizes(const std::vector<std::vector<double>>& joints, LikelihoodEstimator& estimator) {
+  return {joints, [&](const std::vector<double>& theta) { return estimator.misfit_at(theta); }};
+}
+
+/// Where H_jn of the assembly is not measured: the first as it is, then along method "newton" from those in sizes that fit. What
+/// the data say of the joint then is far from linear, and its steps come nearer from farther away.
+Starts predicted_starts(const Plan& plan, std::optional<std::vector<double>> first, const minimise::StartPoints& points,
+                        std::size_t most) {
+  return [first = std::move(first), points, most, &plan](std::size_t k) -> std::optional<std::vector<double>> {
+    if (k >= most) return std::nullopt;
+    if (k == 0 && first) return first;
+    return predicted_start(plan, *likelihood_plan(plan)->observations, points(first ? k - 1 : k));
+  };
+}
+
+/// From the scene's start.
+Starts given_starts(const Plan& plan, LikelihoodEstimator& estimator, std::size_t most) {
+  const auto points = in_sizes({scaled(plan, joint_values(plan, plan.scene.identify.start, "[identify] start"))}, estimator);
+  if (!joint_is_reached(plan)) return predicted_starts(plan, points(0), points, most);
+  return [points, most](std::size_t k) { return k < most ? std::optional(points(k)) : std::nullopt; };
+}
+
+/// Where H_jn is not measured: from springs, and first from the direct solution when that fits better, as it does without noise.
+Starts guessed_starts(const Plan& plan, LikelihoodEstimator& estimator, const std::vector<std::vector<double>>& springs,
+                      const Control& control, std::size_t most) {
+  const auto points = in_sizes(springs, estimator);
+  std::optional direct = linear_start(plan, 0, control);
+  if (!(estimator.misfit_at(*direct) < estimator.misfit_at(points(0)))) direct.reset();
+  return predicted_starts(plan, std::move(direct), points, most);
+}
+
+/// Linear estimates, that which fits best first, then random changes of that one. Where the first nearly fits no other is worked out
+/// to compare it with.
+Starts linear_starts(const Plan& plan, LikelihoodEstimator& estimator, const Control& control, std::size_t most) {
+  constexpr double near = 1.0;
+  std::vector<std::vector<double>> found;
+  std::ptrdiff_t best = 0;
+  double least = 0.0;
+  while (found.empty() || (found.size() < linear_ways.size() && least > near)) {
+    found.push_back(*linear_start(plan, found.size(), control));
+    const double misfit = estimator.misfit_at(found.back());
+    if (found.size() == 1 || misfit < least) std::tie(best, least) = std::pair(std::ssize(found) - 1, misfit);
+  }
+  std::rotate(found.begin(), found.begin() + best, found.begin() + best + 1);
+  return [&plan, &control, found = std::move(found), most](std::size_t k) -> std::optional<std::vector<double>> {
+    if (k >= most) return std::nullopt;
+    if (k < found.size()) return found[k];
+    if (auto start = linear_start(plan, k, control)) return start;
+    const minimise::StartPoints points({found.front()}, [](const std::vector<double>&) { return 0.0; });
+    return points(minimise::StartPoints::sizes + k);
+  };
+}
+
+}  // namespace
+
+bool joint_is_reached(const Plan& plan) { return likelihood_plan(plan)->observations->layout().reaches_joint(); }
+
+Starts starts_of(const Plan& plan, LikelihoodEstimator& estimator, const Control& control) {
+  const LikelihoodPlan& own = *likelihood_plan(plan);
+  const std::size_t wanted = plan.scene.identify.starts;
+  const std::size_t of_sizes = wanted > 0 ? wanted : 2 * minimise::StartPoints::sizes;
+  if (!own.start) return given_starts(plan, estimator, of_sizes);
+  if (!joint_is_reached(plan)) {
+    const auto springs = spring_starts(plan, *own.observations);
+    if (!springs.empty()) return guessed_starts(plan, estimator, springs, control, of_sizes);
+  }
+  return linear_starts(plan, estimator, control, wanted > 0 ? wanted : linear_ways.size());
+}
+
+}  // namespace jointid::ident
