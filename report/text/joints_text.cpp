@@ -100,7 +100,7 @@ ShownJoints shown_joints(const ident::Solution& solution) {
 
 std::string head_of(const ident::Solution& solution, const ShownJoints& shown) {
   std::string text = fmt::format("{} joints, {} unknowns", shown.joints, solution.unknowns.size());
-  if (shown.undetermined > 0) text += fmt::format("; {} joints have unknowns that the data do not determine", shown.undetermined);
+  if (shown.undetermined > 0) text += fmt::format("; {} with unknowns that the data do not determine", shown.undetermined);
   if (shown.are_chosen()) text += fmt::format("; the {} {}", shown.rows.size(), shown.errors || shown.undetermined > 0 ? "worst" : "first");
   return text;
 }

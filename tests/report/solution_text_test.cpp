@@ -78,7 +78,7 @@ TEST(SolutionText, ConstraintsSayWhatHoldsAndWhatItCosts) {
 TEST(SolutionText, ManyJointsHaveALineEachAndTheWorstComeFirst) {
   const std::string text = solution_text(sample_of_many_joints(), "");
   EXPECT_LT(text.size(), 6000u);
-  EXPECT_THAT(text, HasSubstr("500 joints, 10000 unknowns; 1 joints have unknowns that the data do not determine; the 20 worst"));
+  EXPECT_THAT(text, HasSubstr("500 joints, 10000 unknowns; 1 with unknowns that the data do not determine; the 20 worst"));
   EXPECT_THAT(text, ContainsRegex("j5 +20 .*2 not determined by the data"));
   EXPECT_THAT(text, ContainsRegex("j77 +20 .*j77\\.K\\(1,4\\) +50 %"));
   EXPECT_LT(text.find("j5 "), text.find("j77 "));
