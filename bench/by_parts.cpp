@@ -54,8 +54,7 @@ struct Row {
 
 Row measure(double level, ident::Solver solver, std::size_t seeds) {
   const problems::Problem problem = chain(level);
-  ident::Scene scene = scene_of(problem, solver);
-  if (solver != ident::Solver::by_parts) scene.identify.start = problem.truth;  // without forces at the joints it finds none itself
+  const ident::Scene scene = scene_of(problem, solver);
   Row row;
   row.squares.assign(problem.unknowns.size(), 0.0);
   row.stated = row.squares;

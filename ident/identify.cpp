@@ -20,6 +20,20 @@
 namespace jointid::ident {
 namespace {
 
+/// The likelihood by parts, for the whole likelihood of assemblies that were not excited at their joints; null where the data or the
+/// scene do not allow it.
+std::unique_ptr<Plan> plan_start_by_parts(const Plan& plan, Scene scene) {
+  if (plan.scene.identify.method != Method::likelihood) return nullptr;
+  scene.identify.method = Method::likelihood;
+  scene.identify.solver = Solver::by_parts;
+  scene.identify.equations.clear();
+  try {
+    return make_plan(scene, plan.substructures, plan.assembly);
+  } catch (const InputError&) {
+    return nullptr;
+  }
+}
+
 std::unique_ptr<Plan> plan_start(const Plan& plan, const StartChoices& choices) {
   Scene scene = plan.scene;
   scene.identify = {};
@@ -36,6 +50,7 @@ std::unique_ptr<Plan> plan_start(const Plan& plan, const StartChoices& choices) 
       // The next one needs less.
     }
   }
+  if (auto start = plan_start_by_parts(plan, scene)) return start;
   fail(plan.scene, "[identify] start", "the data allow no linear estimate to start from", "add start = { … } to [identify]");
 }
 

@@ -6,6 +6,7 @@
 #include "report/check_json.hpp"
 #include "report/identifiability_json.hpp"
 #include "report/json_value.hpp"
+#include "report/text/joints_text.hpp"
 
 namespace jointid::report {
 namespace {
@@ -33,6 +34,23 @@ Json admissibility(const ident::Admissibility& found) {
     json["constraints"].push_back({{"constraint", text}, {"size", size}, {"at_limit", at_limit}, {"chi_square", value(chi_square)}});
   }
   return json;
+}
+
+/// Joint by joint, where there are many unknowns.
+Json joints(const std::vector<JointSummary>& all) {
+  Json out = Json::array();
+  for (const JointSummary& each : all) {
+    Json largest = Json::object();
+    for (const auto& [kind, size] : each.by_kind) largest[kind] = {{"value", value(size.largest)}, {"unit", size.unit}};
+    const bool has_error = each.worst_error >= 0.0;
+    out.push_back({{"joint", each.name},
+                   {"unknowns", each.unknowns},
+                   {"undetermined", each.undetermined},
+                   {"largest", largest},
+                   {"worst_unknown", has_error ? Json(each.worst) : Json(nullptr)},
+                   {"worst_relative_error", has_error ? value(each.worst_error) : Json(nullptr)}});
+  }
+  return out;
 }
 
 Json loose_joints(const std::vector<ident::LooseJoint>& joints) {
@@ -196,6 +214,7 @@ std::string solution_json(const ident::Solution& solution) {
   Json json = {{"status", ident::name(solution.status)}, {"message", solution.message}};
   json["unknowns"] = Json::array();
   for (const auto& estimate : solution.unknowns) json["unknowns"].push_back(unknown(estimate, solution.admissibility.has_value()));
+  if (is_shown_by_joint(solution)) json["joints"] = joints(joint_summaries(solution));
   const bool whole = solution.dofs.size() <= most_of_whole;
   json["matrices"] = whole && solution.bands.size() == 1 ? matrices(solution.bands.front().matrices) : Json(nullptr);
   if (!whole && solution.bands.size() == 1) json["blocks"] = blocks(solution.bands.front().matrices, solution.dofs);

@@ -37,6 +37,7 @@ struct ExtremeProblem {
   Sets sets;
   ident::Scene scene;
   std::vector<double> truth;  ///< of the unknowns in the order of the restriction
+  std::vector<std::size_t> group{};  ///< of each of them: those that are compared in size; empty: all
 
   std::unique_ptr<ident::Plan> plan(ident::Solver solver) const;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 
 #include "base/statistics.hpp"
 #include "ident/equations/assemble.hpp"
@@ -48,23 +49,40 @@ double kept_error(const ident::Solution& solution, const ExactEstimate& exact) {
   return difference / size;
 }
 
-double largest(const std::vector<double>& values) {
-  double out = 0.0;
-  for (const double value : values) out = std::max(out, std::abs(value));
+/// Of each unknown, the largest of those that it is compared with.
+std::vector<double> sizes_of(const ExtremeProblem& problem) {
+  std::map<std::size_t, double> largest;
+  const auto group = [&](std::size_t j) { return problem.group.empty() ? 0 : problem.group[j]; };
+  for (std::size_t j = 0; j < problem.truth.size(); ++j) {
+    double& to = largest[group(j)];
+    to = std::max(to, std::abs(problem.truth[j]));
+  }
+  std::vector<double> out;
+  for (std::size_t j = 0; j < problem.truth.size(); ++j) out.push_back(largest[group(j)]);
   return out;
+}
+
+/// The worst error of an unknown over its size.
+double worst_error(const ident::Solution& solution, const ExtremeProblem& problem) {
+  const std::vector<double> sizes = sizes_of(problem);
+  double worst = 0.0;
+  for (std::size_t j = 0; j < problem.truth.size(); ++j) {
+    const double error = std::abs(solution.unknowns[j].value - problem.truth[j]);
+    worst = std::isnan(error) ? HUGE_VAL : std::max(worst, error / sizes[j]);
+  }
+  return worst;
 }
 
 /// What the solution states of the error of an unknown.
 std::optional<double> stated(const ident::Estimate& unknown) { return unknown.rounding ? unknown.rounding : unknown.std_error; }
 
-Honesty judged(const ident::Solution& solution, const std::vector<double>& truth) {
+Honesty judged(const ident::Solution& solution, const ExtremeProblem& problem) {
   const bool told = solution.status != ident::Status::ok || !solution.warnings.empty();
+  const double worst = worst_error(solution, problem);
   bool beyond = false, has_bound = false;
-  double worst = 0.0;
-  for (std::size_t j = 0; j < truth.size(); ++j) {
-    const double error = std::abs(solution.unknowns[j].value - truth[j]);
+  for (std::size_t j = 0; j < problem.truth.size(); ++j) {
+    const double error = std::abs(solution.unknowns[j].value - problem.truth[j]);
     const std::optional<double> bound = stated(solution.unknowns[j]);
-    worst = std::isnan(error) ? HUGE_VAL : std::max(worst, error / largest(truth));
     has_bound = has_bound || bound;
     beyond = beyond || (bound && !(error <= 10.0 * *bound));
   }
@@ -122,13 +140,8 @@ Measured measure(const ExtremeProblem& problem, Way way, const std::optional<Exa
   out.warned = !solution.warnings.empty();
   if (solution.unknowns.size() != problem.truth.size()) return out;
   if (exact) out.digits_kept = digits(kept_error(solution, *exact));
-  double worst = 0.0;
-  for (std::size_t j = 0; j < problem.truth.size(); ++j) {
-    const double error = std::abs(solution.unknowns[j].value - problem.truth[j]);
-    worst = std::isnan(error) ? HUGE_VAL : std::max(worst, error / largest(problem.truth));
-  }
-  out.digits_true = digits(worst);
-  if (!is_svd(way)) out.verdict = judged(solution, problem.truth);
+  out.digits_true = digits(worst_error(solution, problem));
+  if (!is_svd(way)) out.verdict = judged(solution, problem);
   return out;
 }
 

@@ -5,7 +5,9 @@
 
 #include "base/error.hpp"
 #include "ident/identify.hpp"
+#include "minimise/linear/sparse_qr.hpp"
 #include "stability/draw.hpp"
+#include "stability/many_joints_scene.hpp"
 #include "stability/matrix_sweeps.hpp"
 
 namespace jointid::stability {
@@ -81,6 +83,8 @@ constexpr std::size_t few_lines = 1000;
 
 void stop_if_asked(const Watch& watch) { stop_if(watch.interrupted); }
 
+bool has(Solver solver) { return (solver != Solver::spqr && solver != Solver::cholmod) || minimise::has_spqr(); }
+
 void measure_scene(const std::string& sweep, const Step& step, const Watch& watch, std::vector<Measured>& out) {
   const auto add = [&](ExtremeScene scene, Method method, const std::vector<Way>& ways) {
     scene.method = method;
@@ -112,6 +116,23 @@ void measure_rows(const std::string& sweep, double value, const Rows& rows, cons
   }
 }
 
+/// Sparse rows of many joints, free or constrained. No exact reference: digits are those of the truth.
+void measure_many_joints(const std::string& sweep, const Watch& watch, std::vector<Measured>& out) {
+  for (const double spread : decades(0, 9)) {
+    if (watch.progress) watch.progress(sweep);
+    const bool definite = sweep == "chain-definite";
+    const ExtremeProblem problem = make(ManyJointsScene{.frame = sweep == "frame", .spread = spread, .definite = definite});
+    for (const Solver solver : {Solver::qr, Solver::spqr, Solver::cholmod, Solver::ldlt}) {
+      if (!has(solver)) continue;
+      stop_if_asked(watch);
+      out.push_back(measure(problem, solver, std::nullopt));
+      out.back().sweep = sweep;
+      out.back().value = spread;
+      if (watch.measured) watch.measured(out.back());
+    }
+  }
+}
+
 void run(const std::string& sweep, const Watch& watch, std::vector<Measured>& out) {
   for (const Step& step : scene_steps(sweep)) {
     if (watch.progress) watch.progress(sweep);
@@ -126,6 +147,7 @@ void run(const std::string& sweep, const Watch& watch, std::vector<Measured>& ou
   if (sweep == "weights") {
     for (const double spread : decades(0, 14, 2)) measure_rows(sweep, spread, weighted(60, 5, spread), watch, out);
   }
+  if (sweep == "chain" || sweep == "frame" || sweep == "chain-definite") measure_many_joints(sweep, watch, out);
 }
 
 Honesty verdict_of(std::uint64_t seed, std::uint64_t index) {
@@ -148,7 +170,11 @@ const std::vector<Sweep>& sweeps() {
       {"single", "FRFs in single precision", "joint stiffness over the structure's"},
       {"hilbert", "rows: Hilbert matrices", "size"},
       {"laeuchli", "rows: Läuchli matrices", "δ"},
-      {"weights", "rows: weights in random order (Powell and Reid)", "largest over smallest weight"}};
+      {"weights", "rows: weights in random order (Powell and Reid)", "largest over smallest weight"},
+      {"chain", "27 beams on 26 joints, rows by parts, digits true", "stiffest joint over the structure, and the structure over the softest"},
+      {"frame", "15 beams on 21 joints, rows by parts, digits true", "stiffest joint over the structure, and the structure over the softest"},
+      {"chain-definite", "the chain with semidefinite K and D, every other D zero, digits true",
+       "stiffest joint over the structure, and the structure over the softest"}};
   return all;
 }
 

@@ -51,21 +51,19 @@ std::vector<std::string> SystemPattern::picture(std::size_t most) const {
   return lines;
 }
 
-std::optional<SystemPattern> system_pattern(const Plan& plan, std::size_t least) {
-  const LinearPlan* const own = linear_plan(plan);
-  if (own == nullptr || plan.columns->size() < least) return std::nullopt;
+SystemPattern pattern_of(const Plan& plan, const std::vector<RowGroup>& groups) {
   SystemPattern out;
   out.unknowns = plan.columns->size();
-  out.supports = own->spec.supports.size();
+  out.supports = groups.size();
   std::vector<std::vector<std::size_t>> columns(plan.restriction.unknowns.size());
   for (std::size_t column = 0; column < out.unknowns; ++column) columns[plan.columns->unknown_of(column)].push_back(column);
   std::vector<std::set<std::size_t>> touched;
   std::set<std::pair<std::size_t, std::size_t>> pairs;
   std::set<std::size_t> all;
-  for (std::size_t s = 0; s < out.supports; ++s) {
+  for (const RowGroup& group : groups) {
     std::set<std::size_t> joints;
     std::set<std::size_t>& own_columns = touched.emplace_back();
-    for (const std::size_t unknown : own->spec.supports[s].unknowns) {
+    for (const std::size_t unknown : group.unknowns) {
       joints.insert(plan.restriction.unknowns[unknown].joint);
       own_columns.insert(columns[unknown].begin(), columns[unknown].end());
     }
@@ -74,10 +72,11 @@ std::optional<SystemPattern> system_pattern(const Plan& plan, std::size_t least)
     }
     all.insert(joints.begin(), joints.end());
     out.joints_of.emplace_back(joints.begin(), joints.end());
-    const std::size_t width = own->spec.supports[s].unknowns.size();
+    const std::size_t width = group.unknowns.size();
+    if (2 * width > out.unknowns && !group.files.empty()) out.wide_files.push_back(group.files);
     if (width <= out.widest) continue;
     out.widest = width;
-    if (!own->parts.empty()) out.widest_file = plan.substructures->source(own->parts[s].source).header().file;
+    out.widest_file = group.files;
   }
   out.joints = all.empty() ? 0 : *all.rbegin() + 1;
   out.joint_pairs = pairs.size();
@@ -88,6 +87,18 @@ std::optional<SystemPattern> system_pattern(const Plan& plan, std::size_t least)
   const auto factor = minimise::ldlt_cholesky();
   if (factor->factorize(coupled_columns(touched, out.unknowns))) out.factor_entries = factor->entries();
   return out;
+}
+
+std::optional<SystemPattern> system_pattern(const Plan& plan, std::size_t least) {
+  const LinearPlan* const own = linear_plan(plan);
+  if (own == nullptr || plan.columns->size() < least) return std::nullopt;
+  std::vector<RowGroup> groups;
+  for (std::size_t s = 0; s < own->spec.supports.size(); ++s) {
+    const bool by_parts = !own->parts.empty();
+    groups.push_back({own->spec.supports[s].unknowns,
+                      by_parts ? plan.substructures->source(own->parts[s].source).header().file : std::string()});
+  }
+  return pattern_of(plan, groups);
 }
 
 }  // namespace jointid::ident

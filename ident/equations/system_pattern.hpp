@@ -9,12 +9,19 @@
 
 namespace jointid::ident {
 
-/// Which unknowns the rows of a linear plan touch together, known before any FRF is read.
+/// Rows that touch the same unknowns.
+struct RowGroup {
+  std::vector<std::size_t> unknowns;  ///< of the restriction
+  std::string files;                  ///< the substructures, where rows are kept apart by them; else empty
+};
+
+/// Which unknowns the rows of a plan touch together, known before any FRF is read.
 struct SystemPattern {
   std::size_t unknowns = 0;        ///< columns
-  std::size_t supports = 0;        ///< groups of rows, one a substructure where they are kept apart
+  std::size_t supports = 0;        ///< groups of rows, one or a few substructures where they are kept apart
   std::size_t widest = 0;          ///< unknowns that one of them touches
   std::string widest_file;         ///< the substructure, where rows are by parts
+  std::vector<std::string> wide_files{};  ///< those that touch more than half of the unknowns: with one of them a dense solver is better
   std::size_t joints = 0;
   std::size_t joint_pairs = 0;     ///< ordered pairs of joints, each with itself too, that share a support: blocks of RᵀR
   std::size_t factor_entries = 0;  ///< numbers in the Cholesky factor of RᵀR, ordered by AMD
@@ -26,6 +33,9 @@ struct SystemPattern {
   /// The blocks of RᵀR as text, joints along both sides, `most` rows and columns at most: ■ where joints are coupled.
   std::vector<std::string> picture(std::size_t most) const;
 };
+
+/// That of a plan with these groups of rows.
+SystemPattern pattern_of(const Plan& plan, const std::vector<RowGroup>& groups);
 
 /// That of a plan with linear equations; empty for other methods, and below `least` unknowns.
 std::optional<SystemPattern> system_pattern(const Plan& plan, std::size_t least);

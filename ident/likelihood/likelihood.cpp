@@ -177,7 +177,8 @@ class LikelihoodMethod final : public LikelihoodPlan {
 
 PlannedMethod plan_likelihood(const Plan& plan, const StartPlanner& plan_start) {
   if (goes_by_parts(plan)) return plan_by_parts(plan, plan_start);
-  return plan_observations(plan, plan_start, std::make_unique<LikelihoodMethod>());
+  PlannedMethod whole = plan_observations(plan, plan_start, std::make_unique<LikelihoodMethod>());
+  return is_better_by_parts(plan, whole.cost) ? plan_by_parts(plan, plan_start) : std::move(whole);
 }
 
 }  // namespace jointid::ident

@@ -50,6 +50,7 @@ std::vector<double> scaled(const Plan& plan, const std::vector<double>& values) 
 std::vector<double> started(const Plan& plan, const Plan& start, const Control& control) {
   Control quick = control;
   quick.detail = Detail::estimates;
+  quick.judgement = Judgement::none;
   quick.so_far = nullptr;
   Solution first;
   start.method->solve(start, quick, first);

@@ -3,17 +3,20 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/text.hpp"
 #include "ident/admissible/constraint_phrases.hpp"
 #include "ident/equations/system_pattern.hpp"
 #include "ident/likelihood/findings/variance_sources.hpp"
+#include "ident/likelihood/parts/likelihood_by_parts.hpp"
 #include "ident/plan/expected_time.hpp"
 #include "report/json_value.hpp"
 #include "report/result/bound_json.hpp"
 #include "report/text/dof_list.hpp"
 #include "report/text/table.hpp"
+#include "report/text/variances_text.hpp"
 #include "report/text/words.hpp"
 
 namespace jointid::report {
@@ -64,13 +67,25 @@ std::string cost_text(const ident::Cost& cost) {
 /// From so many unknowns on it matters which of them meet.
 constexpr std::size_t least_of_pattern = 150;
 
+std::optional<ident::SystemPattern> pattern_of(const ident::Plan& plan) {
+  const auto linear = ident::system_pattern(plan, least_of_pattern);
+  return linear ? linear : ident::pattern_by_parts(plan, least_of_pattern);
+}
+
+std::string wide_text(const std::vector<std::string>& files) {
+  constexpr std::size_t most = 4;
+  const std::vector<std::string> first(files.begin(), files.begin() + static_cast<std::ptrdiff_t>(std::min(most, files.size())));
+  return fmt::format("{}{}", fmt::join(first, ", "), files.size() > most ? fmt::format(" and {} more", files.size() - most) : "");
+}
+
 std::string pattern_text(const ident::Plan& plan) {
-  const std::optional<ident::SystemPattern> found = ident::system_pattern(plan, least_of_pattern);
+  const std::optional<ident::SystemPattern> found = pattern_of(plan);
   if (!found) return "";
   Table table({{"", Align::left}, {""}});
   table.add({"joints", fmt::format("{}", found->joints)});
-  table.add({"groups of rows, one a substructure where they are kept apart", fmt::format("{}", found->supports)});
+  table.add({"groups of rows, one or a few substructures where they are kept apart", fmt::format("{}", found->supports)});
   table.add({"unknowns of the widest" + (found->widest_file.empty() ? "" : ", " + found->widest_file), fmt::format("{}", found->widest)});
+  if (!found->wide_files.empty()) table.add({"substructures with more than half of the unknowns", wide_text(found->wide_files)});
   table.add({"pairs of joints that share rows", fmt::format("{} of {}", found->joint_pairs, found->joints * found->joints)});
   table.add({"numbers in the factor", fmt::format("{}", found->factor_entries)});
   table.add({"of a dense one", percent(found->share_of_dense())});
@@ -86,17 +101,12 @@ Json pattern_json(const ident::SystemPattern& found) {
           {"row_groups", found.supports},
           {"widest_unknowns", found.widest},
           {"widest_file", found.widest_file.empty() ? Json(nullptr) : Json(found.widest_file)},
+          {"wide_files", found.wide_files},
           {"joint_pairs_coupled", found.joint_pairs},
           {"factor_entries", found.factor_entries},
           {"factor_share_of_dense", found.share_of_dense()},
-          {"factor_bytes", 16 * found.factor_entries}};
-}
-
-std::string known_noise_text(const std::vector<ident::VarianceSource>& files) {
-  if (files.empty()) return "";
-  Table table({{"", Align::left}, {"", Align::left}});
-  for (const auto& file : files) table.add({file.file, file.origin});
-  return "\nvariances of the FRFs\n" + table.text();
+          {"factor_bytes", 16 * found.factor_entries},
+          {"joints_of_row_groups", found.joints_of}};
 }
 
 Json variances_json(const std::vector<ident::VarianceSource>& files) {
@@ -140,7 +150,7 @@ std::string plan_text(const ident::Plan& plan) {
   table.add({"assembly FRFs", !plan.predicted_responses.empty() ? "synthesised and compared" : "not synthesised"});
   return (plan.scene.title.empty() ? "" : plan.scene.title + "\n") + table.text() +
          phrases("constraints", ident::constraint_phrases(plan)) + cost_text(plan.cost) + pattern_text(plan) +
-         known_noise_text(ident::variance_sources(plan)) + phrases("left out", plan.left_out) +
+         variances_text(ident::variance_sources(plan)) + phrases("left out", plan.left_out) +
          phrases("warnings", plan.warnings) + phrases("notes", plan.notes);
 }
 
@@ -166,7 +176,7 @@ std::string plan_json(const ident::Plan& plan, const std::optional<tasks::BoundR
   json["constraints"] = ident::constraint_phrases(plan);
   json["predicts_assembly"] = !plan.predicted_responses.empty();
   json["cost"] = cost_json(plan.cost);
-  if (const auto pattern = ident::system_pattern(plan, least_of_pattern)) json["structure"] = pattern_json(*pattern);
+  if (const auto pattern = pattern_of(plan)) json["structure"] = pattern_json(*pattern);
   json["variances"] = variances_json(ident::variance_sources(plan));
   json["left_out"] = plan.left_out;
   json["warnings"] = plan.warnings;

@@ -11,6 +11,7 @@
 #include "report/text/joints_text.hpp"
 #include "report/text/systematic_text.hpp"
 #include "report/text/table.hpp"
+#include "report/text/variances_text.hpp"
 #include "report/text/words.hpp"
 
 namespace jointid::report {
@@ -156,17 +157,6 @@ std::string search_text(const ident::Solution& solution) {
     text += "\n";
   }
   return text;
-}
-
-std::string variances_text(const std::vector<ident::VarianceSource>& files) {
-  if (files.empty()) return "";
-  Table table({{"file", Align::left}, {"", Align::left}});
-  std::string notes;
-  for (const auto& [file, origin, note] : files) {
-    table.add({file, origin});
-    if (!note.empty()) notes += "  " + note + "\n";
-  }
-  return "\nvariances of the FRFs\n" + table.text() + notes;
 }
 
 std::string quality_text(const std::map<restrictions::Kind, ident::Quality>& by_kind) {

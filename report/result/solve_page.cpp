@@ -14,6 +14,7 @@
 #include "report/page/status_banner.hpp"
 #include "report/text/admissibility_text.hpp"
 #include "report/text/identifiability_text.hpp"
+#include "report/text/joints_text.hpp"
 #include "report/text/systematic_text.hpp"
 #include "report/text/table.hpp"
 #include "report/text/words.hpp"
@@ -99,15 +100,21 @@ void add_values(const ident::Solution& solution, std::size_t first, std::size_t 
                 true});
 }
 
-/// As many as leave room for the worst FRF on the first screen.
+/// As many as leave room for the worst FRF on the first screen; of many joints a line for each of the worst.
 void add_first_values(const ident::Solution& solution, ReportPage& page) {
   if (solution.unknowns.empty()) return;
+  if (is_shown_by_joint(solution)) {
+    page.section("Identified joints");
+    page.add(joints_table(solution), joints_head(solution));
+    page.add(Text{"Of each joint the largest values, and the unknown with the largest error over its value; --json and --csv write all.", true});
+    return;
+  }
   page.section("Identified values");
   add_values(solution, 0, most_first, page);
 }
 
 void add_other_values(const ident::Solution& solution, ReportPage& page) {
-  if (solution.unknowns.size() <= most_first) return;
+  if (solution.unknowns.size() <= most_first || is_shown_by_joint(solution)) return;
   page.section("Further identified values");
   add_values(solution, most_first, most_bars, page);
   if (solution.unknowns.size() > most_bars) {

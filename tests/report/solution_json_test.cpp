@@ -50,6 +50,18 @@ TEST(SolutionJson, WhatIsNotComputedOrNotFiniteIsNull) {
   EXPECT_TRUE(json["fit"]["asm_frf_error"].is_null());
 }
 
+TEST(SolutionJson, ManyJointsAreListedOneByOne) {
+  EXPECT_FALSE(Json::parse(solution_json(sample_solution())).contains("joints"));
+  const Json json = Json::parse(solution_json(sample_of_many_joints()));
+  ASSERT_EQ(json["joints"].size(), 500U);
+  const Json& worst = json["joints"][76];
+  EXPECT_THAT(keys(worst), ElementsAre("joint", "unknowns", "undetermined", "largest", "worst_unknown", "worst_relative_error"));
+  EXPECT_EQ(worst["worst_unknown"], "j77.K(1,4)");
+  EXPECT_EQ(worst["worst_relative_error"].get<double>(), 0.5);
+  EXPECT_EQ(worst["largest"]["D"]["unit"], "N/m");
+  EXPECT_EQ(json["joints"][4]["undetermined"], 2);
+}
+
 TEST(SolutionJson, SeveralBandsAreListed) {
   auto solution = sample_solution();
   solution.bands.push_back(solution.bands.front());

@@ -46,6 +46,26 @@ inline ident::Solution sample_likelihood() {
   return solution;
 }
 
+/// 500 joints with 20 unknowns each, of 501 files: j77 has the worst error, and two unknowns of j5 are not determined.
+inline ident::Solution sample_of_many_joints() {
+  ident::Solution solution = sample_solution();
+  solution.unknowns.clear();
+  solution.bands.clear();
+  for (int joint = 1; joint <= 500; ++joint) {
+    for (int u = 0; u < 20; ++u) {
+      ident::Estimate each = sample_solution().unknowns.front();
+      const std::string kind = u < 10 ? "K" : "D";
+      each.name = "j" + std::to_string(joint) + "." + kind + "(1," + std::to_string(u % 10 + 1) + ")";
+      each.value = (u < 10 ? 1e6 : 1e4) * (1.0 + 0.1 * (u % 10));
+      each.std_error = each.value * (joint == 77 && u == 3 ? 0.5 : 0.01);
+      each.determined = joint != 5 || u > 1;
+      solution.unknowns.push_back(each);
+    }
+  }
+  for (int file = 1; file <= 501; ++file) solution.variances.push_back({"part_" + std::to_string(file) + ".h5", "the law of [noise]", ""});
+  return solution;
+}
+
 /// The same under constraints, of which one holds.
 inline ident::Solution sample_constrained() {
   ident::Solution solution = sample_solution();

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "report/text/joints_text.hpp"
 #include "solution_sample.hpp"
 
 namespace jointid::report {
@@ -71,6 +72,22 @@ TEST(SolutionText, ConstraintsSayWhatHoldsAndWhatItCosts) {
   EXPECT_THAT(text, ContainsRegex("k2 >= 0 +no +0"));
   EXPECT_THAT(text, HasSubstr("χ² rises by 12.5, 3 equations hold"));
   EXPECT_THAT(solution_text(sample_solution(), ""), Not(HasSubstr("constraints")));
+}
+
+/// Neither 10,000 names nor a line for each of 501 files: the worst joints, those that the data do not determine first.
+TEST(SolutionText, ManyJointsHaveALineEachAndTheWorstComeFirst) {
+  const std::string text = solution_text(sample_of_many_joints(), "");
+  EXPECT_LT(text.size(), 6000u);
+  EXPECT_THAT(text, HasSubstr("500 joints, 10000 unknowns; 1 with unknowns that the data do not determine; the 20 worst"));
+  EXPECT_THAT(text, ContainsRegex("j5 +20 .*2 not determined by the data"));
+  EXPECT_THAT(text, ContainsRegex("j77 +20 .*j77\\.K\\(1,4\\) +50 %"));
+  EXPECT_LT(text.find("j5 "), text.find("j77 "));
+  EXPECT_THAT(text, HasSubstr("part_1.h5 and 500 more  the law of [noise]"));
+  const std::vector<JointSummary> all = joint_summaries(sample_of_many_joints());
+  ASSERT_EQ(all.size(), 500u);
+  EXPECT_EQ(all[76].worst, "j77.K(1,4)");
+  EXPECT_DOUBLE_EQ(all[76].worst_error, 0.5);
+  EXPECT_DOUBLE_EQ(all[76].by_kind.at("K").largest, 1.9e6);
 }
 
 TEST(UnknownsCsv, EmptyWhereNotComputed) {

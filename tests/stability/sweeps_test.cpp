@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "minimise/linear/sparse_qr.hpp"
 #include "stability/exact_fit.hpp"
+#include "stability/many_joints_scene.hpp"
 #include "stability/matrix_sweeps.hpp"
 
 namespace jointid::stability {
@@ -130,6 +132,33 @@ TEST(Stability, WhatRoundingDestroysIsImprecise) {
 TEST(Stability, SweepsKeepTheirPromises) {
   for (const Measured& row : run_sweeps({"spread", "coincident", "single"})) {
     EXPECT_NE(row.verdict, Honesty::silent_wrong) << row.sweep << " " << row.value << " " << row.solver;
+  }
+}
+
+/// Rows of many joints from a millionth to a million times the structure's stiffness: sparse ways keep what the dense one keeps.
+TEST(Stability, SparseWaysKeepWhatTheDenseOneKeeps) {
+  for (const bool frame : {false, true}) {
+    for (const double spread : {1.0, 1e3, 1e6}) {
+      const ExtremeProblem problem = make(ManyJointsScene{.frame = frame, .spread = spread});
+      const Measured dense = measure(problem, Solver::qr, std::nullopt);
+      EXPECT_NE(dense.verdict, Honesty::silent_wrong) << spread;
+      if (spread == 1.0) EXPECT_GE(dense.digits_true, 8.0) << frame;
+      for (const Solver solver : {Solver::cholmod, Solver::ldlt, Solver::spqr}) {
+        if (solver != Solver::ldlt && !minimise::has_spqr()) continue;
+        const Measured sparse = measure(problem, solver, std::nullopt);
+        EXPECT_GE(sparse.digits_true, dense.digits_true - 1.5) << sparse.solver << ", " << spread;
+        EXPECT_NE(sparse.verdict, Honesty::silent_wrong) << sparse.solver << ", " << spread;
+      }
+    }
+  }
+}
+
+/// Half of the D are zero, the edge of what is allowed: the constrained joint is the truth, as the free one is.
+TEST(Stability, ConstrainedJointsOnTheEdgeKeepTheirDigits) {
+  for (const double spread : {1.0, 1e3}) {
+    const Measured free = measure(make(ManyJointsScene{.spread = spread}), Solver::automatic, std::nullopt);
+    const Measured held = measure(make(ManyJointsScene{.spread = spread, .definite = true}), Solver::automatic, std::nullopt);
+    EXPECT_GE(held.digits_true, std::min(6.0, free.digits_true - 2.0)) << spread;
   }
 }
 

@@ -190,7 +190,7 @@ PlannedMethod plan_observations(const Plan& plan, const StartPlanner& plan_start
                                                     *plan.substructures, *plan.assembly);
   limit_error_sums(plan.lines.size(), *own.observations);
   if (plan.scene.identify.start.empty()) {
-    // Method One, else the direct solution.
+    // Method One, else the direct solution, else the likelihood by parts.
     own.start = plan_start(plan, {{Method::one, plan.scene.identify.equations}, {Method::one, {}}, {Method::direct, {}}});
     if (!own.observations->layout().reaches_joint()) {
       out.notes.push_back(
@@ -223,6 +223,7 @@ void LikelihoodPlan::read_first_line(const Plan& plan) {
 std::string LikelihoodPlan::not_shared(const Plan& plan) const {
   if (plan.solver == Solver::ceres) return "solver \"ceres\" works on all lines at once";
   if (plan.scene.identify.bootstrap > 0) return "a bootstrap simulates all lines at once";
+  if (const std::string why = start ? start->method->not_shared(*start) : ""; !why.empty()) return "to start, " + why;
   return observations->layout().asm_jn.empty() ? "with H_nn alone the start needs all lines at once" : "";
 }
 

@@ -19,12 +19,15 @@ using enum weighting::Weighting;
 
 constexpr std::array<std::pair<weighting::Weighting, double>, 4> linear_ways = {{{wb, 0.0}, {wbg, 0.0}, {wbs, 0.1}, {wa, 0.0}}};
 
-/// Linear estimates with one weighting after the other.
+/// Linear estimates with one weighting after the other; one estimate where the start is the likelihood by parts.
 std::optional<std::vector<double>> linear_start(const Plan& plan, std::size_t k, const Control& control) {
-  if (k >= linear_ways.size()) return std::nullopt;
   const Plan& start = *likelihood_plan(plan)->start;
-  AssemblySpec& spec = linear_plan(start)->spec;
-  std::tie(spec.weighting, spec.delta) = linear_ways[k];
+  LinearPlan* const linear = linear_plan(start);
+  if (k >= (linear != nullptr ? linear_ways.size() : 1)) return std::nullopt;
+  if (linear != nullptr) {
+    std::tie(linear->spec.weighting, linear->spec.delta) = linear_ways[k];
+    for (AssemblySpec& each : linear->part_specs) std::tie(each.weighting, each.delta) = linear_ways[k];
+  }
   return started(plan, start, control);
 }
 
@@ -67,8 +70,10 @@ Starts linear_starts(const Plan& plan, LikelihoodEstimator& estimator, const Con
   std::vector<std::vector<double>> found;
   std::ptrdiff_t best = 0;
   double least = 0.0;
-  while (found.empty() || (found.size() < linear_ways.size() && least > near)) {
-    found.push_back(*linear_start(plan, found.size(), control));
+  while (found.empty() || least > near) {
+    auto next = linear_start(plan, found.size(), control);
+    if (!next) break;
+    found.push_back(std::move(*next));
     const double misfit = estimator.misfit_at(found.back());
     if (found.size() == 1 || misfit < least) std::tie(best, least) = std::pair(std::ssize(found) - 1, misfit);
   }

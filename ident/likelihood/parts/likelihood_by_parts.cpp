@@ -17,6 +17,7 @@
 #include "ident/likelihood/data/systematic_plan.hpp"
 #include "ident/likelihood/errors/chi_square_law.hpp"
 #include "ident/likelihood/parts/parts_covariance.hpp"
+#include "ident/plan/expected_time.hpp"
 #include "ident/plan/interpret.hpp"
 #include "ident/plan/joint_guess.hpp"
 #include "ident/plan/prediction.hpp"
@@ -28,6 +29,7 @@ namespace jointid::ident {
 namespace {
 
 constexpr std::size_t most_small_parts = 8;
+constexpr double longest = 60.0;              ///< s, of the whole likelihood
 constexpr std::size_t expected_steps = 40;  ///< linearisations of all groups, an experience
 
 /// What of the scene does not go with it, or nothing.
@@ -44,6 +46,12 @@ std::string why_not(const Plan& plan) {
 
 std::vector<Equation> equations_of(const Plan& plan) {
   return equations_by_parts(plan.scene, plan.coordinates, *plan.substructures, *plan.assembly);
+}
+
+/// Where the scene leaves the solver open.
+bool may_go_by_parts(const Plan& plan) {
+  if (plan.scene.identify.solver != Solver::automatic || !why_not(plan).empty()) return false;
+  return plan.substructures->source_count() > most_small_parts && !equations_of(plan).empty();
 }
 
 class PartsMethod final : public MethodPlan {
@@ -271,9 +279,12 @@ void plan_cost(const Plan& plan, const PartsMethod& own, PlannedMethod& out) {
 
 bool goes_by_parts(const Plan& plan) {
   if (plan.scene.identify.solver == Solver::by_parts) return true;
-  if (plan.scene.identify.solver != Solver::automatic || !why_not(plan).empty()) return false;
   const bool many = plan.columns->size() >= least_unknowns_by_parts || plan.scene.identify.loose;
-  return plan.substructures->source_count() > most_small_parts && many && !equations_of(plan).empty();
+  return many && may_go_by_parts(plan);
+}
+
+bool is_better_by_parts(const Plan& plan, const Cost& whole) {
+  return !are_expected_within(longest, whole) && may_go_by_parts(plan);
 }
 
 PlannedMethod plan_by_parts(const Plan& plan, const StartPlanner& plan_start) {
@@ -301,6 +312,14 @@ PlannedMethod plan_by_parts(const Plan& plan, const StartPlanner& plan_start) {
                       " has its own estimate of the motions at its joints. Standard errors hold what this costs (docs/many-joints.md).");
   out.method = std::move(own);
   return out;
+}
+
+std::optional<SystemPattern> pattern_by_parts(const Plan& plan, std::size_t least) {
+  const auto* const own = dynamic_cast<const PartsMethod*>(plan.method.get());
+  if (own == nullptr || plan.columns->size() < least) return std::nullopt;
+  std::vector<RowGroup> groups;
+  for (const PartGroup& group : own->groups.groups) groups.push_back({group.unknowns, files_of(plan, group)});
+  return pattern_of(plan, groups);
 }
 
 }  // namespace jointid::ident

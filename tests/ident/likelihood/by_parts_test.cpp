@@ -224,15 +224,34 @@ TEST(ByParts, LooseJointsAreNamedFirst) {
   }
 }
 
-/// Where the scene names no solver: from 150 unknowns on.
+/// Where the scene names no solver: from 150 unknowns on, and before where the whole likelihood would take more than a minute.
 TEST(ByParts, AreChosenForManyJoints) {
-  for (const std::size_t joints : {std::size_t{24}, std::size_t{25}}) {
-    const Problem problem = chain(joints);
+  for (const std::size_t joints : {std::size_t{3}, std::size_t{24}, std::size_t{25}}) {
+    const Problem problem = problems::many_joints_problem(problems::chain_of_beams({.joints = joints}), {"chain", ""}, false);
     Scene scene = problems::scene(problem);
     scene.identify.method = Method::likelihood;
-    if (joints < 25) scene.identify.start = problem.truth;  // rows by parts of few unknowns are no start
     const auto plan = problems::plan(scene, {problem.substructures, problem.assembly});
-    EXPECT_EQ(name(plan->solver), joints == 25 ? "by-parts" : "gauss-helmert");
+    EXPECT_EQ(name(plan->solver), joints == 3 ? "gauss-helmert" : "by-parts") << joints;
+  }
+}
+
+/// The whole likelihood of an assembly that was not excited at its joints starts from the likelihood by parts, whatever its size.
+TEST(ByParts, AreTheStartOfTheWholeLikelihood) {
+  const Problem problem = chain(4);
+  Scene scene = problems::scene(problem);
+  scene.identify.method = Method::likelihood;
+  scene.identify.solver = Solver::gauss_helmert;
+  const auto plan = problems::plan(scene, problems::polluted(problem, 1, 0));
+  Control control;
+  control.detail = Detail::estimates;
+  control.judgement = Judgement::none;
+  const Solution found = solve(*plan, control);
+  ASSERT_EQ(found.status, Status::ok) << found.message;
+  const ChiSquare& chi_square = found.fit.chi_square.value();
+  EXPECT_NEAR(chi_square.value / chi_square.degrees_of_freedom, 1.0, 0.2);
+  for (std::size_t u = 0; u < problem.unknowns.size(); ++u) {
+    const Estimate& estimate = found.unknowns[u];
+    EXPECT_LT(std::abs(estimate.value - problem.unknowns[u].value), 4.5 * estimate.std_error.value()) << estimate.name;
   }
 }
 
