@@ -188,8 +188,7 @@ Suspect not_of_the_parts(const Files& files, const WorstSpan& worst) {
                       " by forces at the joint, whatever it is: they are off by " + digits(std::sqrt(test.ratio)) +
                       " times what noise makes of it (χ² over degrees of freedom " + digits(test.ratio, "%.3g") +
                       "), most in the response " + dofs[0].name() + " and the reference " + dofs[1].name() + band_of(test) +
-                      ". Where no file is wrong, look for: a joint DOF left out, or parts that changed between the tests (temperature, "
-                      "supports, bolts)",
+                      ". Parts that changed between the tests (temperature, supports, bolts) do that, and a joint DOF left out",
           .confidence = unexplained_confidence,
           .remedy = ""};
 }

@@ -182,7 +182,7 @@ std::optional<ConstraintCost> cost_of(const Plan& plan, const FreeEstimate& free
   const Observed from = observed(estimate, minimise::covariance_of(covariance), *conditions);
   const AdmissibleFit fit = nearest_admissible(*plan.admissible, from.theta, minimise::root_of(from.information), 1.0);
   const Admissibility found = outcome_of(*plan.admissible, fit, 1.0);
-  ConstraintCost out{.chi_square = from.cost + fit.cost, .equations = found.equations + conditions->size()};
+  ConstraintCost out{.chi_square = from.cost + fit.cost, .equations = found.equations + conditions->size(), .each = {}};
   if (!fit.converged || !std::isfinite(out.chi_square)) return std::nullopt;
   out.each = shares_of(plan, found);
   if (!plan.admissible->ties.empty()) {
