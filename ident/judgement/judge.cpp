@@ -148,7 +148,7 @@ std::optional<FreeEstimate> judge_equations(const Plan& plan, const std::vector<
   tell_misfit(*data, *fit, out);
   if (fit->free_misfit < no_joint_misfit) tell_no_joint(out);
   if (!fit->corrected) return std::nullopt;
-  return FreeEstimate{std::move(fit->theta), std::move(fit->covariance), fit->lines, data->from_knowledge};
+  return FreeEstimate{std::move(fit->theta), std::move(fit->covariance), std::move(fit->jackknife), fit->lines, data->from_knowledge};
 }
 
 /// By what parts and joint predict of H_nn.
@@ -167,7 +167,7 @@ std::optional<FreeEstimate> judge_prediction(const Plan& plan, const std::vector
              "or measure the assembly at the joint.");
     return std::nullopt;
   }
-  return FreeEstimate{std::move(fit->theta), std::move(fit->covariance), data->lines.size(), data->from_knowledge};
+  return FreeEstimate{std::move(fit->theta), fit->covariance, fit->covariance, data->lines.size(), data->from_knowledge};
 }
 
 /// `free`: the unknowns of the method's own equations without the constraints; empty: not known.

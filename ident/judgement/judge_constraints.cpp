@@ -150,7 +150,7 @@ Observed observed(const VectorXd& theta, const MatrixXd& information, const std:
 MatrixXd with_least_errors(const Plan& plan, const FreeEstimate& free) {
   constexpr double least = 1e-3, least_value = 0.1;
   const VectorXd largest = largest_of_kind(plan, free.theta);
-  MatrixXd out = free.covariance;
+  MatrixXd out = free.cautious;
   for (Index c = 0; c < out.rows(); ++c) {
     const double size = std::max(std::abs(free.theta[static_cast<std::size_t>(c)]), least_value * largest[c]);
     out(c, c) += std::pow(least * size, 2);

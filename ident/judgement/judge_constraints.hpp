@@ -12,8 +12,9 @@ namespace jointid::ident {
 /// An estimate that no constraint moved, free of bias to first order, by some lines.
 struct FreeEstimate {
   std::vector<double> theta;  ///< scaled unknowns
-  Eigen::MatrixXd covariance;
-  std::size_t lines = 0;       ///< whose scatter the covariance is
+  Eigen::MatrixXd covariance;  ///< by the scatter of the lines' gradients
+  Eigen::MatrixXd cautious;    ///< the same where lines that decide alone make it larger, if that is known
+  std::size_t lines = 0;       ///< whose scatter they are
   bool from_knowledge = true;  ///< files or scene state the noise; else it is the scatter of neighbouring lines
 };
 
@@ -22,7 +23,7 @@ struct FreeEstimate {
 double likely_cost(std::size_t equations, std::size_t lines);
 
 /// Doubtful, naming the worst constraint, where the data contradict those of the scene: where the nearest joint that meets them is
-/// further from the free estimate, in the metric of its covariance, than likely_cost(). A thousandth of each unknown is added to
+/// further from the free estimate, in the metric of its cautious covariance, than likely_cost(). A thousandth of each unknown is added to
 /// its error (axes and units are no better). Stated eigenfrequencies have their own error: that of H_bb there and of its
 /// interpolation. `theta`: the constrained estimate.
 void judge_constraints(const Plan& plan, const FreeEstimate& free, const std::vector<double>& theta, Solution& out);
