@@ -33,33 +33,44 @@ std::vector<std::size_t> nearest_lines(const std::vector<double>& axis, double h
   return lines;
 }
 
-/// Re H_bb⁻¹ at a frequency: Lagrange's polynomial over ω² through the lines nearest to it.
-MatrixXd part_stiffness(const Plan& plan, double hz) {
+/// Re H_bb⁻¹ of some lines of the substructures.
+std::vector<MatrixXd> stiffnesses_at(const Plan& plan, const std::vector<std::size_t>& lines, double hz) {
   const std::vector<frf::Dof>& joint = plan.coordinates.joint;
   frf::FrfSystem& parts = *plan.substructures;
-  const std::vector<std::size_t> lines = nearest_lines(parts.frequency_hz(), hz);
   const Index n = at(joint.size());
   std::vector<Complex> values(lines.size() * joint.size() * joint.size());
   frf::BlockReader(parts, joint, joint).read(lines, values);
-  MatrixXd out = MatrixXd::Zero(n, n);
+  std::vector<MatrixXd> out;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const Eigen::Map<const RowMatrixXc> h(values.data() + i * joint.size() * joint.size(), n, n);
-    const double own = parts.frequency_hz()[lines[i]];
-    const MatrixXd stiffness = h.allFinite() ? MatrixXd(dense::ComplexLu(h).inverse().real()) : MatrixXd::Constant(1, 1, NAN);
-    if (!stiffness.allFinite()) {
-      fail(plan.scene, frequencies_key,
-           "the substructures have no invertible FRFs between all joint coordinates at " + plain_number(own) + " Hz, near " +
-               plain_number(hz) + " Hz",
-           "measure them there, or leave that frequency out");
-    }
+    out.push_back(h.allFinite() ? MatrixXd(dense::ComplexLu(h).inverse().real()) : MatrixXd::Constant(1, 1, NAN));
+    if (out.back().allFinite()) continue;
+    fail(plan.scene, frequencies_key,
+         "the substructures have no invertible FRFs between all joint coordinates at " +
+             plain_number(parts.frequency_hz()[lines[i]]) + " Hz, near " + plain_number(hz) + " Hz",
+         "measure them there, or leave that frequency out");
+  }
+  return out;
+}
+
+/// Of Lagrange's polynomial over ω² through some lines, their weights at a frequency.
+std::vector<double> weights_at(double hz, const std::vector<std::size_t>& lines, const std::vector<double>& axis) {
+  std::vector<double> out;
+  for (const std::size_t line : lines) {
     double weight = 1.0;
     for (const std::size_t other : lines) {
-      const double there = parts.frequency_hz()[other];
-      if (other != lines[i]) weight *= (hz * hz - there * there) / (own * own - there * there);
+      const double own = axis[line], there = axis[other];
+      if (other != line) weight *= (hz * hz - there * there) / (own * own - there * there);
     }
-    out += weight * stiffness;
+    out.push_back(weight);
   }
-  return 0.5 * (out + out.transpose());
+  return out;
+}
+
+MatrixXd symmetric_sum(const std::vector<double>& weights, const std::vector<MatrixXd>& of) {
+  MatrixXd sum = MatrixXd::Zero(of.front().rows(), of.front().cols());
+  for (std::size_t i = 0; i < weights.size(); ++i) sum += weights[i] * of[i];
+  return 0.5 * (sum + sum.transpose());
 }
 
 }  // namespace
@@ -91,24 +102,52 @@ void require_frequencies(const Plan& plan) {
   }
 }
 
+Eigenfrequencies::PartStiffness Eigenfrequencies::part_stiffness(const Plan& plan, double hz) {
+  constexpr double slightly = 1e-3;  // axes are no better
+  const std::vector<double>& axis = plan.substructures->frequency_hz();
+  PartStiffness out{.value = {}, .doubts = {}, .lines = nearest_lines(axis, hz), .weights = {}};
+  const std::vector<MatrixXd> values = stiffnesses_at(plan, out.lines, hz);
+  out.weights = weights_at(hz, out.lines, axis);
+  out.value = symmetric_sum(out.weights, values);
+  out.doubts.push_back(symmetric_sum(weights_at((1.0 + slightly) * hz, out.lines, axis), values) - out.value);
+  if (out.lines.size() < 3) return out;
+  const std::size_t first = hz > axis[out.lines[1]] ? 1 : 0;
+  const std::vector<std::size_t> two(out.lines.begin() + std::ptrdiff_t(first), out.lines.begin() + std::ptrdiff_t(first + 2));
+  out.doubts.push_back(symmetric_sum(weights_at(hz, two, axis), {values[first], values[first + 1]}) - out.value);
+  return out;
+}
+
 Eigenfrequencies::Eigenfrequencies(const Plan& plan) {
   for (const double hz : plan.scene.identify.frequencies_hz)
     modes_.push_back({hz, part_stiffness(plan, hz), joint_at(plan.restriction, *plan.columns, plan.omega0, angular(hz))});
 }
 
-void Eigenfrequencies::add_condition(const Mode& mode, const VectorXd& theta, MatrixXd& rows, VectorXd& values, Index row) const {
+/// Of the motion nearest to an eigenvector.
+FrequencyCondition Eigenfrequencies::condition(const Mode& mode, const VectorXd& theta) {
   const MatrixXd z = mode.joint.at({theta.data(), static_cast<std::size_t>(theta.size())}).real();
-  const MatrixXd whole = mode.stiffness + 0.5 * (z + z.transpose());
+  const MatrixXd whole = mode.stiffness.value + 0.5 * (z + z.transpose());
   const VectorXd scale = whole.diagonal().cwiseAbs().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   const dense::SymmetricEigen eigen = dense::symmetric_eigen(scale.asDiagonal() * whole * scale.asDiagonal());
   Index nearest = 0;
   eigen.values.cwiseAbs().minCoeff(&nearest);
-  const VectorXd motion = scale.cwiseProduct(eigen.vectors.col(nearest));
-  const Eigen::VectorXcd complex = motion.cast<Complex>();
+  FrequencyCondition out{.frequency_hz = mode.frequency_hz,
+                         .coefficients = VectorXd::Zero(theta.size()),
+                         .motion = scale.cwiseProduct(eigen.vectors.col(nearest)),
+                         .lines = mode.stiffness.lines,
+                         .weights = mode.stiffness.weights};
+  const Eigen::VectorXcd complex = out.motion.cast<Complex>();
   std::vector<Complex> slopes(mode.joint.columns().size());
   mode.joint.sensitivity(complex.data(), complex.data(), slopes.data());
-  for (std::size_t t = 0; t < slopes.size(); ++t) rows(row, at(mode.joint.columns()[t])) = slopes[t].real();
-  values[row] = rows.row(row).dot(theta) - motion.dot(whole * motion);
+  for (std::size_t t = 0; t < slopes.size(); ++t) out.coefficients[at(mode.joint.columns()[t])] = slopes[t].real();
+  out.value = out.coefficients.dot(theta) - out.motion.dot(whole * out.motion);
+  for (const MatrixXd& doubt : mode.stiffness.doubts) out.rough = std::hypot(out.rough, out.motion.dot(doubt * out.motion));
+  return out;
+}
+
+std::vector<FrequencyCondition> Eigenfrequencies::conditions_at(const VectorXd& theta) const {
+  std::vector<FrequencyCondition> out;
+  for (const Mode& mode : modes_) out.push_back(condition(mode, theta));
+  return out;
 }
 
 AdmissibleFit Eigenfrequencies::nearest(const AdmissibleSet* set, const VectorXd& theta, const MatrixXd& root, double unit,
@@ -122,13 +161,9 @@ AdmissibleFit Eigenfrequencies::nearest(const AdmissibleSet* set, const VectorXd
   out.theta = theta;
   bool settled = false;
   for (int turn = 0; turn < most && !settled; ++turn) {
-    MatrixXd rows = MatrixXd::Zero(at(modes_.size()), n);
-    VectorXd values(at(modes_.size()));
     std::vector<Tie> ties;
-    for (std::size_t k = 0; k < modes_.size(); ++k) {
-      add_condition(modes_[k], out.theta, rows, values, at(k));
-      ties.push_back({(rows.row(at(k)) * directions).transpose(), values[at(k)] - rows.row(at(k)).dot(offset)});
-    }
+    for (const FrequencyCondition& each : conditions_at(out.theta))
+      ties.push_back({directions.transpose() * each.coefficients, each.value - each.coefficients.dot(offset)});
     const TiedUnknowns left = eliminate(std::move(ties), directions.cols());
     within = base;
     within.offset = offset + directions * left.offset;

@@ -5,6 +5,17 @@
 
 namespace jointid::ident {
 
+/// The condition of one frequency at the motion that a joint has there, coefficients·θ = value, and what its error depends on.
+struct FrequencyCondition {
+  double frequency_hz = 0.0;
+  Eigen::VectorXd coefficients;
+  double value = 0.0;
+  Eigen::VectorXd motion;
+  std::vector<std::size_t> lines;  ///< of the substructures, between which H_bb⁻¹ is interpolated
+  std::vector<double> weights;     ///< of these in its polynomial
+  double rough = 0.0;  ///< what a straight line in place of the parabola, and a thousandth of the frequency, change of the value
+};
+
 /// The eigenfrequencies of the assembly that a scene states, as conditions on the joint: at each the dynamic stiffness of the
 /// parts and the joint at the joint coordinates, Re(H_bb⁻¹ + Z_j(θ)), is singular. H_bb is interpolated between the lines of the
 /// substructures, as Re H_bb⁻¹ over ω². Damping moves a frequency by its square, which is left out.
@@ -19,15 +30,24 @@ class Eigenfrequencies {
   AdmissibleFit nearest(const AdmissibleSet* set, const Eigen::VectorXd& theta, const Eigen::MatrixXd& root, double unit,
                         AdmissibleSet& within) const;
 
+  /// At the motions of a joint θ, one per frequency.
+  std::vector<FrequencyCondition> conditions_at(const Eigen::VectorXd& theta) const;
+
  private:
+  /// Re H_bb⁻¹ at a frequency, by the lines nearest to it.
+  struct PartStiffness {
+    Eigen::MatrixXd value;
+    std::vector<Eigen::MatrixXd> doubts;  ///< what another interpolation, and a slightly different frequency, change of it
+    std::vector<std::size_t> lines;
+    std::vector<double> weights;
+  };
   struct Mode {
     double frequency_hz = 0.0;
-    Eigen::MatrixXd stiffness;  ///< Re H_bb⁻¹
+    PartStiffness stiffness;
     JointImpedance joint;
   };
-  /// Of the motion nearest to an eigenvector: coefficients·θ = value.
-  void add_condition(const Mode& mode, const Eigen::VectorXd& theta, Eigen::MatrixXd& rows, Eigen::VectorXd& values,
-                     Eigen::Index row) const;
+  static PartStiffness part_stiffness(const Plan& plan, double hz);
+  static FrequencyCondition condition(const Mode& mode, const Eigen::VectorXd& theta);
 
   std::vector<Mode> modes_;
 };

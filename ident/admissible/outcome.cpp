@@ -23,14 +23,6 @@ void cut_intervals(const std::vector<Bound>& bounds, Solution& out) {
   }
 }
 
-void warn(const Admissibility& found, Solution& out) {
-  constexpr double deviations = 3.09;  // one in a thousand
-  if (!found.from_variances || found.equations == 0) return;
-  if (!(found.chi_square > chi_square_quantile(static_cast<double>(found.equations), deviations))) return;
-  out.warnings.push_back("The constraints raise χ² by " + digits(found.chi_square, "%.4g") + " (" + std::to_string(found.equations) +
-                         " equations hold): the data contradict them, or the variances are too small.");
-}
-
 }  // namespace
 
 Admissibility outcome_of(const AdmissibleSet& set, const AdmissibleFit& fit, double unit) {
@@ -64,7 +56,6 @@ void tell_outcome(const Plan& plan, Solution& out) {
     }
   }
   cut_intervals(plan.scene.identify.bounds, out);
-  warn(found, out);
 }
 
 }  // namespace jointid::ident

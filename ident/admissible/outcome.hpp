@@ -8,8 +8,7 @@ namespace jointid::ident {
 /// What a fit says, its costs divided by `unit` squared so that they are χ².
 Admissibility outcome_of(const AdmissibleSet& set, const AdmissibleFit& fit, double unit);
 
-/// Says of the unknowns which constraint holds them, and cuts their intervals at their bounds. Warns when χ² of the variances
-/// is above the 99.9 % quantile of as many degrees of freedom as equations hold.
+/// Says of the unknowns which constraint holds them, and cuts their intervals at their bounds.
 void tell_outcome(const Plan& plan, Solution& out);
 
 }  // namespace jointid::ident

@@ -24,6 +24,7 @@ constexpr double sure_deviations = 6.0, least_gain = 0.003;
 constexpr double just_noise = 1.5;    ///< of χ² over degrees of freedom
 constexpr double unsure_noise = 0.3;  ///< of a law of variances
 constexpr double least_noise = 1e-7;  ///< of the largest FRF of a reference: what single precision leaves
+constexpr double least_share = 0.03;  ///< of a pair, which counts as a gain of one FRF
 constexpr double negligible = 1e-12;  ///< of |H_ii H_jj|: FRFs that are zero by symmetry say nothing
 
 /// Largest |H|² of a reference on a line.
@@ -272,6 +273,67 @@ struct MirrorLaw {
   bool says_anything() const { return proportional + constant > 1e-12; }
 };
 
+/// E|H_ij − H_ji|² of the pairs of a file: as it is recorded, or by a law that most lines follow.
+class MirrorNoise {
+ public:
+  MirrorNoise(const CheckedFile& file, const MirrorPlaces& places, bool recorded) : file_(file), places_(places) {
+    if (!recorded) law_ = std::make_unique<const MirrorLaw>(file, places);
+  }
+
+  bool is_known() const { return !law_ || law_->says_anything(); }
+
+  void begin_line(std::size_t line) {
+    line_ = line;
+    factor_ = frf::squared_factor(file_.quantity, file_.frequency_hz[line]);
+    largest_.clear();
+    for (const Index c : places_.column) largest_.push_back(largest_square(file_, line, c));
+  }
+
+  double operator()(std::size_t i, std::size_t j, const Complex& a, const Complex& b) const {
+    if (law_) return (*law_)(i, j, a, b, factor_);
+    return error_square(file_, line_, places_.row[i], places_.column[j], largest_[j]) +
+           error_square(file_, line_, places_.row[j], places_.column[i], largest_[i]);
+  }
+
+ private:
+  const CheckedFile& file_;
+  const MirrorPlaces& places_;
+  std::unique_ptr<const MirrorLaw> law_;
+  std::size_t line_ = 0;
+  double factor_ = 1.0;
+  std::vector<double> largest_;
+};
+
+/// H_ij − H_ji = share · (H_ij + H_ji)/2 of a pair, over the lines.
+struct PairSlope {
+  SlopeFit fit;
+  double square = 0.0;  ///< Σ |H_ij − H_ji|², weighed
+
+  bool is_told() const { return fit.is_told() && fit.freedom() >= 1.0; }
+  double deviation() const { return fit.scatter() / fit.square(); }
+  /// Noise that one of the two has more of than the other looks like a share of at most that.
+  double doubt() const { return 0.5 * std::max(0.0, square - fit.value() * fit.slope()) / fit.square(); }
+};
+
+/// [i * n + j], i < j.
+std::vector<PairSlope> pair_slopes(const CheckedFile& file, const MirrorPlaces& places, MirrorNoise& noise) {
+  const std::size_t n = places.dofs.size();
+  std::vector<PairSlope> out(n * n);
+  for (std::size_t l = 0; l < file.frfs.size(); ++l) {
+    noise.begin_line(l);
+    places.each_pair(file, l, [&](std::size_t i, std::size_t j, const Complex& a, const Complex& b) {
+      const Complex difference = a - b, both = 0.5 * (a + b);
+      // Lines that tell a share to less than the least count alike: else the few on resonances would be all.
+      const double weight = 1.0 / (noise(i, j, a, b) + least_share * least_share * std::norm(both));
+      if (!(std::isfinite(weight) && weight > 0.0)) return;
+      PairSlope& pair = out[i * n + j];
+      pair.fit.add(weight * (std::conj(both) * difference).real(), weight * std::norm(both));
+      pair.square += weight * std::norm(difference);
+    });
+  }
+  return out;
+}
+
 }  // namespace
 
 bool Agreement::tells_gain(double tried) const {
@@ -338,19 +400,14 @@ Agreement mirror_agreement(const CheckedFile& file) { return mirror_agreement(fi
 Agreement mirror_agreement(const CheckedFile& file, bool recorded) {
   const MirrorPlaces places(file);
   if (places.dofs.size() < 2) return {};
-  const auto law = recorded ? nullptr : std::make_unique<const MirrorLaw>(file, places);
-  if (law && !law->says_anything()) return {};
+  MirrorNoise noise(file, places, recorded);
+  if (!noise.is_known()) return {};
   Sums sums(places.dofs, places.dofs, file.frequency_hz);
   for (std::size_t l = 0; l < file.frfs.size(); ++l) {
-    const double factor = frf::squared_factor(file.quantity, file.frequency_hz[l]);
-    std::vector<double> largest;
-    for (const Index c : places.column) largest.push_back(largest_square(file, l, c));
+    noise.begin_line(l);
     sums.begin_line();
     places.each_pair(file, l, [&](std::size_t i, std::size_t j, const Complex& a, const Complex& b) {
-      const double expected = law ? (*law)(i, j, a, b, factor)
-                                  : error_square(file, l, places.row[i], places.column[j], largest[j]) +
-                                        error_square(file, l, places.row[j], places.column[i], largest[i]);
-      const double ratio = std::norm(a - b) / expected;
+      const double ratio = std::norm(a - b) / noise(i, j, a, b);
       if (!std::isfinite(ratio)) return;
       sums.cell(at(i), at(j), ratio);
       sums.cell(at(j), at(i), ratio);
@@ -359,6 +416,34 @@ Agreement mirror_agreement(const CheckedFile& file, bool recorded) {
     sums.end_line();
   }
   return sums.finish(recorded);
+}
+
+std::optional<PairFactor> factor_of_one_pair(const CheckedFile& file, double tried) {
+  constexpr double beyond_usual = 3.0;
+  const MirrorPlaces places(file);
+  const std::size_t n = places.dofs.size();
+  if (n < 2) return std::nullopt;
+  MirrorNoise noise(file, places, file.has_recorded_noise());
+  if (!noise.is_known()) return std::nullopt;
+  const std::vector<PairSlope> pairs = pair_slopes(file, places, noise);
+  std::vector<double> shares;
+  for (const PairSlope& pair : pairs) {
+    if (pair.is_told()) shares.push_back(std::abs(pair.fit.value()));
+  }
+  if (shares.empty()) return std::nullopt;
+  const double usual = median(shares), all = tried * static_cast<double>(shares.size());
+  const PairSlope* worst = nullptr;
+  for (const PairSlope& pair : pairs) {
+    if (!pair.is_told()) continue;
+    const double share = std::abs(pair.fit.value());
+    if (!(share > std::max({least_share, beyond_usual * usual, sure_deviations * pair.deviation(), pair.doubt()}))) continue;
+    if (may_be_chance(share / pair.deviation(), pair.fit.freedom(), all)) continue;
+    if (worst == nullptr || share > std::abs(worst->fit.value())) worst = &pair;
+  }
+  if (worst == nullptr) return std::nullopt;
+  const auto place = static_cast<std::size_t>(worst - pairs.data());
+  const double share = worst->fit.value(), factor = (1.0 + 0.5 * share) / (1.0 - 0.5 * share);
+  return PairFactor{places.dofs[place / n], places.dofs[place % n], factor, worst->deviation() / std::pow(1.0 - 0.5 * share, 2), usual};
 }
 
 ReciprocityMap reciprocity_map(const CheckedFile& file) {

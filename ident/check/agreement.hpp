@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "ident/check/test/checked_file.hpp"
@@ -48,6 +49,17 @@ Agreement span_agreement(const SpanSetup& setup, const std::vector<CheckedFile>&
 Agreement mirror_agreement(const CheckedFile& file);
 /// The same by the record of the file, or by such a law.
 Agreement mirror_agreement(const CheckedFile& file, bool recorded);
+
+/// A pair whose FRFs differ by a factor where the other pairs of a file agree: H_ij = factor·H_ji.
+struct PairFactor {
+  frf::Dof i, j;
+  double factor = 1.0, deviation = 0.0;
+  double usual = 0.0;  ///< the middle |factor − 1| of all pairs
+};
+
+/// The pair that is furthest off, where that is 3 % or more, three times the middle one, and no chance among `tried` times the pairs
+/// of the file; by the scatter of the lines, which noise weighs.
+std::optional<PairFactor> factor_of_one_pair(const CheckedFile& file, double tried);
 
 /// The size of H_ij − H_ji of each pair in a file; no DOFs where it has fewer than two in both roles.
 ReciprocityMap reciprocity_map(const CheckedFile& file);

@@ -134,6 +134,20 @@ std::optional<Suspect> not_reciprocal(const CheckedFile& file, const Agreement& 
                  .remedy = ""};
 }
 
+/// One FRF with a gain of its own: of the two of a pair, it cannot be told which.
+std::optional<Suspect> gain_of_one_frf(const CheckedFile& file, double tried) {
+  const auto found = factor_of_one_pair(file, tried);
+  if (!found) return std::nullopt;
+  return Suspect{.kind = SuspectKind::gain,
+                 .file = file.name,
+                 .dofs = {found->i, found->j},
+                 .evidence = fmt::format("one FRF: that of {0} over {1} is {2:.3g} ± {3:.1g} times that of {1} over {0}, where the middle one "
+                                         "of all pairs is off by {4}. One of the two is wrong: its gain, range or hits",
+                                         found->i.name(), found->j.name(), found->factor, found->deviation, percent(found->usual)),
+                 .confidence = unexplained_confidence,
+                 .remedy = ""};
+}
+
 /// Of the span tests the one that is furthest beyond its noise.
 struct WorstSpan {
   Agreement test;
@@ -176,8 +190,7 @@ Suspect not_of_the_parts(const Files& files, const WorstSpan& worst) {
                       " by forces at the joint, whatever it is: they are off by " + digits(std::sqrt(test.ratio)) +
                       " times what noise makes of it (χ² over degrees of freedom " + digits(test.ratio, "%.3g") +
                       "), most in the response " + dofs[0].name() + " and the reference " + dofs[1].name() + band_of(test) +
-                      ". Where no file is wrong, look for: a joint DOF left out, or parts that changed between the tests (temperature, "
-                      "supports, bolts)",
+                      ". Parts that changed between the tests (temperature, supports, bolts) do that, and a joint DOF left out",
           .confidence = unexplained_confidence,
           .remedy = ""};
 }
@@ -269,6 +282,10 @@ std::vector<Suspect> unexplained(const Files& files, const std::vector<SpanSetup
   for (std::size_t f = 0; f < files.size(); ++f) {
     if (activity(files[f], noise[f]) > 1.5) found.push_back(not_passive(files[f]));
     if (auto suspect = not_reciprocal(files[f], mirror[f], screening.reciprocity[f], noise[f]))
+      found.push_back(std::move(*suspect));
+  }
+  for (std::size_t f = 0; f < files.size() && found.empty(); ++f) {
+    if (auto suspect = gain_of_one_frf(files[f], screening.chosen_from * static_cast<double>(files.size())))
       found.push_back(std::move(*suspect));
   }
   const bool one = std::ranges::any_of(found, [](const Suspect& suspect) { return suspect.kind == SuspectKind::outlier; });

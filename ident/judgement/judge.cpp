@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "ident/judgement/dominant_line.hpp"
 #include "ident/judgement/h1_bias.hpp"
+#include "ident/judgement/judge_constraints.hpp"
 #include "ident/judgement/line_jackknife.hpp"
 #include "ident/judgement/passivity.hpp"
 #include "ident/judgement/predicted_fit.hpp"
@@ -73,16 +74,10 @@ void tell_active(const std::vector<ActiveMotion>& found, Solution& out) {
        "The joint is not passive: " + text(found.front()) + ". Are FRFs conjugated, delayed, or of the wrong sign?" + remedy);
 }
 
-/// The joint without the bias that noise makes, as the judgement's own fit has it.
-struct Unbiased {
-  std::vector<double> theta;
-  Eigen::MatrixXd covariance;
-};
-
 /// Error estimates from the scatter and, where a fit without bias is there, the difference to that; and from what the coherences
 /// leave open of H1, which moves all unknowns in proportion.
 void fill_errors(const Plan& plan, const std::vector<double>& theta, const Eigen::VectorXd& scatter,
-                 const std::optional<Unbiased>& fit, Solution& out) {
+                 const std::optional<FreeEstimate>& fit, Solution& out) {
   const double too_low = h1_bias(plan);
   for (std::size_t column = 0; column < out.unknowns.size(); ++column) {
     const auto c = at(column);
@@ -116,7 +111,7 @@ void fill_matrix_errors(const Plan& plan, Solution& out) {
 
 /// Motions that give energy away by the estimate without bias, and by the estimate itself with its bias as a part of its error.
 void judge_errors(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& scatter,
-                  const std::optional<Unbiased>& fit, Solution& out) {
+                  const std::optional<FreeEstimate>& fit, Solution& out) {
   fill_errors(plan, theta, scatter.diagonal(), fit, out);
   fill_matrix_errors(plan, out);
   Eigen::MatrixXd covariance = scatter;
@@ -131,7 +126,6 @@ void judge_errors(const Plan& plan, const std::vector<double>& theta, const Eige
 
 /// Rows by parts: the scatter of groups of lines, whose covariance of all pairs of unknowns is not formed.
 void judge_parts(const Plan& plan, const std::vector<double>& theta, const Control& control, Solution& out) {
-  if (plan.admissible) return;
   const std::optional<Eigen::VectorXd> scatter = line_scatter(plan, jackknife_lines, control);
   if (!scatter) return;
   fill_errors(plan, theta, *scatter, std::nullopt, out);
@@ -146,18 +140,19 @@ void judge_parts(const Plan& plan, const std::vector<double>& theta, const Contr
 }
 
 /// By the equations of Method One.
-std::optional<Unbiased> judge_equations(const Plan& plan, const std::vector<double>& theta, Solution& out) {
+std::optional<FreeEstimate> judge_equations(const Plan& plan, const std::vector<double>& theta, Solution& out) {
   const std::optional<NoisyLines> data = lines_to_judge(plan);
   std::optional<WhitenedFit> fit = data ? whitened_fit(plan, *data, theta) : std::nullopt;
   if (!fit) return std::nullopt;
   out.fit.misfit = fit->misfit;
   tell_misfit(*data, *fit, out);
   if (fit->free_misfit < no_joint_misfit) tell_no_joint(out);
-  return fit->corrected ? std::optional(Unbiased{std::move(fit->theta), std::move(fit->covariance)}) : std::nullopt;
+  if (!fit->corrected) return std::nullopt;
+  return FreeEstimate{std::move(fit->theta), std::move(fit->covariance), std::move(fit->jackknife), fit->lines, data->from_knowledge};
 }
 
 /// By what parts and joint predict of H_nn.
-std::optional<Unbiased> judge_prediction(const Plan& plan, const std::vector<double>& theta, Solution& out) {
+std::optional<FreeEstimate> judge_prediction(const Plan& plan, const std::vector<double>& theta, Solution& out) {
   const std::optional<PredictedLines> data = predicted_lines_to_judge(plan);
   std::optional<PredictedFit> fit = data ? predicted_fit(plan, *data, theta) : std::nullopt;
   if (!fit) return std::nullopt;
@@ -172,7 +167,14 @@ std::optional<Unbiased> judge_prediction(const Plan& plan, const std::vector<dou
              "or measure the assembly at the joint.");
     return std::nullopt;
   }
-  return Unbiased{std::move(fit->theta), std::move(fit->covariance)};
+  return FreeEstimate{std::move(fit->theta), fit->covariance, fit->covariance, data->lines.size(), data->from_knowledge};
+}
+
+/// `free`: the unknowns of the method's own equations without the constraints; empty: not known.
+void judge_constrained(const Plan& plan, const std::optional<FreeEstimate>& fit, const std::vector<double>& free,
+                       const std::vector<double>& theta, Solution& out) {
+  if (fit) return judge_constraints(plan, *fit, theta, out);
+  judge_constraints_by_residuals(plan, free, theta, out);
 }
 
 void tell_dominant(const Plan& plan, const DominantLine& found, Solution& out) {
@@ -211,16 +213,22 @@ void tell_check(const CheckResult& found, Solution& out) {
   if (out.status == Status::poor_fit) withhold_errors(out);
 }
 
-void judge_linear(const Plan& plan, const minimise::LinearSolution& linear, const Control& control, Solution& out) {
+void judge_linear(const Plan& plan, const minimise::LinearSolution& linear, const std::vector<double>& free, const Control& control,
+                  Solution& out) {
   if (linear.rank != plan.columns->size()) return;
-  if (plan.why_by_parts) return judge_parts(plan, linear.y, control, out);
+  if (plan.why_by_parts)
+    return plan.admissible ? judge_constraints_by_residuals(plan, free, linear.y, out) : judge_parts(plan, linear.y, control, out);
   const bool from_prediction = !traits(plan.scene.identify.method).joint_on_assembly;
   const auto fit = from_prediction ? judge_prediction(plan, linear.y, out) : judge_equations(plan, linear.y, out);
-  if (plan.admissible) return;
+  if (plan.admissible) return judge_constrained(plan, fit, free, linear.y, out);
   std::optional<LineJackknife> jackknife = line_jackknife(plan, jackknife_lines, control);
   if (!jackknife) return;
   judge_errors(plan, linear.y, jackknife->covariance, fit, out);
   if (const auto line = dominant_line(plan, *jackknife, linear.y, control)) tell_dominant(plan, *line, out);
+}
+
+void judge_predicted_constraints(const Plan& plan, const std::vector<double>& theta, Solution& out) {
+  judge_constrained(plan, judge_prediction(plan, theta, out), {}, theta, out);
 }
 
 void judge_predicted(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& scatter, Solution& out) {
@@ -325,6 +333,7 @@ void judge_likelihood(const Plan& plan, const LikelihoodJudgement& fit, const Co
     if (!active.empty()) withhold_errors(out);
   }
   if (control.detail == Detail::full && is_usable(out.status)) tell_errors(plan, fit.theta, fit.covariance, out);
+  if (control.detail == Detail::full && plan.admissible) judge_constraints_by_variances(plan, fit.ratio, out);
   if (out.identifiability && out.identifiability->joint.effect && *out.identifiability->joint.effect < no_joint_effect)
     tell_no_joint(out);
   if (out.status == Status::poor_fit && !keeps) withhold_errors(out);

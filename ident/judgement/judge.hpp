@@ -20,12 +20,17 @@ namespace jointid::ident {
 ///   column > 4; or no joint at all explains the FRFs (WhitenedFit::free_misfit < 1.3).
 /// Nothing is said of the misfit where nothing is known of the noise (read_noisy_lines()). The direct solution, which has no
 /// equation of Method One, is held against what it predicts of H_nn (PredictedFit). Also doubtful: tell_errors(), and a line that
-/// decides alone (dominant_line()).
-void judge_linear(const Plan& plan, const minimise::LinearSolution& linear, const Control& control, Solution& out);
+/// decides alone (dominant_line()). Constraints are held against the data instead (judge_constraints()); `free` has the unknowns
+/// without them.
+void judge_linear(const Plan& plan, const minimise::LinearSolution& linear, const std::vector<double>& free, const Control& control,
+                  Solution& out);
 
 /// Holds a joint that was found from H_nn alone against its data. `scatter`: covariance of the scaled unknowns theta by the
 /// scatter of the lines. Errors and status as judge_linear() gives them.
 void judge_predicted(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& scatter, Solution& out);
+
+/// Holds a joint that was found from H_nn alone, under constraints, against its data and these against them.
+void judge_predicted_constraints(const Plan& plan, const std::vector<double>& theta, Solution& out);
 
 /// "Most suspect: sign 125:+Y in assembly.uff. …" with its evidence.
 std::string phrase(const Suspect& suspect);

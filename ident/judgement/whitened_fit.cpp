@@ -5,6 +5,7 @@
 
 #include "base/eigen.hpp"
 #include "base/statistics.hpp"
+#include "ident/judgement/line_jackknife.hpp"
 #include "ident/plan/joint_impedance.hpp"
 #include "minimise/linear/covariance.hpp"
 
@@ -290,6 +291,18 @@ MatrixXd sandwich(const NormalSum& sums, const std::vector<double>& theta) {
   return inverse * scatter * inverse * (lines / std::max(1.0, lines - 1.0));
 }
 
+/// (L−1)/L Σ (θ_l − θ̄)(θ_l − θ̄)ᵀ, θ_l the solution without line l.
+MatrixXd leave_one_out(const NormalSum& sums, Index unknowns) {
+  const auto lines = at(sums.by_line.size());
+  MatrixXd whole = MatrixXd::Zero(unknowns + 1, unknowns + 1), without(unknowns, lines);
+  for (const MatrixXd& line : sums.by_line) whole += line;
+  for (Index l = 0; l < lines; ++l) {
+    const std::vector<double> theta = solution_of(whole - sums.by_line[static_cast<std::size_t>(l)]);
+    without.col(l) = Eigen::Map<const Eigen::VectorXd>(theta.data(), unknowns);
+  }
+  return jackknife_scatter(without);
+}
+
 bool finite(const std::vector<double>& values) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
@@ -326,7 +339,7 @@ std::optional<WhitenedFit> whitened_fit(const Plan& plan, const NoisyLines& data
   constexpr int iterations = 4;
   constexpr double as_good = 1.1;
   const WhitenedEquations equations(plan, data);
-  WhitenedFit best{.theta = std::move(start), .covariance = {}, .row_misfit = {}, .column_misfit = {}};
+  WhitenedFit best{.theta = std::move(start), .covariance = {}, .jackknife = {}, .row_misfit = {}, .column_misfit = {}};
   equations.judge(best.theta, best);
   if (best.lines == 0 || !finite(best.theta)) return std::nullopt;
   for (int iteration = 0; iteration < iterations; ++iteration) {
@@ -334,7 +347,7 @@ std::optional<WhitenedFit> whitened_fit(const Plan& plan, const NoisyLines& data
     const MatrixXd corrected = sums.normal - sums.noise;
     bool moved = false;
     for (const bool with_noise : {false, true}) {
-      WhitenedFit next{.theta = solution_of(with_noise ? sums.normal : corrected), .covariance = {}, .corrected = !with_noise,
+      WhitenedFit next{.theta = solution_of(with_noise ? sums.normal : corrected), .covariance = {}, .jackknife = {}, .corrected = !with_noise,
                        .row_misfit = {}, .column_misfit = {}};
       if (!finite(next.theta)) continue;
       equations.judge(next.theta, next);
@@ -345,7 +358,9 @@ std::optional<WhitenedFit> whitened_fit(const Plan& plan, const NoisyLines& data
     if (!moved) break;
   }
   best.free_misfit = equations.free_misfit();
-  best.covariance = sandwich(equations.sum(best.theta, best.corrected ? std::min(1.0, best.misfit) : 0.0), best.theta);
+  const NormalSum sums = equations.sum(best.theta, best.corrected ? std::min(1.0, best.misfit) : 0.0);
+  best.covariance = sandwich(sums, best.theta);
+  best.jackknife = leave_one_out(sums, at(best.theta.size()));
   return best;
 }
 

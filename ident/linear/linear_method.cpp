@@ -22,6 +22,7 @@ std::string without_equations(const Plan& plan) {
 
 void estimate(const Plan& plan, Assembled& system, const Control& control, Solution& out) {
   minimise::LinearSolution linear;
+  std::vector<double> free;  // without the constraints
   bool settled = true;
   {
     const Stopwatch watch(out.runtime_s.solve);
@@ -29,6 +30,7 @@ void estimate(const Plan& plan, Assembled& system, const Control& control, Solut
     if (control.progress) control.progress("solving", 0, 0);
     linear = solve(plan, system.accumulator,
                    control.detail == Detail::full ? minimise::Condition::compute : minimise::Condition::skip);
+    if (plan.admissible) free = linear.y;
     if (plan.admissible && linear.rank > 0)
       out.admissibility = constrain(plan, system.accumulator, system.equations.rows, linear, settled);
   }
@@ -47,7 +49,7 @@ void estimate(const Plan& plan, Assembled& system, const Control& control, Solut
   tell_and_predict(plan, control, out);
   if (control.detail != Detail::full || control.judgement != Judgement::data) return;
   const Stopwatch watch(out.runtime_s.check);
-  judge_linear(plan, linear, control, out);
+  judge_linear(plan, linear, free, control, out);
 }
 
 /// Assembles all lines, solves and judges, which all linear methods have in common.

@@ -323,10 +323,12 @@ class NewtonMethod final : public NewtonPlan {
     std::optional<Eigen::MatrixXd> scatter;
     estimate(plan, *this, control, out, scatter);
     tell_and_predict(plan, control, out);
-    if (!scatter || control.judgement != Judgement::data) return;
+    const bool is_constrained = plan.admissible && out.status == Status::ok && control.detail == Detail::full;
+    if (!(scatter || is_constrained) || control.judgement != Judgement::data) return;
     const Stopwatch watch(out.runtime_s.check);
     std::vector<double> theta;
     for (std::size_t c = 0; c < out.unknowns.size(); ++c) theta.push_back(out.unknowns[c].value / plan.unscale(c));
+    if (is_constrained) return judge_predicted_constraints(plan, theta, out);
     judge_predicted(plan, theta, *scatter, out);
   }
 };

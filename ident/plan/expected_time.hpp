@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "ident/plan/plan.hpp"
 
 namespace jointid::ident {
@@ -8,6 +10,10 @@ namespace jointid::ident {
 /// (docs/cost.md), on so many threads (0: all cores of this machine). 0 where nothing iterates. Nothing is measured, so that the
 /// same plan is told the same time on every machine and under any load.
 double expected_seconds(const Cost& cost, std::size_t threads = 0);
+
+/// Where the time of a run lies about expected_seconds(), an experience (docs/cost.md): with H_nn alone the starts that do not lead to the
+/// joint take most of it, and the sizes of a scene do not tell how many these are.
+std::array<double, 2> expected_range_s(const Plan& plan, std::size_t threads = 0);
 
 /// Whether that is less than `seconds` on the two cores of the reference machine.
 bool are_expected_within(double seconds, const Cost& cost);

@@ -47,7 +47,8 @@ std::string unknowns_text(const ident::Plan& plan) {
 double megabytes(std::size_t bytes) { return static_cast<double>(bytes) / 1e6; }
 
 /// On all cores of this machine.
-std::string cost_text(const ident::Cost& cost) {
+std::string cost_text(const ident::Plan& plan) {
+  const ident::Cost& cost = plan.cost;
   Table table({{"", Align::left}, {""}});
   table.add({"FRFs to read, MB", number(megabytes(cost.bytes_read))});
   table.add({"equations per line", fmt::format("{}", cost.equations_per_line)});
@@ -55,7 +56,8 @@ std::string cost_text(const ident::Cost& cost) {
     table.add({"an iteration, Mflop", number(each.flops / 1e6)});
     table.add({"iterations expected", fmt::format("{}", each.expected)});
     table.add({"memory, MB", number(megabytes(each.memory_bytes))});
-    table.add({"time of the iterations expected, s", fmt::format("{:.2g}", ident::expected_seconds(cost))});
+    const auto [least, most] = ident::expected_range_s(plan);
+    table.add({"time of the iterations expected, s", fmt::format("{:.2g} ({:.2g} to {:.2g})", ident::expected_seconds(cost), least, most)});
   } else {
     table.add({"rows per line after compression", fmt::format("{}", cost.compressed_rows_per_line)});
     table.add({"assembling, Mflop", number(cost.assemble_flops / 1e6)});
@@ -122,7 +124,8 @@ std::string phrases(const char* title, const std::vector<std::string>& list) {
   return text;
 }
 
-Json cost_json(const ident::Cost& cost) {
+Json cost_json(const ident::Plan& plan) {
+  const ident::Cost& cost = plan.cost;
   return {{"equations_per_line", cost.equations_per_line},
           {"compressed_rows_per_line", cost.compressed_rows_per_line},
           {"columns", cost.columns},
@@ -132,7 +135,8 @@ Json cost_json(const ident::Cost& cost) {
           {"iteration_flops", cost.iteration.flops},
           {"iterations", cost.iteration.expected},
           {"memory_bytes", cost.iteration.memory_bytes},
-          {"expected_s", ident::expected_seconds(cost)}};
+          {"expected_s", ident::expected_seconds(cost)},
+          {"expected_range_s", ident::expected_range_s(plan)}};
 }
 
 }  // namespace
@@ -149,7 +153,7 @@ std::string plan_text(const ident::Plan& plan) {
   table.add({"unknowns", unknowns_text(plan)});
   table.add({"assembly FRFs", !plan.predicted_responses.empty() ? "synthesised and compared" : "not synthesised"});
   return (plan.scene.title.empty() ? "" : plan.scene.title + "\n") + table.text() +
-         phrases("constraints", ident::constraint_phrases(plan)) + cost_text(plan.cost) + pattern_text(plan) +
+         phrases("constraints", ident::constraint_phrases(plan)) + cost_text(plan) + pattern_text(plan) +
          variances_text(ident::variance_sources(plan)) + phrases("left out", plan.left_out) +
          phrases("warnings", plan.warnings) + phrases("notes", plan.notes);
 }
@@ -175,7 +179,7 @@ std::string plan_json(const ident::Plan& plan, const std::optional<tasks::BoundR
   }
   json["constraints"] = ident::constraint_phrases(plan);
   json["predicts_assembly"] = !plan.predicted_responses.empty();
-  json["cost"] = cost_json(plan.cost);
+  json["cost"] = cost_json(plan);
   if (const auto pattern = pattern_of(plan)) json["structure"] = pattern_json(*pattern);
   json["variances"] = variances_json(ident::variance_sources(plan));
   json["left_out"] = plan.left_out;

@@ -10,11 +10,14 @@
 #include "frf/noise/noise.hpp"
 #include "ident/check/agreement.hpp"
 #include "ident/check/check.hpp"
+#include "ident/check/group_trials.hpp"
 #include "ident/check/inquiry.hpp"
 #include "ident/check/test/reference_groups.hpp"
 #include "ident/check/repeated_numbers.hpp"
 #include "ident/check/rest.hpp"
 #include "ident/check/rigid_mass.hpp"
+#include "ident/check/span_test.hpp"
+#include "ident/check/trials.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "ident/variance/noise_laws.hpp"
@@ -31,7 +34,7 @@ using ident::SuspectKind;
 using testing::HasSubstr;
 
 /// FRFs of six points of a structure of three modes with 0.3 % noise, 60 lines; `shift` of the modes, relative.
-CheckedFile structure(double shift, std::uint64_t seed) {
+CheckedFile structure(double shift, std::uint64_t seed, double noise = 0.003) {
   std::mt19937_64 generator(seed);
   std::normal_distribution<double> normal;
   CheckedFile file;
@@ -47,7 +50,7 @@ CheckedFile structure(double shift, std::uint64_t seed) {
       for (int i = 0; i < 6; ++i) shape[i] = std::cos(m * (0.4 + 0.37 * i));
       h += shape * shape.transpose() / (std::pow(70.0 * m * (1.0 + shift), 2) * Complex(1.0, 0.02) - hz * hz);
     }
-    for (Complex& value : h.reshaped()) value *= 1.0 + 0.003 / std::sqrt(2.0) * Complex(normal(generator), normal(generator));
+    for (Complex& value : h.reshaped()) value *= 1.0 + noise / std::sqrt(2.0) * Complex(normal(generator), normal(generator));
     file.frequency_hz.push_back(hz);
     file.frfs.push_back(h);
   }
@@ -91,6 +94,34 @@ TEST(check, names_the_one_number_that_is_off) {
   EXPECT_THAT(result.suspects[0].evidence, HasSubstr("2:+Z over 5:+Z at 144 Hz"));
 }
 
+/// Among 15 pairs with 2 % noise, a pair that is 12 % off leaves χ² over degrees of freedom at 2: only its own lines tell of it.
+TEST(check, names_the_one_frf_that_has_a_gain_of_its_own) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    CheckedFile file = structure(0.0, seed, 0.02);
+    EXPECT_EQ(checked({file}).verdict, ident::Verdict::clean) << seed;
+    for (Eigen::MatrixXcd& line : file.frfs) line(1, 4) *= 1.12;
+    EXPECT_FALSE(ident::mirror_agreement(file).contradicts()) << seed;
+    const auto pair = ident::factor_of_one_pair(file, 1.0);
+    ASSERT_TRUE(pair) << seed;
+    EXPECT_NEAR(pair->factor, 1.12, 5.0 * pair->deviation + 1e-3) << seed;
+    const ident::CheckResult result = checked({file});
+    ASSERT_EQ(result.suspects.size(), 1u) << seed;
+    EXPECT_EQ(ident::title(result.suspects[0]), "gain 2:+Z, 5:+Z in S.h5");
+    EXPECT_THAT(result.suspects[0].evidence, HasSubstr("one FRF: that of 2:+Z over 5:+Z is 1.1"));
+    EXPECT_EQ(result.verdict, ident::Verdict::suspicious);
+  }
+}
+
+TEST(check, takes_noise_of_a_few_lines_for_no_gain_of_one_frf) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    CheckedFile file = structure(0.0, seed, 0.2);
+    EXPECT_FALSE(ident::factor_of_one_pair(file, 1.0)) << seed;
+    file.frfs.resize(5);
+    file.frequency_hz.resize(5);
+    EXPECT_FALSE(ident::factor_of_one_pair(file, 1.0)) << seed;
+  }
+}
+
 TEST(check, names_references_and_frfs_that_are_copies) {
   CheckedFile column = structure(0.0, 1), cell = column;
   for (Eigen::MatrixXcd& line : column.frfs) line.col(4) = line.col(1).eval();
@@ -124,6 +155,51 @@ TEST(noise_law, is_found_from_variances_that_scatter) {
   const auto [proportional, constant] = ident::fit_noise_law(samples);
   EXPECT_NEAR(proportional / 2e-4, 1.0, 0.06);
   EXPECT_NEAR(constant / 3e-4, 1.0, 0.06);
+}
+
+/// A part and the same with a spring to ground at 6:+Z.
+std::vector<CheckedFile> part_and_assembly() {
+  CheckedFile part = structure(0.0, 1, 1e-3), assembly = structure(0.0, 2, 1e-3);
+  part.assembly = false;
+  part.name = "A.h5";
+  for (Eigen::MatrixXcd& h : assembly.frfs) {
+    const Eigen::MatrixXcd force = 2e3 / (1.0 + 2e3 * h(5, 5)) * h.row(5);
+    h -= (h.col(5) * force).eval();
+  }
+  return {part, assembly};
+}
+
+/// The sensor and the force at one point are turned, in a group of references: a mistake of a reference of the group, tried in another
+/// reference, which it does not concern, changes nothing there. It once wrote beside the matrix.
+TEST(group_trials, of_a_reference_that_others_lack_leave_these_alone) {
+  const ident::Dofs joint = {frf::Dof::parse("6:+Z")};
+  std::vector<CheckedFile> files = part_and_assembly();
+  for (Eigen::MatrixXcd& h : files[1].frfs) {
+    h.col(1) *= -1.0;
+    for (const Eigen::Index c : {1, 2}) h(3, c) *= -1.0;
+  }
+  const auto setups = ident::span_setups(files, joint);
+  const auto trials = ident::group_trials(files, joint, setups, ident::screen(files, setups, 1), 1);
+  const auto changed = [&](const ident::MistakeTrial& trial) {
+    std::vector<CheckedFile> all = files;
+    trial.undo(all);
+    std::vector<Eigen::Index> columns;
+    for (Eigen::Index c = 0; c < 6; ++c) {
+      if (!(all[1].frfs[7].col(c) - files[1].frfs[7].col(c)).isZero(0.0)) columns.push_back(c);
+    }
+    return columns;
+  };
+  std::size_t of_references = 0;
+  for (const ident::MistakeTrial& trial : trials) {
+    const bool one = trial.kind == SuspectKind::sign && trial.dofs.size() == 1 && trial.references.size() > 1;
+    if (!one || changed(trial) != std::vector{Eigen::Index(ident::place_of(files[1].references, trial.dofs[0]))}) continue;
+    ++of_references;
+    for (const frf::Dof& other : files[1].references) {
+      const bool own = other.same_coordinate(trial.dofs[0]);
+      EXPECT_EQ(changed(trial.in_others({other})).size(), own ? 1u : 0u) << trial.what << ", tried in " << other.name();
+    }
+  }
+  EXPECT_GT(of_references, 0u);
 }
 
 TEST(reference_groups, are_found_by_level_and_by_pairs) {
