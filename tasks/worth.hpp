@@ -31,7 +31,7 @@ struct MatrixElement {
 struct WorthAnswer {
   WorthQuestion question = WorthQuestion::determined;
   Light light = Light::unknown;
-  std::string text;                       ///< a sentence
+  std::string text{};                     ///< a sentence
   std::string unknown{};                  ///< of `determined`: the least determined one
   std::optional<MatrixElement> element{};  ///< of `passive`: the diagonal element with most motion
   std::optional<FrfEntry> frf{};          ///< of the last two: the FRF with the largest error among those compared

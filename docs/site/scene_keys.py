@@ -84,8 +84,9 @@ class Reader:
         return listed(said)
 
     def takes(self, kind: Kind, table: SceneTable, key: str) -> str:
-        """Asked beside the lines of the table, beside those of each variant, and alone: some keys exclude each other."""
-        beside = (self._takes_beside(kind, table, own, key) for own in (table.lines, *table.variants.values(), {}))
+        """Asked beside the lines of the table, those of each variant, those that other keys need, and alone: some keys exclude each other."""
+        several = (table.lines, *table.variants.values(), *table.companions, {})
+        beside = (self._takes_beside(kind, table, own, key) for own in several)
         return next((takes for takes in beside if takes), "")
 
     def _takes_beside(self, kind: Kind, table: SceneTable, own: Lines, key: str) -> str:

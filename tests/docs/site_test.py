@@ -68,14 +68,14 @@ class SceneKeys(unittest.TestCase):
         for where, expected in ((("solve", "frequency", "range"), "`[lo, hi]`"), (("solve", "data", "reciprocity"), "true or false"),
                                 (("solve", "identify", "equations"), 'list of `"nn"`, `"nj"`, `"jj"`, `"jn"`'),
                                 (("solve", "joint", "dofs"), "list of strings"), (("history", "history", "forces"), "list of numbers"),
-                                (("history", "history", "steps"), "a whole number"), (("history", "history", "algorithm"), '`"A"`, `"B"`')):
+                                (("history", "history", "steps"), "a number"), (("history", "history", "algorithm"), '`"A"`, `"B"`')):
             self.assertEqual(takes[where], expected, where)
 
-    def test_every_key_that_is_no_table_has_a_type(self) -> None:
-        for (kind, path), keys in self.found.items():
-            paths = {table.path for each in scene_tables.KINDS if each.word == kind for table in each.tables}
-            untyped = [key.name for key in keys if not key.takes and f"{path}.{key.name}".strip(".") not in paths]
-            self.assertEqual(untyped, [], f"{kind} [{path}]")
+    def test_keys_that_need_others_or_exclude_them_have_types(self) -> None:
+        for where in (("history", "history"), ("lines", "joint"), ("response", "curves"), ("response", "transient"), ("oscillate", "system")):
+            below = {table.path for each in scene_tables.KINDS if each.word == where[0] for table in each.tables}
+            untyped = [key.name for key in self.found[where] if not key.takes and f"{where[1]}.{key.name}" not in below]
+            self.assertEqual(untyped, [], where)
 
 
 class CommandLine(unittest.TestCase):
