@@ -53,11 +53,11 @@ void declare(CLI::App& command, CompareArguments& arguments) {
     return command.add_option(name, to, what)->delimiter(',');
   };
   const std::vector<CLI::Option*> alternatives = {
-      list("--methods", arguments.methods, "one,two; default of each list: the scene's"),
-      command.add_option("--equations", arguments.equations, "Sets of equations, e.g. \"nn nj;nn nj jj jn\""),
-      list("--weightings", arguments.weightings, "none,WA,WB,WBG,WBS"),
-      list("--deltas", arguments.deltas, "0,0.05,0.1"),
-      list("--solvers", arguments.solvers, "qr,normal,spqr"),
+      list("--methods", arguments.methods, "Methods to compare, e.g. one,two; default: the scene's"),
+      command.add_option("--equations", arguments.equations, "Sets of equations, e.g. \"nn nj;nn nj jj jn\"; default: the scene's"),
+      list("--weightings", arguments.weightings, "Weightings, of none,WA,WB,WBG,WBS; default: the scene's"),
+      list("--deltas", arguments.deltas, "Limits Δ below which equations are dropped, e.g. 0,0.05,0.1; default: the scene's"),
+      list("--solvers", arguments.solvers, "Solvers, of qr,normal,spqr; default: the scene's"),
       list("--regenerate", arguments.regenerate,
            "FRFs to synthesise from modal models: none,substructures,assembly,substructures+assembly")};
   CLI::Option* reproduce = command.add_option("--reproduce", arguments.reproduce,

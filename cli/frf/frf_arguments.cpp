@@ -58,7 +58,7 @@ void declare_stretches(CLI::App& command, FrfArguments& arguments) {
           return static_cast<frf::Window>(find_word(text, {"rectangular", "hann"}, "window of segments"));
         });
       },
-      "Of segments: hann or rectangular; default: hann");
+      "Window of the segments: hann (default) or rectangular");
   command.add_flag("--remove-mean", arguments.options.remove_mean, "Subtract the mean of every segment");
   command.add_option("--reject", arguments.options.reject, "Segments to leave out, by their number in the table, e.g. 2,5")
       ->delimiter(',')

@@ -15,12 +15,13 @@ void declare_columns(CLI::App& command, LoadingCurveArguments& arguments) {
   command.add_option("--time", arguments.time, "Column of times, for --velocity");
   command.add_flag("--velocity", arguments.velocity, "The displacement column is a velocity");
   command.add_option("--energy", arguments.energy, "Instead of --force: column of energies per cycle over amplitude");
-  command.add_option("--stiffness", arguments.stiffness, "Instead of --force: column of equivalent stiffnesses over amplitude …");
-  command.add_option("--damping", arguments.damping, "… and of equivalent dampings");
+  command.add_option("--stiffness", arguments.stiffness,
+                     "Instead of --force: column of equivalent stiffnesses over amplitude, with --damping");
+  command.add_option("--damping", arguments.damping, "Column of equivalent dampings, with --stiffness");
   command.add_option("--unit", arguments.unit,
-                     "Of displacements, e.g. mm, or of velocities, e.g. mm/s; default: the header's, else SI");
-  command.add_option("--force-unit", arguments.force_unit, "Of forces, e.g. uN or N*m");
-  command.add_option("--time-unit", arguments.time_unit, "Of times, e.g. ms");
+                     "Unit of displacements, e.g. mm, or of velocities, e.g. mm/s; default: the header's, else SI");
+  command.add_option("--force-unit", arguments.force_unit, "Unit of forces, e.g. uN or N*m");
+  command.add_option("--time-unit", arguments.time_unit, "Unit of times, e.g. ms");
   command.add_option("--sign", arguments.sign, "1 or -1: direction of the forces; auto: such that the joint is passive")
       ->check(CLI::IsMember({"auto", "1", "-1"}))
       ->capture_default_str();
@@ -45,8 +46,8 @@ void declare_fit(CLI::App& command, LoadingCurveArguments& arguments) {
   command.add_option("--shared", arguments.shared, "Parameters that all files have in common, e.g. b")->delimiter(',');
   command.add_option("--specimen-stiffness", arguments.specimen_stiffness, "Subtract the elastic deformation of a specimen, N/m");
   command.add_option("--specimen", arguments.specimen,
-                     "The same by the loading curve of a specimen without joint, columns as FILE");
-  command.add_option("--weighting", arguments.weighting, "Of the residuals")
+                     "Subtract that of a loading curve: a specimen without joint, columns as FILE");
+  command.add_option("--weighting", arguments.weighting, "Weighting of the residuals")
       ->check(CLI::IsMember({"none", "largest", "relative", "travel"}))
       ->capture_default_str();
   command.add_option("--minimiser", arguments.minimiser, "ceres, or pattern: the pattern search of Hooke and Jeeves")

@@ -15,12 +15,12 @@ const std::vector<std::string> unit_words = {"SI", "mm"}, quantity_words = {"rec
 }  // namespace
 
 void add_units(CLI::App* command, std::string& units) {
-  command->add_option("--units", units, "Of text, CSV and page: SI (default) or mm (N/mm); JSON stays SI");
+  command->add_option("--units", units, "Units in text, CSV and page: SI (default) or mm (N/mm); JSON stays in SI");
 }
 
 void add_quantity(CLI::App* command, std::string& quantity, const std::string& measured) {
   command->add_option("--quantity", quantity,
-                      "Of plotted FRFs: receptance (default), mobility, accelerance, or measured " + measured);
+                      "Quantity of plotted FRFs: receptance (default), mobility, accelerance, or measured " + measured);
 }
 
 report::Display display_of(const std::string& units, const std::string& quantity) {

@@ -43,7 +43,7 @@ void add_open_options(CLI::App* command, frf::OpenOptions& open) {
   dofs("--reference", open.reference, "Reference DOFs; default: those of the responses");
   command->add_option("--variable", open.variable, "MAT, HDF5, npz: name of the FRF variable; S.field of a struct");
   command->add_option("--frequency-variable", open.frequency_variable,
-                      "The same for the frequencies; for .npy the file with them");
+                      "MAT, HDF5, npz: name of the variable with the frequencies; for .npy the file with them");
   checked("--frequency-unit", open.frequency_unit, [](const std::string& text) { frf::hertz_per(text); },
           "Unit of the frequencies in place of the file's, e.g. kHz, rad/s or rpm");
 }

@@ -52,7 +52,7 @@ void add_oscillate(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<OscillateArguments>(
       app, chosen, "oscillate", "Integrate a stick-slip motion exactly: orbits, exponents, bifurcations, reduced models");
   command->add_option("SCENE", arguments->scene, "Scene file (TOML) with [system], [friction], [motion]")->required();
-  add_whole_number(command, "--threads", arguments->threads, "Of the sweep; 0 for all cores; the results do not depend on it",
+  add_whole_number(command, "--threads", arguments->threads, "Threads of the sweep, 0 for all cores; the results do not depend on them",
                    counts_of_threads());
   command->add_option("--sweep", arguments->sweep, "Write the bifurcation diagram as CSV to a file, or - for stdout");
   command->add_option("--events", arguments->events,

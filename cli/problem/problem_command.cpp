@@ -27,15 +27,15 @@ void declare_problem(CLI::App& app, Chosen& chosen, const ProblemKinds& kinds) {
   auto [write, arguments] = add_command<ProblemWriteArguments>(*problem, chosen, "write",
                                                                "Write FRF files, scene and truth of a problem");
   arguments->kinds = kinds;
-  write->add_option("NAME", arguments->name, "As in `jointid problem list`")->required();
-  write->add_option("DIR", arguments->directory, "Made if absent")->required();
+  write->add_option("NAME", arguments->name, "Name of the problem, as `jointid problem list` prints it")->required();
+  write->add_option("DIR", arguments->directory, "Folder for the files; it is made if absent")->required();
   write->add_option("--format", arguments->options.format, "Format of the FRF files")
       ->check(CLI::IsMember({"h5", "uff"}))
       ->capture_default_str();
-  add_whole_number(write, "--seed", arguments->options.seed, "Of the noise", {});
-  write->add_option("--method", arguments->options.method, "Of the scene, instead of that of the problem")
+  add_whole_number(write, "--seed", arguments->options.seed, "Seed of the noise", {});
+  write->add_option("--method", arguments->options.method, "Method in the scene, in place of the usual one of the problem")
       ->check(CLI::IsMember(ident::method_words()));
-  write->add_flag("--clean", arguments->options.clean, "Without noise");
+  write->add_flag("--clean", arguments->options.clean, "Write the FRFs without noise");
   write->footer("Example:\n  jointid problem write A1 a1 --seed 7");
 }
 

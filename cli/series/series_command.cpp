@@ -19,24 +19,25 @@ void add_delay(CLI::App& series, Chosen& chosen) {
   command->add_option("FILE", a->file, file_text)->required();
   command->add_option("--channel", a->channel, "Name or number of the column (default: the only one beside the time)");
   add_rate(command, a->rate_hz);
-  add_whole_number(command, "--samples", a->samples, "Number of samples from the start", {100, 200'000, "time grows with their square"});
-  add_whole_number(command, "--cells", a->cells, "Of the histograms of mutual information", {2, 1000, ""});
+  add_whole_number(command, "--samples", a->samples, "Samples to read, from the first on", {100, 200'000, "time grows with their square"});
+  add_whole_number(command, "--cells", a->cells, "Cells of each histogram of the mutual information", {2, 1000, ""});
   add_whole_number(command, "--most-lag", a->most_lag, "Largest lag of mutual information, samples", {2, 100'000, ""});
-  add_whole_number(command, "--delay", a->delay, "Of the embedding, samples; 0: first minimum of the mutual information",
+  add_whole_number(command, "--delay", a->delay, "Delay of the embedding, samples; 0: first minimum of the mutual information",
                    {0, 100'000, ""});
-  add_whole_number(command, "--dimension", a->dimension, "Of the embedding; 0: the smallest with at most 1 % false nearest neighbours",
+  add_whole_number(command, "--dimension", a->dimension,
+                   "Dimension of the embedding; 0: the smallest with at most 1 % false nearest neighbours",
                    {0, 20, ""});
   add_whole_number(command, "--most-dimension", a->most_dimension, "Largest dimension in the search by false nearest neighbours",
                    {1, 20, ""});
   add_whole_number(command, "--theiler", a->theiler,
                    "Smallest distance of neighbours in time, samples; 0: twice delay times dimension", {0, 100'000, ""});
-  add_whole_number(command, "--steps", a->steps, "Of divergence curves, samples", {10, 10'000, ""});
+  add_whole_number(command, "--steps", a->steps, "Length of the divergence curves, samples", {10, 10'000, ""});
   command->add_option("--wolf", a->wolf, "Wolf's exponent, too: samples over which a pair is followed, e.g. 2,5,10,20")
       ->delimiter(',')
       ->check(CLI::PositiveNumber);
   command
       ->add_option("--wolf-range", a->wolf_range,
-                   "Distances of its new pairs, in the unit of the channel (default: 0.001 and 0.1 standard deviations)")
+                   "Least and largest distance of new pairs of --wolf, in the channel's unit (default: 0.001 and 0.1 standard deviations)")
       ->delimiter(',')
       ->needs("--wolf");
   add_outputs(command, *a, "all results", "the curves", "curves");
@@ -49,14 +50,14 @@ void add_strain(CLI::App& series, Chosen& chosen) {
   command->add_option("FILE", a->file, file_text)->required();
   command->add_option("--channels", a->channels, "Columns of the gauges, in their order (default: all but the time)")
       ->delimiter(',');
-  command->add_option("--length", a->length, "Of the beam, m")->required()->check(CLI::PositiveNumber);
-  command->add_option("--thickness", a->thickness, "Of the beam, m: strain is half of it times the curvature")
+  command->add_option("--length", a->length, "Length of the beam, m")->required()->check(CLI::PositiveNumber);
+  command->add_option("--thickness", a->thickness, "Thickness of the beam, m; the strain is half of it times the curvature")
       ->required()
       ->check(CLI::PositiveNumber);
-  command->add_option("--gauges", a->gauges, "Their positions, m from the clamp")->required()->delimiter(',');
+  command->add_option("--gauges", a->gauges, "Positions of the gauges, m from the clamp")->required()->delimiter(',');
   command->add_option("--points", a->points, "Positions of the displacements, m (default: the tip)")->delimiter(',');
-  add_whole_number(command, "--shapes", a->shapes, "Of the basis; 0: that of the gauges", {0, 100, ""});
-  command->add_flag("--static-shapes", a->static_shapes, "Two of them are those of a tip force and a tip moment");
+  add_whole_number(command, "--shapes", a->shapes, "Number of shapes in the basis; 0: the number of gauges", {0, 100, ""});
+  command->add_flag("--static-shapes", a->static_shapes, "Take the shapes of a tip force and a tip moment as two of --shapes");
   command->add_option("--output,--csv", a->output, "Write the displacements as CSV to a file, or - for stdout");
   command->add_option("--json", a->json, "Write the map and its noise as JSON to a file, or - for stdout");
   add_force(command);
@@ -74,7 +75,9 @@ void add_friction(CLI::App& series, Chosen& chosen) {
       ->required();
   command->add_option("--normal", a->normal, "Column of the normal load, N");
   command->add_option("--load", a->load, "Constant normal load, N")->check(CLI::PositiveNumber);
-  command->add_option("--stick-speed", a->stick_speed, "Slower samples count as sticking, m/s; above the noise of the velocity")
+  command
+      ->add_option("--stick-speed", a->stick_speed,
+                   "Samples below this speed count as sticking, m/s; choose it above the noise of the velocity")
       ->required()
       ->check(CLI::PositiveNumber);
   add_rate(command, a->rate_hz);
@@ -88,8 +91,8 @@ void add_align(CLI::App& series, Chosen& chosen) {
       series, chosen, "align", "Time delays of the channels of a periodic record, and the record without them");
   command->add_option("FILE", a->file, file_text)->required();
   command->add_option("--reference", a->reference, "Column without a time delay")->required();
-  command->add_option("--frequency", a->frequency_hz, "Of the motion, Hz")->required()->check(CLI::PositiveNumber);
-  add_whole_number(command, "--harmonics", a->harmonics, "Fitted together", {1, 50, ""});
+  command->add_option("--frequency", a->frequency_hz, "Frequency of the motion, Hz")->required()->check(CLI::PositiveNumber);
+  add_whole_number(command, "--harmonics", a->harmonics, "How many harmonics to fit together", {1, 50, ""});
   add_rate(command, a->rate_hz);
   command->add_option("--output,--csv", a->output, "Write the aligned record as CSV to a file, or - for stdout");
   command->add_option("--json", a->json, "Write the delays as JSON to a file, or - for stdout");

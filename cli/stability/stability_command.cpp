@@ -65,9 +65,9 @@ bool keeps_silent(const StabilityReport& report) {
 void add_stability(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<StabilityArguments>(
       app, chosen, "stability", "Measure how many digits every solver keeps on extreme cases, against 50-digit arithmetic");
-  command->add_option("--sweeps", arguments->sweeps, "Only these, e.g. stiffness,lines")->delimiter(',');
+  command->add_option("--sweeps", arguments->sweeps, "Run only these sweeps, e.g. stiffness,lines")->delimiter(',');
   add_whole_number(command, "--scenes", arguments->scenes, "How many extreme scenes to draw at random", counts_of_trials());
-  add_whole_number(command, "--seed", arguments->seed, "Of the scenes", {});
+  add_whole_number(command, "--seed", arguments->seed, "Seed of the random scenes", {});
   add_outputs(command, *arguments, "all rows", "all rows", "tables and plots");
   command->footer("Examples:\n  jointid stability\n  jointid stability --sweeps stiffness --scenes 0 --report stability.html");
 }

@@ -1,5 +1,5 @@
-"""scene_keys.py JOINTID OUT.md [OUT.json]: the keys of all kinds of scenes as the reader itself names them. It is asked: given a key that is
-none, it names all that are; given a date, which it takes nowhere, it says what it expects. What a key means is from the pages of docs/."""
+"""scene_keys.py SCENE_ANSWERS OUT.md [OUT.json]: the keys of all kinds of scenes as the reader itself names them. It is asked: given a key that
+is none, it names all that are; given a date, which it takes nowhere, it says what it expects. What a key means is from the pages of docs/."""
 
 import json
 import pathlib
@@ -7,7 +7,6 @@ import re
 import subprocess
 import sys
 import tempfile
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 from scene_meanings import Meanings
@@ -57,19 +56,26 @@ def in_order(text: str) -> str:
 
 
 class Reader:
-    def __init__(self, command: str) -> None:
-        self.command = command
+    """The readers of all commands in one process (tests/docs/scene_answers.cpp), which is asked scene after scene."""
+
+    def __init__(self, program: str) -> None:
+        self._folder = tempfile.TemporaryDirectory()
+        self._process = subprocess.Popen([str(pathlib.Path(program).resolve())], cwd=self._folder.name, stdin=subprocess.PIPE,
+                                         stdout=subprocess.PIPE, text=True, encoding="utf-8")
+
+    def __enter__(self) -> "Reader":
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        self._process.communicate()
+        self._folder.cleanup()
 
     def answer(self, kind: Kind, text: str) -> str:
-        with tempfile.TemporaryDirectory() as folder:
-            scene = pathlib.Path(folder) / "s.toml"
-            scene.write_text(MODEL_SCENE if kind is MODELS else text, encoding="utf-8")
-            if kind is MODELS:
-                (scene.parent / "m.toml").write_text(text, encoding="utf-8")
-                (scene.parent / "c.csv").write_text(ASSEMBLY, encoding="utf-8")
-            done = subprocess.run([self.command, kind.command[0], "s.toml", *kind.command[1:]], cwd=folder, capture_output=True, text=True,
-                                  check=False)
-            return done.stderr.strip()
+        files = {"s.toml": MODEL_SCENE, "m.toml": text, "c.csv": ASSEMBLY} if kind is MODELS else {"s.toml": text}
+        question = {"arguments": [kind.command[0], "s.toml", *kind.command[1:]], "files": files}
+        self._process.stdin.write(json.dumps(question) + "\n")
+        self._process.stdin.flush()
+        return json.loads(self._process.stdout.readline())
 
     def keys(self, kind: Kind, table: SceneTable, own: Lines) -> list[str]:
         said = self.answer(kind, scene_text(kind, table, own, {NO_WORD: "1"}))
@@ -77,7 +83,13 @@ class Reader:
             raise SystemExit(f"{kind.word} {table.title}: the reader names no keys: {said}")
         return listed(said)
 
-    def takes(self, kind: Kind, table: SceneTable, own: Lines, key: str) -> str:
+    def takes(self, kind: Kind, table: SceneTable, key: str) -> str:
+        """Asked beside the lines of the table, those of each variant, those that other keys need, and alone: some keys exclude each other."""
+        several = (table.lines, *table.variants.values(), *table.companions, {})
+        beside = (self._takes_beside(kind, table, own, key) for own in several)
+        return next((takes for takes in beside if takes), "")
+
+    def _takes_beside(self, kind: Kind, table: SceneTable, own: Lines, key: str) -> str:
         def said(value: str) -> str:
             return self.answer(kind, scene_text(kind, table, own, {key: value}))
 
@@ -112,7 +124,7 @@ def table_keys(reader: Reader, kind: Kind, table: SceneTable) -> list[Key]:
     for name in names:
         of = [word for word, keys in found.items() if name in keys]
         only = [] if len(of) == len(choices) else [word or first_word(table) for word in of]
-        out.append(Key(name, reader.takes(kind, table, choices[of[0]], name), only))
+        out.append(Key(name, reader.takes(kind, table, name), only))
     return out
 
 
@@ -121,12 +133,9 @@ def first_word(table: SceneTable) -> str:
     return "matrices" if first.startswith("[[") else "FRFs" if first.startswith("[") else first.strip('"') if first.startswith('"') else ""
 
 
-def all_keys(command: str) -> dict[tuple[str, str], list[Key]]:
-    reader = Reader(command)
-    asked = [(kind, table) for kind in KINDS for table in kind.tables]
-    with ThreadPoolExecutor() as pool:
-        found = pool.map(lambda each: table_keys(reader, *each), asked)
-        return {(kind.word, table.path): keys for (kind, table), keys in zip(asked, found)}
+def all_keys(program: str) -> dict[tuple[str, str], list[Key]]:
+    with Reader(program) as reader:
+        return {(kind.word, table.path): table_keys(reader, kind, table) for kind in KINDS for table in kind.tables}
 
 
 def page(keys: dict[tuple[str, str], list[Key]], meanings: Meanings) -> str:
@@ -147,8 +156,8 @@ def page(keys: dict[tuple[str, str], list[Key]], meanings: Meanings) -> str:
     return "\n".join(lines)
 
 
-def main(command: str, out: str, as_json: str | None = None) -> None:
-    keys = all_keys(str(pathlib.Path(command).resolve()))
+def main(program: str, out: str, as_json: str | None = None) -> None:
+    keys = all_keys(program)
     meanings = Meanings(pathlib.Path(__file__).resolve().parents[1])
     pathlib.Path(out).write_text(page(keys, meanings), encoding="utf-8")
     if as_json:

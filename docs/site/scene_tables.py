@@ -17,6 +17,8 @@ class SceneTable:
     #: Tables that have to go when this one is asked.
     without: tuple[str, ...] = ()
     name: str = ""
+    #: Lines beside which the reader looks at the value of keys that need others.
+    companions: tuple[Lines, ...] = ()
 
     @property
     def header(self) -> str:
@@ -43,7 +45,7 @@ PARTS = {"parts": '["a", "b"]'}
 PAIR = '["1:+X", "2:+X"]'
 FILE_KEYS = T("data.files.a", name='`[data.files."NAME"]`')
 MATRICES = [T(f"joint.{kind}", {"pattern": '"full"'}) for kind in ("mass", "viscous_damping", "hysteretic_damping")]
-FREQUENCY = T("frequency", {"range": "[1, 2]"})
+IDENTIFY = T("identify", companions=({"bootstrap": "200"},))
 
 SOLVE = Kind("solve", "Scenes of `solve`, `plan`, `check`, `study`, `compare`", ["plan"], ["scene", "gains", "virtual-points"], [
     T("", {}),
@@ -57,7 +59,7 @@ SOLVE = Kind("solve", "Scenes of `solve`, `plan`, `check`, `study`, `compare`", 
     T("joints", {"name": '"x"', "dofs": PAIR, "stiffness": '{ pattern = "full" }'}, several=True, without=("joint", "joint.stiffness")),
     T("joint.stiffness", {"pattern": '"full"'}, always=True),
     *MATRICES,
-    T("identify"),
+    IDENTIFY,
     T("identify.start"),
     T("noise", {"model": '"gaussian"', "level": "0.01"},
       variants={"hammer": {"model": '"hammer"'}, "modal": {"model": '"modal"', "level": "0.01"}}),
@@ -70,7 +72,8 @@ COUPLE = Kind("couple", "Scenes of `couple`", ["couple", "--out", "x.h5"], ["sce
     T("", {}),
     T("data", PARTS, always=True),
     T("frequency"),
-    T("couple", {"join": f"[{PAIR}]"}, always=True),
+    T("couple", {"join": f"[{PAIR}]"}, always=True,
+      companions=tuple({"join": f"[{PAIR}]", "threshold": word} for word in ('"fixed"', '"alpha"'))),
     T("couple.joint", {"dofs": PAIR, "stiffness": "{ matrix = [[1, -1], [-1, 1]] }"}, several=True,
       variants={"identified": {"identified": '"x.toml"'}}),
     T("couple.joint.stiffness", name="`stiffness` and other matrices of `[[couple.joint]]`"),
@@ -81,9 +84,10 @@ LINES = Kind("lines", "Scenes of `solve` with the joint at every line", ["solve"
     T("data", {"substructures": '["a", "b"]', "assembly": '["c"]'}, always=True),
     T("data.gains", {"gain": "0.01"}, several=True),
     T("frequency"),
-    T("joint", {"dofs": PAIR, "lines": '"massless"'}, always=True),
+    T("joint", {"dofs": PAIR, "lines": '"massless"'}, always=True,
+      companions=tuple({"dofs": PAIR, "lines": '"massless"', **more} for more in ({"laws": '"all"'}, {"smooth": '"marginal"'}))),
     T("joint.lines", {"matrix": '[["a", "-a"], ["-a", "a"]]'}),
-    T("identify"),
+    IDENTIFY,
 ])
 
 DECOUPLE = Kind("decouple", "Scenes of `decouple`", ["decouple", "--out", "x.h5"], ["joint-line-by-line", "scene", "gains"], [
@@ -92,7 +96,7 @@ DECOUPLE = Kind("decouple", "Scenes of `decouple`", ["decouple", "--out", "x.h5"
     T("data.gains", {"gain": "0.01"}, several=True),
     T("frequency"),
     T("decouple", {"interface": PAIR}, always=True),
-    T("identify"),
+    IDENTIFY,
 ])
 
 EQUIVALENT = Kind("equivalent", "Scenes of `equivalent`", ["equivalent"], ["scene", "loading-curves"], [
@@ -115,9 +119,11 @@ RESPONSE = Kind("response", "Scenes of `response`", ["response"], ["response"], 
     T("force", {"dof": "1", "amplitudes": "[1.0]"}, always=True),
     T("frequency", {"range": "[1, 2]"}, always=True),
     T("response", {"dofs": "[1]"}, always=True),
-    T("curves", {"along": '"force"', "range": "[1, 2]", "frequency": "1.5"}, several=True),
+    T("curves", {"along": '"force"', "range": "[1, 2]", "frequency": "1.5"}, several=True,
+      companions=({"along": '"stiffness"', "range": "[1, 2]", "frequency": "1.5", "joint": "1"},)),
     T("equivalent", {"amplitudes": "[1e-6]"}),
-    T("transient", {"duration": "1.0", "method": '"one"', "delta": "0.001"}),
+    T("transient", {"duration": "1.0", "method": '"one"', "delta": "0.001"},
+      companions=({"duration": "1.0", "method": '"two"', "delta": "0.001"},)),
     T("transient.forces", {"dof": "1", "file": '"x.csv"', "column": '"x"'}, several=True),
     T("transient.normal", {"joint": "1", "load": "[[0, 1.0], [1, 2.0]]", "nominal": "1.0"}, several=True),
     T("transient.pulses", {"dof": "1", "amplitude": "1.0", "length": "0.1"}, several=True),
@@ -126,19 +132,21 @@ RESPONSE = Kind("response", "Scenes of `response`", ["response"], ["response"], 
 LAWS = Kind("laws", "Scenes of friction laws from vibration: `solve`, `plan`, `study`", ["plan"], ["friction-from-vibration", "scene"], [
     T("", {}),
     T("data", PARTS, always=True),
-    T("data.levels", {"responses": '"c"', "amplitude": "1.0", "force_dofs": '["1:+X"]'}, several=True, always=True),
+    T("data.levels", {"responses": '"c"', "amplitude": "1.0", "force_dofs": '["1:+X"]'}, several=True, always=True,
+      companions=({"responses": '"c"'}, {"records": '["c"]'})),
     T("frequency"),
     T("joint", without=("joint.friction",), lines={"friction": '[{ dofs = ["1:+X", "2:+X"] }]'}),
     T("joint.friction", {"dofs": PAIR}, several=True, always=True),
     T("errors", {"relative": "0.01"}),
-    T("identify"),
+    IDENTIFY,
 ])
 
 OSCILLATE = Kind("oscillate", "Scenes of `oscillate`", ["oscillate"], ["oscillations"], [
     T("", {}),
     T("system", {"kind": '"belt_chain"', "masses": "2", "velocity": "0.1"}, always=True,
       variants={"cantilever": {"kind": '"cantilever"', "velocity": "0.1"},
-                "matrices": {"kind": '"matrices"', "velocity": "0.1", **MODEL, "contact": "[1, 0]"}}),
+                "matrices": {"kind": '"matrices"', "velocity": "0.1", **MODEL, "contact": "[1, 0]"}},
+      companions=tuple({"kind": '"belt_chain"', "masses": "2", other: "0.1"} for other in ("amplitude", "frequency"))),
     T("friction", {"kinetic": "0.2", "static": "0.3", "normal": "1.0"}, always=True),
     T("start"),
     T("motion", {"length": "10", "step": "0.1"}, always=True),
@@ -153,7 +161,8 @@ HISTORY = Kind("history", "Scenes of one joint along a history: `loading-curve F
     T("", {}),
     T("joint", ANY_LAW, always=True),
     T("mesh", {"youngs_modulus": "1.0", "width": "1.0", "length": "1.0", "members": "2", "height": "1.0", **ANY_LAW}, without=("joint",)),
-    T("history", {"displacements": "[1.0]"}, always=True, variants={"a sine": {"amplitude": "1.0"}}),
+    T("history", {"displacements": "[1.0]"}, always=True, variants={"a sine": {"amplitude": "1.0"}},
+      companions=({"amplitude": "1.0", "algorithm": '"A"'},)),
 ])
 
 MODELS = Kind("model", "Descriptions of parts that are models", ["plan"], ["model-parts"], [

@@ -3904,4 +3904,27 @@ alle Ergebnisse: %1</translation>
         <translation>Wählen: %1</translation>
     </message>
 </context>
+<context>
+    <name>WorthRow</name>
+    <message>
+        <source>What the result is worth</source>
+        <translation>Was das Ergebnis taugt</translation>
+    </message>
+    <message>
+        <source>determined</source>
+        <translation>bestimmt</translation>
+    </message>
+    <message>
+        <source>passive</source>
+        <translation>passiv</translation>
+    </message>
+    <message>
+        <source>within the noise</source>
+        <translation>im Rauschen</translation>
+    </message>
+    <message>
+        <source>better than no joint</source>
+        <translation>besser als ohne Fügestelle</translation>
+    </message>
+</context>
 </TS>

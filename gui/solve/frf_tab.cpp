@@ -40,6 +40,13 @@ void FrfTab::show_runs(const std::vector<Solved>& runs, std::size_t front) {
   show_frf();
 }
 
+void FrfTab::show_error(const tasks::FrfEntry& entry) {
+  response_->setCurrentText(QString::fromStdString(entry.response.name()));
+  reference_->setCurrentText(QString::fromStdString(entry.reference.name()));
+  plot_->set_view(View::difference);
+  show_frf();
+}
+
 void FrfTab::show_frf() {
   if (runs_.empty() || runs_[front_].solution.bands.empty()) return;
   if (response_->count() == 0 || reference_->count() == 0) return;

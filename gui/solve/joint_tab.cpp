@@ -43,6 +43,14 @@ void JointTab::show_run(const Solved& run) {
   show_matrix();
 }
 
+void JointTab::show_element(const tasks::MatrixElement& element) {
+  const QVariantList wanted{static_cast<qulonglong>(element.band), static_cast<int>(element.kind)};
+  choice_->setCurrentIndex(choice_->findData(wanted));
+  const QModelIndex cell = matrix_->cells()->index(static_cast<int>(element.row), static_cast<int>(element.column));
+  matrix_->setCurrentIndex(cell);
+  matrix_->scrollTo(cell);
+}
+
 void JointTab::show_matrix() {
   const QVariantList choice = choice_->currentData().toList();
   if (choice.size() != 2) return matrix_->show_rows({});

@@ -19,6 +19,7 @@ class JointTab : public QWidget {
 
   void show_run(const Solved& run);
   CellTable* matrix() const { return matrix_; }
+  void show_element(const tasks::MatrixElement& element);
 
  private:
   void show_matrix();

@@ -72,6 +72,12 @@ Solved solve_scene(const ident::Scene& scene, const Worker::Watch& watch) {
     if (!best) throw;
     tasks::mark_interrupted(*best);
     solved.solution = std::move(*best);
+    return solved;
+  }
+  try {
+    solved.worth = tasks::worth(*solved.plan, solved.solution, control_of(watch));
+  } catch (const Interrupted&) {
+    // The solution is there; only its lights are not.
   }
   return solved;
 }

@@ -11,6 +11,7 @@
 #include "ident/result/solution.hpp"
 #include "tasks/bound_report.hpp"
 #include "tasks/regenerate.hpp"
+#include "tasks/worth.hpp"
 
 namespace jointid::gui {
 
@@ -19,6 +20,7 @@ struct Solved {
   std::shared_ptr<ident::Plan> plan;
   ident::Solution solution;
   std::string name;  ///< "2: likelihood"
+  std::vector<tasks::WorthAnswer> worth{};  ///< none of a run that was interrupted
 };
 
 /// Whether a plan needs headers only, of files that are not large.

@@ -21,6 +21,7 @@
 #include "gui/solve/run_tables.hpp"
 #include "gui/solve/solution_tables.hpp"
 #include "gui/solve/spring_table.hpp"
+#include "gui/solve/worth_row.hpp"
 #include "gui/table/cell_table.hpp"
 #include "ident/identify.hpp"
 #include "tasks/joint_layout.hpp"
@@ -30,6 +31,7 @@ namespace jointid::gui {
 SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Solve"));
   line_ = new JobLine("solve", tr("Status of the solution"), tr("Stop and keep the best values so far (Shift+F5)"));
+  worth_ = new WorthRow;
   plan_ = new CellTable("plan_table", tr("Plan"));
   bounds_ = new CellTable("bounds", tr("Cramér–Rao bounds"));
   unknowns_ = new CellTable("unknowns", tr("Unknowns"));
@@ -52,8 +54,10 @@ SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
   all->setContentsMargins(4, 4, 4, 4);
   all->addWidget(make_top());
   all->addWidget(line_);
+  all->addWidget(worth_);
   all->addWidget(results_, 1);
   connect(line_, &JobLine::failed, this, &SolvePage::failed);
+  connect(worth_, &WorthRow::chosen, this, &SolvePage::show_place);
   connect(line_, &JobLine::busy_changed, this, [this](bool busy) {
     if (!busy && stale_) plan_if_quick();
   });
@@ -214,6 +218,7 @@ void SolvePage::show_status() {
 void SolvePage::show_run(int run) {
   show_status();
   const ident::Solution& solution = runs_[static_cast<std::size_t>(run)].solution;
+  worth_->show_answers(runs_[static_cast<std::size_t>(run)].worth);
   unknowns_->show_rows(unknown_rows(solution));
   const CellRows springs = spring_rows(solution);
   results_->setTabVisible(results_->indexOf(springs_), !springs.cells.empty());
@@ -222,6 +227,25 @@ void SolvePage::show_run(int run) {
   joint_tab_->show_run(runs_[static_cast<std::size_t>(run)]);
   frf_tab_->show_runs(runs_, static_cast<std::size_t>(run));
   run_table_->show_rows(run_rows(runs_, static_cast<std::size_t>(run)));
+}
+
+/// The row, the cell or the curve that an answer is about, else the findings; and the answer itself.
+void SolvePage::show_place(const tasks::WorthAnswer& answer) {
+  line_->say(QString::fromStdString(answer.text), answer.light == tasks::Light::bad);
+  if (!answer.unknown.empty()) {
+    results_->setCurrentWidget(unknowns_);
+    const QModelIndexList rows = unknowns_->cells()->match(unknowns_->cells()->index(0, 0), Qt::DisplayRole,
+                                                           QString::fromStdString(answer.unknown), 1, Qt::MatchExactly);
+    if (!rows.isEmpty()) unknowns_->setCurrentIndex(rows.front());
+  } else if (answer.element) {
+    results_->setCurrentWidget(joint_tab_);
+    joint_tab_->show_element(*answer.element);
+  } else if (answer.frf) {
+    results_->setCurrentWidget(frf_tab_);
+    frf_tab_->show_error(*answer.frf);
+  } else {
+    results_->setCurrentWidget(findings_);
+  }
 }
 
 QString SolvePage::command_line() const {

@@ -17,6 +17,7 @@ class FrfPlot;
 class FrfTab;
 class JobLine;
 class JointTab;
+class WorthRow;
 
 /// What solving a scene will do, how far it is, and what came of it; earlier runs stay to be looked at.
 class SolvePage : public QWidget {
@@ -49,6 +50,7 @@ class SolvePage : public QWidget {
   CellTable* bounds() const { return bounds_; }
   CellTable* plan_table() const { return plan_; }
   QTabWidget* results() const { return results_; }
+  WorthRow* worth() const { return worth_; }
 
   /// Writes the page of the run in front, as `jointid solve --report` does, beside the window.
   void write_report(const QString& file);
@@ -69,6 +71,7 @@ class SolvePage : public QWidget {
   void show_plan(const CellRows& rows);
   void show_status();
   void show_run(int run);
+  void show_place(const tasks::WorthAnswer& answer);
   void save_json();
   void save_report();
   void save_table();
@@ -79,6 +82,7 @@ class SolvePage : public QWidget {
   QPushButton* solve_;
   QComboBox* run_choice_;
   JobLine* line_;
+  WorthRow* worth_;
   QTabWidget* results_;
   CellTable *plan_, *bounds_, *unknowns_, *springs_, *findings_, *run_table_;
   JointTab* joint_tab_;

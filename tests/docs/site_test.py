@@ -22,6 +22,7 @@ import scene_tables
 import stage
 
 COMMAND = os.environ.get("JOINTID_COMMAND", "")
+ANSWERS = os.environ.get("JOINTID_SCENE_ANSWERS", "")
 READERS = ("ident/scene/*.cpp", "laws/scene/*.cpp", "impedance/scene/*.cpp", "impedance/decouple/*_scene.cpp", "tasks/response/*.cpp",
            "tasks/oscillate/*.cpp", "tasks/joint_history/read_*.cpp", "models/*.cpp")
 #: Read by `find()`, but no keys of scenes: parts of JSON, of results, names of variables in files.
@@ -36,12 +37,8 @@ def sources() -> str:
 class SceneKeys(unittest.TestCase):
     @classmethod
     def setUpClass(cls) -> None:
-        reader = scene_keys.Reader(COMMAND)
-        cls.keys = {}
-        for kind in scene_tables.KINDS:
-            for table in kind.tables:
-                found = [reader.keys(kind, table, own) for own in (table.lines, *table.variants.values())]
-                cls.keys[kind.word, table.path] = {key for keys in found for key in keys}
+        cls.found = scene_keys.all_keys(ANSWERS)
+        cls.keys = {table: {key.name for key in keys} for table, keys in cls.found.items()}
 
     def test_every_table_that_the_sources_read_is_asked(self) -> None:
         """A list of keys in a source is that of a table, or of one of its variants."""
@@ -67,12 +64,18 @@ class SceneKeys(unittest.TestCase):
         self.assertEqual(meanings.missing, [])
 
     def test_what_a_key_takes(self) -> None:
-        reader = scene_keys.Reader(COMMAND)
-        solve = {table.path: table for table in scene_tables.SOLVE.tables}
-        for path, key, takes in (("frequency", "range", "`[lo, hi]`"), ("data", "reciprocity", "true or false"),
-                                 ("identify", "equations", 'list of `"nn"`, `"nj"`, `"jj"`, `"jn"`'), ("joint", "dofs", "list of strings")):
-            table = solve[path]
-            self.assertEqual(reader.takes(scene_tables.SOLVE, table, table.lines, key), takes, key)
+        takes = {(kind, path, key.name): key.takes for (kind, path), keys in self.found.items() for key in keys}
+        for where, expected in ((("solve", "frequency", "range"), "`[lo, hi]`"), (("solve", "data", "reciprocity"), "true or false"),
+                                (("solve", "identify", "equations"), 'list of `"nn"`, `"nj"`, `"jj"`, `"jn"`'),
+                                (("solve", "joint", "dofs"), "list of strings"), (("history", "history", "forces"), "list of numbers"),
+                                (("history", "history", "steps"), "a number"), (("history", "history", "algorithm"), '`"A"`, `"B"`')):
+            self.assertEqual(takes[where], expected, where)
+
+    def test_keys_that_need_others_or_exclude_them_have_types(self) -> None:
+        for where in (("history", "history"), ("lines", "joint"), ("response", "curves"), ("response", "transient"), ("oscillate", "system")):
+            below = {table.path for each in scene_tables.KINDS if each.word == where[0] for table in each.tables}
+            untyped = [key.name for key in self.found[where] if not key.takes and f"{where[1]}.{key.name}" not in below]
+            self.assertEqual(untyped, [], where)
 
 
 class CommandLine(unittest.TestCase):
