@@ -43,8 +43,6 @@ bool is_foreign(std::string_view label) {
 
 constexpr std::size_t most_csv_columns = 100'000;
 
-bool is_degrees(std::string_view unit) { return unit == "º" || unit == "degrees" || unit == "degree" || unit == "deg"; }
-
 /// Places of DOFs in a list that grows, by coordinate and sign.
 using Places = std::map<std::pair<std::int64_t, int>, std::size_t>;
 
@@ -129,8 +127,8 @@ class HeaderRow {
 
   CsvPart phase_part(std::size_t column, const std::string& unit) const {
     const std::string plain = lower_case(plain_label(unit));
-    if (is_degrees(plain) || is_german_degree(plain)) return phase_deg;
-    if (plain == "rad" || plain == "radians" || plain == "radian") return phase_rad;
+    if (is_degrees(plain) || is_degrees(unit) || is_german_degree(plain)) return phase_deg;
+    if (is_radians(plain)) return phase_rad;
     if (!states_no_unit(unit))
       fail(column,
            "the unit '" + shown_label(unit) + "' of '" + table_.columns[column] + "' is not read" +

@@ -220,6 +220,20 @@ void doubt_degrees(const CsvTable& table, const CsvColumns& columns, FrfHeader& 
   header.doubts.push_back(told + "; if they are, name the columns phase_rad");
 }
 
+/// Degrees that are called radians leap from line to line, or from −180 to 180, by more than a turn is in radians.
+void require_radians(const CsvTable& table, const CsvColumns& columns) {
+  constexpr double turn = 2.0 * std::numbers::pi * (1.0 + 1e-6);
+  for (const auto& [pair, of_pair] : columns.pairs()) {
+    for (std::size_t row = 1; of_pair.has(phase_rad) && row < table.rows(); ++row) {
+      const double before = table.cell(row - 1, of_pair[phase_rad]), phase = table.cell(row, of_pair[phase_rad]);
+      if (!(std::abs(phase - before) > turn)) continue;
+      table.fail(table.lines[row], of_pair[phase_rad],
+                 fmt::format("the phase goes from {:g} to {:g} in one line, more than a turn in radians: is it in degrees?", before, phase),
+                 "name the unit of the phases as it is: phase_deg, [deg]");
+    }
+  }
+}
+
 std::vector<double> read_frequency(const CsvTable& table) {
   std::vector<double> axis;
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -277,6 +291,7 @@ std::unique_ptr<FrfSource> open_csv(const std::filesystem::path& path, const Ope
   read_noise_kind(table, columns, set.header);
   validate(set.header);
   doubt_degrees(table, columns, set.header);
+  require_radians(table, columns);
   fill(table, columns, set);
   return from_memory(std::move(set));
 }

@@ -31,6 +31,8 @@ constexpr std::array functions = std::to_array<Words>({{"re", "re"},
                                                        {"angle", "phase"},
                                                        {"phase", "phase"},
                                                        {"ph", "phase"},
+                                                       {"coh", "coherence"},
+                                                       {"coherence", "coherence"},
                                                        {"∠", "phase"}});
 
 /// Whole titles in lower case.
@@ -47,6 +49,9 @@ constexpr std::array titles = std::to_array<Words>({{"modulus", "mag"},
                                                     {"fase", "phase"},
                                                     {"phase angle", "phase"},
                                                     {"phasenwinkel", "phase"},
+                                                    {"phasenlage", "phase"},
+                                                    {"ph", "phase"},
+                                                    {"ph.", "phase"},
                                                     {"partie réelle", "re"},
                                                     {"partie imaginaire", "im"},
                                                     {"parte reale", "re"},
@@ -58,7 +63,7 @@ bool may_be_unit(std::string_view text) { return parse_unit(text) || !unit_hint(
 
 bool is_angle(std::string_view text) {
   const auto unit = parse_unit(text);
-  return unit && unit->same_dimension({1.0, 0, 0, 0, 1});
+  return is_degrees(text) || is_radians(text) || lower_case(text) == "grad" || (unit && unit->same_dimension({1.0, 0, 0, 0, 1}));
 }
 
 bool is_level(std::string_view text) {
@@ -157,9 +162,11 @@ std::string_view other_function(std::string_view label) {
   if (has("conj") || plain.ends_with('*')) return "the conjugate";
   const bool over = plain.starts_with("1/") && plain.size() > 2 && (plain[2] < '0' || plain[2] > '9');
   if (over || has("inv(") || has("^-1") || has("⁻¹")) return "the inverse";
-  if (plain == "lag" || plain == "delay" || has("phaselag")) return "the negative";
+  const bool minus = plain == "neg" || plain == "neg." || plain == "negative" || plain == "minus" || plain == "-";
+  if (plain == "lag" || plain == "delay" || has("phaselag") || minus) return "the negative";
+  if (has("normali") || has("normiert")) return "the normalised value";
   if (has("log")) return "the logarithm";
-  return has("^2") || has("²") ? "the square" : std::string_view();
+  return has("^2") || has("²") || has("squared") ? "the square" : std::string_view();
 }
 
 }  // namespace jointid::frf

@@ -81,7 +81,9 @@ bool is_unit_in_comment(std::string_view comment) {
 
 bool is_scale(std::string_view key) {
   const std::string plain = lower_case(key);
-  const bool named = plain.find("scal") != std::string::npos || plain.find("multipl") != std::string::npos || plain == "factor";
+  const auto has = [&](std::string_view part) { return plain.find(part) != std::string::npos; };
+  const bool named = std::ranges::any_of(std::to_array<std::string_view>({"scal", "skal", "multipl"}), has) ||
+                     plain == "factor" || plain == "faktor" || plain == "facteur";
   return named && use_of_number(key) == NumberUse::multiplies;
 }
 

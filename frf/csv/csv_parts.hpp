@@ -19,6 +19,10 @@ std::optional<CsvPart> csv_part(std::string_view word);
 /// Whether it names one, "phase" included.
 bool is_csv_part(std::string_view word);
 
+/// Whether a unit is that of angles, in words of several languages: "deg", "°", "degrés"; "rad", "radianti". "Grad" may be gon.
+bool is_degrees(std::string_view unit);
+bool is_radians(std::string_view unit);
+
 /// A cell of the row of titles: "Frequency [Hz]", "4:+Y/1:+Y re (g/N)". Brackets that hold a part are of the title: "FRF
 /// (Magnitude)".
 struct CsvTitle {

@@ -10,7 +10,9 @@
 
 #include "base/error.hpp"
 #include "base/stop_scope.hpp"
+#include "frf/csv/csv_remarks.hpp"
 #include "frf/set/unit_label.hpp"
+#include "frf/set/units.hpp"
 #include "frf/text/complex_text.hpp"
 #include "frf/text/footer.hpp"
 #include "frf/text/label_text.hpp"
@@ -42,6 +44,7 @@ class CsvReader {
     require_clear_angles();
     require_clear_commas();
     read_csv_notes(notes_, table_.file, table_.units, given_.unit, table_.keys);
+    judge_remarks();
     table_.hz_per_unit = hz_per_unit();
     split_complex();
     return std::move(table_);
@@ -61,10 +64,15 @@ class CsvReader {
       read_header(comment ? text.substr(1) : line);
     } else if (comment && !begins_without_value(text)) {
       read_csv_key(text, table_.file, line_, given_.unit, table_.keys);
+      remarks_.push_back({line_, std::string(trimmed(text.substr(1)))});
     } else if (header_ && line_ < header_->line) {
       notes_.push_back(csv_note(text, line_, header_->separator));
+      remarks_.push_back({line_, std::string(text)});
+      above_ = line;
     } else if (table_.columns.empty()) {
       read_header(line);
+    } else if (table_.lines.empty() && table_.units_line == table_.header_line && is_parts(line)) {
+      read_parts(line);
     } else if (table_.lines.empty() && is_heading_of_units(line)) {
       return;
     } else if (table_.lines.empty() && table_.units_line == table_.header_line && is_units(line)) {
@@ -98,6 +106,42 @@ class CsvReader {
       table_.doubts.push_back("line " + std::to_string(footer.line) + " below the table states '" + shown_label(words) + "'");
   }
 
+  void judge_remarks() {
+    for (const CsvRemark& remark : remarks_) {
+      if (std::string told = factor_not_applied(remark); !told.empty()) table_.doubts.push_back(std::move(told));
+    }
+    const bool in_titles = std::ranges::any_of(table_.units, [](const std::string& unit) { return quantity_of_unit(unit).has_value(); });
+    if (!given_.unit && !in_titles && !table_.keys.contains("unit")) require_no_unit_in_remarks(remarks_, table_.file);
+  }
+
+  /// Parts alone in a second row of titles, under the names of FRFs: "", "Real", "Imaginary".
+  bool is_parts(std::string_view line) const {
+    const std::vector<std::string_view> cells = csv_cells(line, separator_);
+    return cells.size() > 2 && cells.size() >= table_.columns.size() && table_.places.front() == 0 && cells[0].empty() &&
+           std::all_of(cells.begin() + 1, cells.end(), [](std::string_view cell) { return is_csv_part(cell); });
+  }
+
+  /// Behind the names above them, each of which stands above its first part.
+  void read_parts(std::string_view line) {
+    const std::vector<std::string_view> cells = csv_cells(line, separator_);
+    std::string name;
+    for (std::size_t i = 1; i < cells.size(); ++i) {
+      if (i >= table_.columns.size()) table_.columns.emplace_back(), table_.units.emplace_back(), table_.places.push_back(i);
+      if (!table_.columns[i].empty()) name = table_.columns[i];
+      table_.columns[i] = (name.empty() ? "" : name + " ") + std::string(cells[i]);
+    }
+  }
+
+  /// Units alone in the row above the titles: "Hz", "g/N", "g/N".
+  void read_units_above() {
+    if (above_.empty() || csv_cells(above_, separator_).size() < table_.columns.size()) return;
+    const std::vector<std::string_view> cells = cells_of(above_);
+    const auto is_unit = [](std::string_view cell) { return cell.empty() || parse_unit(without_brackets(cell)).has_value(); };
+    const bool units = cells.size() == table_.columns.size() && std::ranges::all_of(cells, is_unit) && !cells[0].empty() &&
+                       parse_unit(without_brackets(cells[0]))->same_dimension({1.0, 0, -1, 0});
+    if (units && std::ranges::all_of(table_.units, [](const std::string& unit) { return unit.empty(); })) read_units(above_);
+  }
+
   /// "#DIV/0!", which is no comment, in the first cell of a row.
   bool begins_without_value(std::string_view text) const {
     return !table_.columns.empty() && text.front() == '#' && states_no_value(csv_cells(text, separator_).front());
@@ -118,10 +162,14 @@ class CsvReader {
       table_.places.push_back(i);
     }
     take_frequency_title(cells[index]);
+    read_units_above();
   }
 
   /// The table has no place for it beside the unit.
   void require_no_factor(std::string_view cell, std::size_t column) const {
+    if (states_conjugates(cell))
+      table_.fail(table_.header_line, column, "'" + shown_label(cell) + "' states conjugates of FRFs of exp(+iωt)",
+                  "export the FRFs for exp(+iωt)");
     if (!factor_in_title(cell)) return;
     table_.fail(table_.header_line, column, "'" + shown_label(cell) + "' states a factor, which is not applied",
                 "export the numbers themselves, or state it by the unit, e.g. [mm/(s^2*N)], and not in the title");
@@ -324,6 +372,8 @@ class CsvReader {
   const CsvGiven& given_;
   std::optional<CsvHeaderPlace> header_;
   std::vector<CsvNote> notes_;
+  std::vector<CsvRemark> remarks_;
+  std::string_view above_;  ///< the free line above the titles
   std::map<std::size_t, std::vector<double>> imaginary_;  ///< by column that holds complex numbers
   std::vector<CsvNote> footers_;
   std::string titles_text_, units_text_, first_words_;

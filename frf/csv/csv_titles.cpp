@@ -6,6 +6,8 @@
 #include "base/error.hpp"
 #include "frf/csv/csv_functions.hpp"
 #include "frf/set/unit_label.hpp"
+#include "frf/set/units.hpp"
+#include "frf/text/label_text.hpp"
 #include "frf/text/number_text.hpp"
 #include "frf/text/special_number.hpp"
 #include "frf/text/unit_names.hpp"
@@ -80,6 +82,17 @@ std::string without_stroke(std::string_view name) {
   if (name.ends_with('/')) name = trimmed(name.substr(0, name.size() - 1));
   if (name.ends_with(" in")) name = trimmed(name.substr(0, name.size() - 3));
   return std::string(name);
+}
+
+/// "частота [Hz]", "Abscissa (kHz)", "Pulsation [rad/s]": any name over a unit of frequencies, but that of a speed, a step or a width, or
+/// of what is computed from frequencies.
+bool is_frequency_by_unit(const std::string& name, const std::string& unit) {
+  constexpr std::array others = std::to_array<std::string_view>({"speed", "drehzahl", "rate", "step", "span", "width", "resolution", "delta",
+                                                                 "log", "ratio", "norm", "order", "time", "period", "shift", "natural"});
+  const std::string plain = lower_case(plain_label(unit));
+  const bool known = (plain.ends_with("hz") || plain.starts_with("rad/s")) && hertz_of_label(unit);
+  if (!known || name.empty() || name.find_first_of("0123456789*/^:+") != std::string::npos) return false;
+  return std::ranges::none_of(others, [&](std::string_view other) { return name.find(other) != std::string::npos; });
 }
 
 /// What parts the name of an axis and its unit.
@@ -197,6 +210,13 @@ std::vector<std::string_view> csv_cells(std::string_view line, char separator) {
 }
 
 CsvTitle csv_title(std::string_view cell) {
+  if (const std::size_t comma = cell.rfind(", "); comma != std::string_view::npos && comma > 0) {
+    const std::string_view unit = trimmed(cell.substr(comma + 2));  // "H1,2 Real, g/lbf" in quotes
+    if (quantity_of_unit(unit) || is_degrees(unit) || is_radians(unit)) {
+      CsvTitle title = csv_title(cell.substr(0, comma));
+      if (title.unit.empty()) return {std::move(title.title), as_ratio(std::string(unit))};
+    }
+  }
   if (const auto over = quantity_over_unit(cell)) return {joined_part(function_as_part(over->title, true)), as_ratio(over->unit)};
   CsvTitle title = bracketed_title(cell);
   if (const std::size_t last = title.title.rfind(' '); last < title.title.size() && says_complex(title.title.substr(last)))
@@ -210,11 +230,14 @@ std::optional<CsvTitle> frequency_title(std::string_view cell) {
   if (!title.unit.empty()) title.title = without_stroke(title.title);
   if (title.unit.empty()) split_unit(title);
   const std::string plain = lower_case(title.title);
-  const bool angular = plain == "omega" || plain == "ω", alone = plain == "hz";
+  constexpr std::array angular_names = std::to_array<std::string_view>(
+      {"omega", "ω", "angular frequency", "circular frequency", "kreisfrequenz", "pulsation", "pulsazione"});
+  const bool angular = std::ranges::find(angular_names, plain) != angular_names.end(), alone = plain == "hz" || plain == "hertz";
   if (title.unit.empty()) {
     if (angular) title.unit = "rad/s";
     if (alone) title.unit = title.title;
   }
+  if (is_frequency_by_unit(plain, title.unit)) return title;
   const bool symbol = (plain == "f" || plain == "ν") && !title.unit.empty();
   if (angular || alone || symbol || is_known_frequency(lower_case(title.title))) return title;
   return std::nullopt;

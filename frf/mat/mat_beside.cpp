@@ -1,6 +1,7 @@
 #include "frf/mat/mat_beside.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +40,28 @@ class Beside {
     for (const auto& [name, text] : file_.notes(frf_)) require_plain(name, name.substr(name.rfind('@') + 1), text);
   }
 
+  std::string numbers_not_applied(const FrfHeader& header, const std::string& axis) const {
+    constexpr std::size_t most = 4;
+    std::vector<std::string> found;
+    const std::vector<std::size_t> sizes = {1, header.response.size(), header.reference.size(), header.entries()};
+    for (const MatInfo& info : file_.variables()) {
+      const bool fits = info.kind == MatKind::real && is_near(info) && std::ranges::find(sizes, size(info)) != sizes.end();
+      if (!fits || info.name == axis || &info == &frf_ || info.dims == frf_.dims || is_read(own_name(info))) continue;
+      const std::vector<Complex> values = file_.read(info).values;
+      const bool positive = std::ranges::all_of(values, [](Complex value) { return value.real() > 0.0 && std::isfinite(value.real()); });
+      if (!positive || std::ranges::all_of(values, [](Complex value) { return value.real() == 1.0; })) continue;
+      if (values.size() > 1 && may_be_channel_factor(own_name(info)))
+        fail(info.name, fmt::format("holds {} numbers that are not applied to the FRFs, {:g} first", values.size(), values[0].real()),
+             remedy(own_name(info)));
+      found.push_back(fmt::format("{} {} {:g}", info.name, values.size() > 1 ? "begins with" : "is", values[0].real()));
+    }
+    if (found.empty()) return {};
+    const std::size_t more = found.size() > most ? found.size() - most : 0;
+    found.resize(found.size() - more);
+    return "numbers beside the FRFs are not applied to them: " + fmt::format("{}", fmt::join(found, ", ")) +
+           (more > 0 ? fmt::format(" and {} more", more) : "");
+  }
+
   void require_no_other_unit() const {
     for (const MatInfo& info : file_.variables()) {
       if (info.kind != MatKind::text || !info.name.starts_with(scope_)) continue;
@@ -61,6 +84,14 @@ class Beside {
                       .place = place_of(name),
                       .problem = std::move(problem),
                       .remedy = std::move(remedy)});
+  }
+
+  /// By other parts of the reader, or of something else by its name.
+  static bool is_read(const std::string& name) {
+    for (const char* part : {"spec_data_type", "unit_transformation", "x_values", "y_values"}) {
+      if (lower_case(name).find(part) != std::string::npos) return true;
+    }
+    return is_harmless_number(name);
   }
 
   /// In the struct of the FRFs, inside of it or around it.
@@ -117,7 +148,7 @@ class Beside {
   void require_no_unit_in_text() const {
     std::size_t count = 0;
     for (const MatInfo& info : file_.variables()) {
-      const bool label = info.kind == MatKind::text && info.name.starts_with(scope_) && size(info) <= longest_label_beside;
+      const bool label = info.kind == MatKind::text && info.name.starts_with(scope_) && size(info) <= longest_text_beside;
       if (!label || ++count > most_texts_beside) continue;
       for (const std::string& text : file_.read(info).texts) require_no_unit(info.name, text);
     }
@@ -129,6 +160,10 @@ class Beside {
       if (label.size() <= longest_label_beside && quantity_of_unit(label))
         fail(name, "states the unit '" + shown_label(label) + "' and is not read", rename);
     }
+    for (const std::string_view label : ratios_in(text)) {
+      const auto unit = quantity_of_unit(label) ? parse_unit(label) : std::nullopt;
+      if (unit && unit->si != 1.0) fail(name, "states the unit '" + shown_label(label) + "' and is not read", rename);
+    }
   }
 
   MatFile& file_;
@@ -139,6 +174,10 @@ class Beside {
 }  // namespace
 
 void require_nothing_unread(MatFile& file, const MatInfo& frf) { Beside(file, frf).require_nothing_unread(); }
+
+std::string numbers_not_applied(MatFile& file, const MatInfo& frf, const FrfHeader& header, const std::string& axis) {
+  return Beside(file, frf).numbers_not_applied(header, axis);
+}
 
 void require_no_other_unit(MatFile& file, const MatInfo& frf) { Beside(file, frf).require_no_other_unit(); }
 

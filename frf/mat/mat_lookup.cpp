@@ -55,7 +55,10 @@ char lower_letter(char c) { return static_cast<char>(std::tolower(static_cast<un
 /// Of "freq_khz", "w_rad", "rpm"; 1 where a name says no unit.
 double hz_of_name(std::string_view name) {
   const std::string plain = lower_case(name);
-  if (plain.find("rad") != std::string::npos) return from_rad_per_s;
+  for (const char* word : {"rad", "ang", "circ", "pulsat", "kreis"}) {
+    if (plain.find(word) != std::string::npos) return from_rad_per_s;
+  }
+  if (name.ends_with("mHz")) return 1e-3;
   if (plain.ends_with("khz")) return 1000.0;
   return plain.ends_with("rpm") || plain.ends_with("cpm") ? 1.0 / 60.0 : 1.0;
 }
@@ -250,6 +253,12 @@ std::vector<double> MatLookup::axis(const std::string& variable, const std::stri
     std::vector<double> stepped = stepped_axis(unit);
     if (stepped.empty()) fail_axis(frf);
     return stepped;
+  }
+  for (const char* word : {"log", "norm", "ratio", "rel"}) {
+    const bool other = lower_case(std::string_view(info->name).substr(scope_of(*info).size())).find(word) != std::string::npos;
+    if (other && unit.empty())
+      fail(place_of(info->name), "holds no frequencies by its name",
+           "store frequencies; if it does, state their unit: --frequency-unit Hz, in a scene frequency_unit");
   }
   std::vector<double> values = numbers(*info);
   const double hz = unit.empty() ? hz_per_unit(*info) : hertz_per(unit).value_or(1.0);

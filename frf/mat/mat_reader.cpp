@@ -48,6 +48,7 @@ class Reader {
     }
     validate(header);
     require_nothing_unread(file_, *frf_.values);
+    doubt_numbers_and_axes();
     set_.values = ordered(*frf_.values);
     if (frf_.imaginary != nullptr) add_imaginary(ordered(*frf_.imaginary));
     read_noise();
@@ -169,7 +170,7 @@ class Reader {
                    "is [" + shown + "] where " + std::to_string(header.lines()) + " lines, " +
                        std::to_string(header.response.size()) + " responses and " + std::to_string(header.reference.size()) +
                        " references are expected" + (against ? ", with axes " + *stated : ""),
-                   "shape it [F,R,C], [R,C,F] or [F,R*C], or give other DOFs");
+                   "shape it [F,R,C], [R,C,F] or [F,R*C], add a text such as axes = 'FCR', or give other DOFs");
     }
     const bool columns_open = header.response.size() > 1 && header.reference.size() > 1 && dims(info).size() < 3;
     if (columns_open && file_.last_index_fastest()) {
@@ -195,6 +196,16 @@ class Reader {
       }
     }
     return out;
+  }
+
+  void doubt_numbers_and_axes() {
+    FrfHeader& header = set_.header;
+    const std::string numbers = numbers_not_applied(file_, *frf_.values, header, options_.frequency_variable);
+    if (!numbers.empty()) header.doubts.push_back(numbers);
+    const bool square = header.response.size() == header.reference.size() && header.response.size() > 1;
+    if (square && header.response != header.reference && dims(*frf_.values).size() > 2 && !stated_order())
+      header.doubts.push_back(frf_.name + " does not state whether responses or references come first: responses are taken; a text axes = '" +
+                              order_of(*frf_.values) + "' states it");
   }
 
   void add_imaginary(const std::vector<Complex>& imaginary) {

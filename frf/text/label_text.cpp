@@ -28,7 +28,7 @@ constexpr std::array signs = std::to_array<std::pair<std::string_view, std::stri
     {"\uFEFF", ""}, {"[", "("},  {"{", "("},  {"]", ")"},  {"}", ")"},      {"\t", " "},
 });
 
-/// Bytes of DOS code pages whose letters in Latin-1 are in no unit: ² ³ µ ° ·.
+/// Bytes of DOS code pages as the letters of Latin-1 that are in no unit: ² ³ µ ° ·.
 constexpr std::array dos_signs = std::to_array<std::pair<std::string_view, std::string_view>>(
     {{"ý", "^2"}, {"ü", "^3"}, {"æ", "u"}, {"ø", "deg"}, {"ú", "*"}});
 
@@ -40,10 +40,10 @@ constexpr std::array pieces = std::to_array<std::pair<std::string_view, std::str
      {"kg-f", "kgf"},     {"kg(f)", "kgf"},   {"kg (f)", "kgf"},    {"kg_f", "kgf"},      {"kg f", "kgf"},    {"milli-", "milli"},
      {"micro-", "micro"}, {"ms^-2", "m*s^-2"}, {"ms-2", "m*s^-2"},  {"ms^-1", "m*s^-1"},  {"ms-1", "m*s^-1"}, {"g0", "gn"}});
 
-std::string_view sign_of(std::string_view sequence, bool dos) {
+std::string_view sign_of(std::string_view sequence) {
   const auto is_it = [&](const auto& sign) { return sign.first == sequence; };
   if (const auto found = std::ranges::find_if(signs, is_it); found != signs.end()) return found->second;
-  const auto found = dos ? std::ranges::find_if(dos_signs, is_it) : dos_signs.end();
+  const auto found = std::ranges::find_if(dos_signs, is_it);
   return found != dos_signs.end() ? found->second : sequence;
 }
 
@@ -101,6 +101,20 @@ std::vector<std::string_view> labels_in(std::string_view text) {
   return labels;
 }
 
+std::vector<std::string_view> ratios_in(std::string_view text) {
+  constexpr std::string_view blanks = " \t", around = ".,;:!?\"'";
+  std::vector<std::string_view> ratios;
+  for (std::size_t begin = text.find_first_not_of(blanks); begin != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
+    std::string_view word = text.substr(begin, end - begin);
+    while (!word.empty() && around.find(word.back()) != std::string_view::npos) word.remove_suffix(1);
+    while (!word.empty() && around.find(word.front()) != std::string_view::npos) word.remove_prefix(1);
+    if (word.find('/') != std::string_view::npos) ratios.push_back(without_brackets(word));
+    begin = text.find_first_not_of(blanks, end);
+  }
+  return ratios;
+}
+
 std::string utf8_label(std::string_view label) {
   if (is_utf8(label)) return std::string(label);
   std::string text;
@@ -114,15 +128,14 @@ std::string utf8_label(std::string_view label) {
 
 std::string plain_label(std::string_view label) {
   const std::string_view bare = without_padding(label);
-  const bool one_byte = !is_utf8(bare);
   const std::string text = utf8_label(bare);
   std::string plain;
   for (std::string_view rest = text; !rest.empty();) {
     const std::string_view sequence = rest.substr(0, std::max<std::size_t>(1, utf8_length(rest)));
     rest.remove_prefix(sequence.size());
     const bool converted_twice = sequence == "Â" && !rest.empty() &&
-                                 sign_of(rest.substr(0, utf8_length(rest)), false) != rest.substr(0, utf8_length(rest));
-    if (!converted_twice) plain += sign_of(sequence, one_byte);
+                                 sign_of(rest.substr(0, utf8_length(rest))) != rest.substr(0, utf8_length(rest));
+    if (!converted_twice) plain += sign_of(sequence);
   }
   replace_pieces(plain);
   return plain;

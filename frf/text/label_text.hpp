@@ -21,6 +21,9 @@ std::string_view without_brackets(std::string_view label);
 /// "g/N" of "Accelerance [g/N]" and "y = g/N".
 std::vector<std::string_view> labels_in(std::string_view text);
 
+/// Words of a sentence that hold a stroke, "g/N" of "FRF in g/N (test 3)", without the signs around them.
+std::vector<std::string_view> ratios_in(std::string_view text);
+
 /// The label in UTF-8: what is no valid UTF-8 is taken for Latin-1.
 std::string utf8_label(std::string_view label);
 

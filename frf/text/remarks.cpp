@@ -21,7 +21,7 @@ bool is_upper_letter(char c) { return std::isupper(static_cast<unsigned char>(c)
 NameWords words_of_name(std::string_view name) {
   NameWords words(1);
   for (std::size_t i = 0; i < name.size(); ++i) {
-    const bool letter = std::isalpha(static_cast<unsigned char>(name[i])) != 0;
+    const bool letter = std::isalpha(static_cast<unsigned char>(name[i])) != 0 || static_cast<unsigned char>(name[i]) >= 0x80;
     const bool begins = letter && is_upper_letter(name[i]) && i > 0 && is_lower_letter(name[i - 1]);
     if ((begins || !letter) && !words.back().empty()) words.emplace_back();
     if (letter) words.back() += lower_case(name.substr(i, 1));
@@ -43,20 +43,55 @@ bool has_part_of(const NameWords& words, const std::array<std::string_view, Size
   });
 }
 
-constexpr std::array<std::string_view, 9> parts_of_factors = {"scale",    "scaling", "calib",   "sensitiv", "multipl",
-                                                              "amplific", "attenua", "convers", "normali"};
-constexpr std::array<std::string_view, 8> words_of_factors = {"gain", "gains", "cal", "sens", "factor", "factors", "lsb", "sign"};
+constexpr std::array<std::string_view, 18> parts_of_factors = {
+    "scale",  "scaling", "calib",     "sensitiv",    "multipl", "amplific", "attenua", "convers",     "normali",
+    "skalier", "faktor", "kalibrier", "empfindlich", "facteur", "verst\u00E4rk", "verstaerk", "preamp", "correction"};
+constexpr std::array<std::string_view, 18> words_of_factors = {"gain", "gains", "cal", "sens", "factor",  "factors", "lsb",  "sign", "ecf",
+                                                               "acf",  "mult",  "fac", "fact", "divisor", "divide",  "conv", "sf",   "eu"};
 /// Of what else there are scales and factors.
 constexpr std::array<std::string_view, 28> of_others = {
     "loss", "damping", "quality", "crest", "safety", "fill",  "form",    "plot",     "axis",  "time",  "x",     "freq", "frequency",
     "window", "overlap", "shape", "mode", "modal", "color", "colour", "display", "colormap", "modes", "noise", "power",
     "load", "full", "auto"};
 
+/// Of channels, one each or one of all.
+constexpr std::array<std::string_view, 15> words_of_channel_factors = {"amp",  "amps", "ampl",  "amplitude", "amplitudes", "weight", "weights", "coeff",
+                                                                       "coef", "norm", "norms", "ref",       "slope",      "corr",   "sensor"};
+/// Of sampling, lines, models, places and conditions of a test.
+constexpr std::array harmless_words = std::to_array<std::string_view>(
+    {"fs", "rate", "sampling", "sample", "df", "dt", "delta", "nfft", "fft", "n", "nf", "nr", "nc", "ni", "no", "nres", "nref", "count",
+     "number", "num", "nb", "len", "length", "size", "block", "blocksize", "lines", "line", "average", "avg", "navg", "naverage", "f", "fmin",
+     "fmax", "fc", "fn", "wn", "freq", "frequency", "frequencies", "omega", "w", "t", "time", "zeta", "eta", "xi", "damping", "loss", "mode",
+     "modal", "pole", "mass", "masses", "m", "stiffness", "inertia", "temp", "temperature", "date", "year", "month", "day", "hour", "minute",
+     "version", "id", "run", "test", "index", "idx", "torque", "preload", "overlap", "window", "tau", "x", "y", "z", "pos", "position",
+     "coord", "coordinate", "xyz", "node", "dof", "channel", "point", "distance", "radius", "height", "width", "thickness", "area", "volume",
+     "rho", "density", "e", "young", "poisson", "nu", "seed", "order", "bandwidth", "resolution", "snr", "noise", "sigma", "std", "variance",
+     "humidity", "pressure", "dir", "direction", "type", "spec", "case", "step", "start", "end", "stop", "hammer", "tip", "bit", "bits",
+     "valid", "flag", "mask", "status", "serial", "timestamp", "duration", "trigger", "delay", "coherence", "coh"});
+
 /// In lower case without what formulas may have more of, "e-iwt" of "e^{-iwt}".
 std::string without_signs(std::string_view text, std::string_view signs) {
   std::string plain = lower_case(text);
   std::erase_if(plain, [&](char c) { return signs.find(c) != std::string_view::npos; });
   return plain;
+}
+
+/// "m_per_in", "volt_to_g": a unit into another.
+bool is_conversion(const NameWords& words) {
+  constexpr std::array<std::string_view, 10> units = {"m", "mm", "in", "inch", "n", "lbf", "g", "v", "volt", "volts"};
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    if (words[i - 1] != "to" && words[i - 1] != "per") continue;
+    if (std::ranges::find(units, words[i]) != units.end()) return true;
+  }
+  return false;
+}
+
+/// "eufactor", "kfactor", but no "lossfactor".
+bool ends_in_factor(const NameWords& words) {
+  return std::ranges::any_of(words, [](const std::string& word) {
+    if (!word.ends_with("factor") && !word.ends_with("factors")) return false;
+    return std::ranges::none_of(of_others, [&](std::string_view other) { return other.size() > 3 && word.starts_with(other); });
+  });
 }
 
 /// What stands behind a sign of multiplication at the beginning of a word, "1000" of "x1000"; empty where there is none.
@@ -82,14 +117,26 @@ std::optional<double> power_of_ten(std::string_view word) {
 NumberUse use_of_number(std::string_view name) {
   const NameWords words = words_of_name(name);
   constexpr std::array<std::string_view, 2> added = {"offset", "bias"};
-  if (has_one_word(words, of_others)) return NumberUse::none;
+  if (has_one_word(words, of_others) && !has_one_word(words, std::array<std::string_view, 1>{"correction"})) return NumberUse::none;
   if (has_one_word(words, added)) return NumberUse::is_added;
   const bool to_si = words == NameWords{"to", "si"} || words == NameWords{"tosi"};
   constexpr std::array<std::string_view, 7> electrical = {"v", "mv", "volt", "volts", "eu", "pc", "counts"};
   const bool sensitivity = std::ranges::find(words, "per") != words.end() && has_one_word(words, electrical);
-  const bool factor = to_si || sensitivity || has_part_of(words, parts_of_factors) || has_one_word(words, words_of_factors);
+  const bool factor = to_si || sensitivity || is_conversion(words) || has_part_of(words, parts_of_factors) ||
+                      has_one_word(words, words_of_factors) || ends_in_factor(words);
   return factor ? NumberUse::multiplies : NumberUse::none;
 }
+
+bool is_harmless_number(std::string_view name) {
+  NameWords words = words_of_name(name);
+  if (has_one_word(words, of_others)) return true;
+  for (std::string& word : words) {
+    if (word.size() > 3 && word.ends_with('s')) word.pop_back();
+  }
+  return std::ranges::any_of(words, [](const std::string& word) { return std::ranges::find(harmless_words, word) != harmless_words.end(); });
+}
+
+bool may_be_channel_factor(std::string_view name) { return has_one_word(words_of_name(name), words_of_channel_factors); }
 
 bool is_of_something_else(std::string_view name) {
   constexpr std::array<std::string_view, 12> parts = {"conj",     "impedance", "stiff", "inverse", "transmissib", "transpos",
@@ -111,9 +158,15 @@ bool is_of_something_else(std::string_view name) {
 
 std::optional<double> factor_in_title(std::string_view title) {
   constexpr std::string_view between = " \t()[]";
+  bool times = false;
   for (std::size_t begin = title.find_first_not_of(between); begin != std::string_view::npos;) {
     const std::size_t end = std::min(title.find_first_of(between, begin), title.size());
-    if (const auto factor = power_of_ten(lower_case(title.substr(begin, end - begin)))) return factor;
+    const std::string word = lower_case(title.substr(begin, end - begin));
+    if (const auto factor = power_of_ten(times ? "x" + word : word)) return factor;
+    for (const auto& [name, factor] : {std::pair{"milli", 1e-3}, {"micro", 1e-6}, {"kilo", 1e3}, {"thousandths", 1e-3}}) {
+      if (word == name) return factor;
+    }
+    times = word == "x" || word == "*" || word == "×";
     begin = title.find_first_not_of(between, end);
   }
   return std::nullopt;

@@ -11,6 +11,12 @@ namespace jointid::frf {
 enum class NumberUse { none, multiplies, is_added };
 NumberUse use_of_number(std::string_view name);
 
+/// Whether a number with this name is known to be no factor of FRFs: "fs", "nfft", "zeta", "sensor_mass", "temperature", "nodes".
+bool is_harmless_number(std::string_view name);
+
+/// Whether a number with this name, one of each channel, is likely a factor of them: "amp", "weights", "coeff".
+bool may_be_channel_factor(std::string_view name);
+
 /// The factor that a remark states: "multiply by 1e-3", "values x 1000", "(x1000)"; nothing of any other text.
 std::optional<double> stated_factor(std::string_view text);
 

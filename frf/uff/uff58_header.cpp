@@ -94,6 +94,19 @@ class RecordLine {
     return RecordLine(raw_, 0, place_, parted_by_bytes).text(begin, width);
   }
 
+  /// The unit of an axis, in columns 48 to 67; the whole word where a program put it a few columns to the left or to the right.
+  std::string unit() const {
+    constexpr std::size_t name = 26, begin = 47, end = 67;
+    if (has_wide_characters(raw_)) return text_behind_name(begin, end - begin);
+    std::size_t from = begin, to = end;
+    while (from > name && from <= line_.size() && !is_blank(line_[from - 1])) --from;
+    const bool apart = from > name && parse_unit(column(line_, from, end - from));
+    if (!apart) from = begin;
+    if (to < line_.size() && !is_blank(line_[to - 1]))
+      while (to < line_.size() && !is_blank(line_[to])) ++to;
+    return text(from, to - from);
+  }
+
   [[noreturn]] void fail(const char* what, std::string_view field, std::size_t begin,
                          std::size_t width) const {
     place_.fail(record_,
@@ -103,6 +116,8 @@ class RecordLine {
   }
 
  private:
+  static bool is_blank(char c) { return static_cast<unsigned char>(c) <= ' '; }
+
   std::string raw_;
   std::string line_;
   bool by_bytes_;
@@ -173,7 +188,7 @@ AxisRecord parse_axis(const std::string& line, int number, const Place& place) {
   const RecordLine record(line, number, place);
   AxisRecord axis;
   axis.data_type = record.code(0, 10, "specific data type", 0, 999);
-  axis.unit = record.text_behind_name(47, 20);
+  axis.unit = record.unit();
   if (axis.unit.empty()) axis.unit = unit_in_name(record.text(26, 20), axis.data_type);
   return axis;
 }

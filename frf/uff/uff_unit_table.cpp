@@ -49,8 +49,9 @@ UnitFactors parse_factors(ByteFile& file, const Dataset& dataset) {
     if (trim(next).empty()) continue;
     (++lines == 1 ? codes : line) = next;
   }
-  const auto length = parse_real(column(line, 0, 25));
-  const auto force = parse_real(column(line, 25, 25));
+  auto length = parse_real(column(line, 0, 25)), force = parse_real(column(line, 25, 25));
+  if (const auto numbers = words(line); (!length || !force) && numbers.size() > 1)
+    length = parse_real(numbers[0]), force = parse_real(numbers[1]);
   if (!length || !force || !(*length > 0.0) || !(*force > 0.0) || std::isinf(*length) || std::isinf(*force)) {
     dataset.place.fail("record 2", "'" + line + "' does not begin with two positive unit factors",
                        "correct the factors of length and force");

@@ -1,6 +1,8 @@
 // What stands beside FRFs in files of named arrays and would be left out: factors, conjugates, orders of axes, labels of plots.
 #include <gmock/gmock.h>
 
+#include <numbers>
+
 #include "frf/file/file_format.hpp"
 #include "frf/mat/mat_axes.hpp"
 #include "frf/text/remarks.hpp"
@@ -10,7 +12,9 @@ namespace jointid::frf {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 /// Files as GNU Octave's `save -text` writes them.
 class NumbersBeside : public FileTest {
@@ -40,7 +44,8 @@ class NumbersBeside : public FileTest {
 
 TEST_F(NumbersBeside, AFactorThatNobodyAppliesIsAnError) {
   for (const char* name : {"scale", "ScaleFactor", "gain", "calibration", "sensitivity", "sens_acc", "y_scale", "to_si", "frf_gain",
-                           "volts_per_eu", "mV_per_g"}) {
+                           "volts_per_eu", "mV_per_g", "ecf", "EUFactor", "unitfactor", "m_per_in", "volt_to_g", "amplitude_correction",
+                           "window_correction", "fac", "mult", "divisor", "preamp", "Korrekturfaktor"}) {
     EXPECT_THAT(error(named(name, 0.5)),
                 AllOf(HasSubstr(std::string("variable ") + name), HasSubstr("is 0.5 and is not applied to the FRFs"),
                       HasSubstr("store the FRFs multiplied by it and remove")))
@@ -58,6 +63,65 @@ TEST_F(NumbersBeside, AFactorOfOneAndNumbersOfOtherThingsAreRead) {
   for (const char* name : {"loss_factor", "dampingFactor", "time_scale", "fs", "mass", "averages", "plot_scale", "example"})
     EXPECT_EQ(read(named(name, 0.5)).values, right) << name;
   EXPECT_EQ(read(named("note", std::string("impact times 12"))).values, right);
+}
+
+/// Names that may be of a factor or of anything else.
+TEST_F(NumbersBeside, OtherPositiveNumbersAreNoted) {
+  for (const char* name : {"amp", "weight", "norm", "slope", "dB_ref", "coeff", "S", "vref", "alpha"})
+    EXPECT_THAT(read(named(name, 2.5)).header.doubts,
+                ElementsAre("numbers beside the FRFs are not applied to them: " + std::string(name) + " is 2.5"));
+  for (const char* name : {"fs", "nfft", "zeta", "masses", "sensor_mass", "temperature", "SampleRate", "preload", "loss_factor", "overlap", "nodes"})
+    EXPECT_THAT(read(named(name, 2.5)).header.doubts, IsEmpty()) << name;
+  EXPECT_THAT(read(named("amp", 1.0) + named("level", -3.0)).header.doubts, IsEmpty());
+}
+
+TEST_F(NumbersBeside, OneOfEachChannelIsLikelyAFactor) {
+  const auto two = [](const std::string& name) {
+    return "# name: f\n# type: range\n# base, limit, increment\n10 30 10\n\n\n# name: frf\n# type: complex matrix\n# rows: 3\n# columns: 2\n"
+           " (2,-1) (1,1)\n (3,4) (1,1)\n (5,4) (1,1)\n\n\n# name: " + name + "\n# type: matrix\n# rows: 1\n# columns: 2\n 2.5 3.5\n\n\n";
+  };
+  OpenOptions given = options();
+  given.response = dofs({"1:+Z", "2:+Z"});
+  for (const char* name : {"amp", "weights", "coeff", "norm"})
+    EXPECT_THAT(message_of([&] { open(write_file("a.txt", two(name)), given); }),
+                AllOf(HasSubstr(std::string("variable ") + name + ": holds 2 numbers that are not applied"), HasSubstr("remove or rename")));
+  EXPECT_THAT(load(*open(write_file("a.txt", two("v")), given)).header.doubts, ElementsAre(HasSubstr("v begins with 2.5")));
+  EXPECT_THAT(load(*open(write_file("a.txt", two("channels")), given)).header.doubts, IsEmpty());
+}
+
+TEST_F(NumbersBeside, UnitsInSentencesAreNamed) {
+  for (const char* text : {"FRF in g/N, run 3", "accelerance (mm/s^2/N) of the beam"})
+    EXPECT_THAT(error(named("description", std::string(text))), AllOf(HasSubstr("states the unit"), HasSubstr("did you mean unit?"))) << text;
+  for (const char* text : {"run 1/2 in m/N", "n/a", "and/or"}) EXPECT_EQ(read(named("description", std::string(text))).values.size(), 2U) << text;
+}
+
+TEST_F(NumbersBeside, NamesOfFrequenciesSayTheirUnit) {
+  const auto hz = [&](const std::string& name) {
+    OpenOptions given = options();
+    given.frequency_variable = name;
+    const std::string text = file("");
+    return load(*open(write_file("a.txt", "# name: " + name + text.substr(9)), given)).header.frequency_hz[0];
+  };
+  EXPECT_DOUBLE_EQ(hz("angular_frequency"), 10.0 / (2.0 * std::numbers::pi));
+  EXPECT_DOUBLE_EQ(hz("circ_freq"), 10.0 / (2.0 * std::numbers::pi));
+  EXPECT_DOUBLE_EQ(hz("freq_mHz"), 0.01);
+  EXPECT_DOUBLE_EQ(hz("band"), 10.0);
+  for (const char* name : {"log_freq", "freq_ratio", "freq_norm"})
+    EXPECT_THAT(message_of([&] { hz(name); }), AllOf(HasSubstr("holds no frequencies by its name"), HasSubstr("--frequency-unit Hz")));
+}
+
+/// Where responses and references are as many and not the same, a transposed array looks the same.
+TEST_F(NumbersBeside, SquareArraysWithoutAxesAreNoted) {
+  std::string three = "# name: f\n# type: matrix\n# rows: 1\n# columns: 3\n 10 20 30\n\n\n# name: frf\n# type: complex matrix\n# ndims: 3\n 3 2 2\n";
+  for (int k = 0; k < 12; ++k) three += " (" + std::to_string(k) + ",1)\n";
+  three += "\n\n";
+  OpenOptions given = options();
+  given.response = dofs({"1:+Z", "2:+Z"}), given.reference = dofs({"1:+Z", "3:+Z"});
+  const auto doubts = [&](const std::string& axes) { return load(*open(write_file("a.txt", three + axes), given)).header.doubts; };
+  EXPECT_THAT(doubts(""), ElementsAre(AllOf(HasSubstr("responses or references come first"), HasSubstr("axes = 'FRC'"))));
+  EXPECT_THAT(doubts(named("axes", std::string("FRC"))), IsEmpty());
+  given.reference = given.response;
+  EXPECT_THAT(doubts(""), IsEmpty());
 }
 
 TEST_F(NumbersBeside, ConjugatesAreNamed) {

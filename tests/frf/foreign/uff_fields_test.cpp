@@ -1,0 +1,39 @@
+// Units of axes beside their columns, factors of dataset 164 that are parted by blanks.
+#include <gmock/gmock.h>
+
+#include "frf/set/frf_source.hpp"
+#include "tests/frf/uff_samples.hpp"
+
+namespace jointid::frf {
+namespace {
+
+using namespace samples;
+
+/// The first value of a record whose record 10 is `line`, over that of one in newtons.
+double over_newton(const std::string& line) {
+  std::string record = simple_record().str();
+  std::size_t begin = record.find("\n        13 ") + 1;
+  record.replace(begin, record.find('\n', begin) - begin, line);
+  const TemporaryUff file(record), newton(simple_record().str());
+  return load(*open(file.path())).values[0].real() / load(*open(newton.path())).values[0].real();
+}
+
+TEST(UffFields, UnitsAFewColumnsToTheLeftOrRight) {
+  const std::string types = "        13    0    0    0", name = " NONE";
+  EXPECT_DOUBLE_EQ(over_newton(types + name + std::string(17, ' ') + "kN"), 1e-3);
+  EXPECT_DOUBLE_EQ(over_newton(types + name + std::string(16, ' ') + "kN"), 1e-3);
+  EXPECT_DOUBLE_EQ(over_newton(types + name + std::string(15, ' ') + "daN"), 0.1);
+  EXPECT_DOUBLE_EQ(over_newton(types + name + std::string(14, ' ') + "daN"), 0.1);
+  EXPECT_NEAR(over_newton(types + name + std::string(35, ' ') + "lbf"), 1.0 / 4.4482216152605, 1e-12);
+  EXPECT_DOUBLE_EQ(over_newton(types + " Load cell no. 12345 kN"), 1e-3);
+  EXPECT_DOUBLE_EQ(over_newton(types + " Load cell no. 123456kN"), 1e-3);  // a name of 21 letters
+}
+
+TEST(UffFields, FactorsPartedByBlanks) {
+  const std::string units = "    -1\n   164\n         9mm                           2\n  1.0D+03  1.0D+00  1.0D+00  2.7315D+02\n    -1\n";
+  const TemporaryUff file(units + simple_record().str()), metres(simple_record().str());
+  EXPECT_DOUBLE_EQ(load(*open(file.path())).values[0].real(), 1e-3 * load(*open(metres.path())).values[0].real());
+}
+
+}  // namespace
+}  // namespace jointid::frf
