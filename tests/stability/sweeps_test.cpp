@@ -142,7 +142,7 @@ TEST(Stability, SparseWaysKeepWhatTheDenseOneKeeps) {
       const ExtremeProblem problem = make(ManyJointsScene{.frame = frame, .spread = spread});
       const Measured dense = measure(problem, Solver::qr, std::nullopt);
       EXPECT_NE(dense.verdict, Honesty::silent_wrong) << spread;
-      if (spread == 1.0) EXPECT_GE(dense.digits_true, 8.0) << frame;
+      EXPECT_TRUE(spread > 1.0 || dense.digits_true >= 8.0) << frame << ", " << dense.digits_true;
       for (const Solver solver : {Solver::cholmod, Solver::ldlt, Solver::spqr}) {
         if (solver != Solver::ldlt && !minimise::has_spqr()) continue;
         const Measured sparse = measure(problem, solver, std::nullopt);

@@ -10,7 +10,7 @@
 #include "frf/noise/noise.hpp"
 #include "ident/check/agreement.hpp"
 #include "ident/check/check.hpp"
-#include "ident/check/group_trials.hpp"
+#include "ident/check/trial/group_trials.hpp"
 #include "ident/check/inquiry.hpp"
 #include "ident/check/test/reference_groups.hpp"
 #include "ident/check/repeated_numbers.hpp"
