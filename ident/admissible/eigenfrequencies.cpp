@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "base/complex.hpp"
 #include "base/eigen.hpp"
+#include "base/error.hpp"
 #include "dense/eigen.hpp"
 #include "dense/lu.hpp"
 #include "ident/admissible/passive_band.hpp"
@@ -122,6 +124,19 @@ Eigenfrequencies::Eigenfrequencies(const Plan& plan) {
     modes_.push_back({hz, part_stiffness(plan, hz), joint_at(plan.restriction, *plan.columns, plan.omega0, angular(hz))});
 }
 
+namespace {
+
+/// Empty where conditions contradict each other: two frequencies that a joint on the way has the same motion at.
+std::optional<TiedUnknowns> eliminated(std::vector<Tie> ties, Index unknowns) {
+  try {
+    return eliminate(std::move(ties), unknowns);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
 /// Of the motion nearest to an eigenvector.
 FrequencyCondition Eigenfrequencies::condition(const Mode& mode, const VectorXd& theta) {
   const MatrixXd z = mode.joint.at({theta.data(), static_cast<std::size_t>(theta.size())}).real();
@@ -164,10 +179,16 @@ AdmissibleFit Eigenfrequencies::nearest(const AdmissibleSet* set, const VectorXd
     std::vector<Tie> ties;
     for (const FrequencyCondition& each : conditions_at(out.theta))
       ties.push_back({directions.transpose() * each.coefficients, each.value - each.coefficients.dot(offset)});
-    const TiedUnknowns left = eliminate(std::move(ties), directions.cols());
+    const std::optional<TiedUnknowns> left = eliminated(std::move(ties), directions.cols());
+    if (!left) {
+      within = base;
+      out = nearest_admissible(base, theta, root, unit);
+      out.converged = false;
+      return out;
+    }
     within = base;
-    within.offset = offset + directions * left.offset;
-    within.directions = directions * left.directions;
+    within.offset = offset + directions * left->offset;
+    within.directions = directions * left->directions;
     for (const Mode& mode : modes_) within.ties.push_back(plain_number(mode.frequency_hz) + " Hz is an eigenfrequency");
     const VectorXd before = out.theta;
     out = nearest_admissible(within, theta, root, unit);

@@ -106,7 +106,8 @@ void add_first_values(const ident::Solution& solution, ReportPage& page) {
   if (is_shown_by_joint(solution)) {
     page.section("Identified joints");
     page.add(joints_table(solution), joints_head(solution));
-    page.add(Text{"Of each joint the largest values, and the unknown with the largest error over its value; --json and --csv write all.", true});
+    page.add(Text{"Of each joint the largest values, and the unknown with the largest error over its value; --json and --csv write all.",
+                  true});
     return;
   }
   page.section("Identified values");

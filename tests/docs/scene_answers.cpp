@@ -8,8 +8,8 @@
 #include "cli/commands.hpp"
 #include "cli/text/failure.hpp"
 
-// scene_answers: what the commands answer to scenes, for docs/site/scene_keys.py. It asks more than a thousand questions, and to start the
-// command for each of them took 0.1 s of processor time. A line of the input is
+// scene_answers: what the commands answer to scenes, for docs/site/scene_keys.py. It asks more than a thousand questions; to start the
+// command for each of them took 100 s of processor time. A line of the input is
 // {"arguments": ["plan", "s.toml"], "files": {"s.toml": "…"}}. The files are written into the working directory. Each question is
 // answered by one line, a JSON string: the error, "" where there is none.
 

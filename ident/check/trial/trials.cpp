@@ -11,7 +11,8 @@ namespace jointid::ident {
 namespace {
 
 /// Whether some test leaves more than signs and labels may be to blame for; of files with covariances more than these explain.
-bool is_large(const std::vector<CheckedFile>& files, const std::vector<SpanSetup>& setups, const Screening& screening, const Misfit& misfit) {
+bool is_large(const std::vector<CheckedFile>& files, const std::vector<SpanSetup>& setups, const Screening& screening,
+              const Misfit& misfit) {
   constexpr double beyond = 1.5;  // of the noise
   const auto noise = [&](std::size_t f) { return files[f].errors ? screening.noise[f] : 0.0; };
   for (std::size_t s = 0; s < setups.size(); ++s) {

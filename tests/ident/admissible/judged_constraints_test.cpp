@@ -48,9 +48,16 @@ bool is_contradicted(const Solution& found) { return found.message.find(contradi
 TEST(JudgedConstraints, AnEigenfrequencyThatTheAssemblyDoesNotHaveIsDoubtful) {
   Constrained a1("A1", Method::one, 0.05);
   a1.scene.identify.frequencies_hz = {500.0};
-  const Solution found = a1.solved(1);
-  EXPECT_NE(found.status, Status::ok);
-  EXPECT_THAT(found.message, HasSubstr(contradiction));
+  std::size_t told = 0;
+  Solution found;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Solution each = a1.solved(seed);
+    EXPECT_NE(each.status, Status::ok) << seed;
+    if (!is_contradicted(each)) continue;
+    ++told;
+    found = std::move(each);
+  }
+  ASSERT_GE(told, 3u);  // the others did not converge
   EXPECT_THAT(found.message, HasSubstr("\"500 Hz is an eigenfrequency\""));
   EXPECT_THAT(found.message, HasSubstr("[identify] frequencies"));
   EXPECT_THAT(found.message, HasSubstr("the noise that files and scene state"));

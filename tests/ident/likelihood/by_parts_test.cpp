@@ -8,6 +8,7 @@
 #include "base/complex.hpp"
 #include "base/eigen.hpp"
 #include "ident/identify.hpp"
+#include "ident/likelihood/parts/likelihood_by_parts.hpp"
 #include "ident/likelihood/parts/parts_covariance.hpp"
 #include "ident/plan/coordinates.hpp"
 #include "problems/case/in_memory.hpp"
@@ -224,14 +225,30 @@ TEST(ByParts, LooseJointsAreNamedFirst) {
   }
 }
 
-/// Where the scene names no solver: from 150 unknowns on, and before where the whole likelihood would take more than a minute.
+/// Where the scene names no solver: from 150 unknowns on.
 TEST(ByParts, AreChosenForManyJoints) {
-  for (const std::size_t joints : {std::size_t{3}, std::size_t{24}, std::size_t{25}}) {
-    const Problem problem = problems::many_joints_problem(problems::chain_of_beams({.joints = joints}), {"chain", ""}, false);
+  for (const std::size_t joints : {std::size_t{24}, std::size_t{25}}) {
+    const Problem problem = chain(joints);
     Scene scene = problems::scene(problem);
     scene.identify.method = Method::likelihood;
     const auto plan = problems::plan(scene, {problem.substructures, problem.assembly});
-    EXPECT_EQ(name(plan->solver), joints == 3 ? "gauss-helmert" : "by-parts") << joints;
+    EXPECT_EQ(name(plan->solver), joints == 25 ? "by-parts" : "gauss-helmert");
+  }
+}
+
+/// With fewer unknowns where the whole likelihood would take too long, of more than eight substructures.
+TEST(ByParts, AreChosenInPlaceOfAnHour) {
+  Cost quick, slow;
+  quick.lines = slow.lines = 16;
+  quick.iteration = {.expected = 8, .flops = 1e6, .matrix = 100};
+  slow.iteration = {.expected = 8, .flops = 1e13, .matrix = 1000};
+  for (const std::size_t joints : {std::size_t{4}, std::size_t{9}}) {
+    const Problem problem = chain(joints);
+    Scene scene = problems::scene(problem);
+    scene.identify.method = Method::likelihood;
+    const auto plan = problems::plan(scene, {problem.substructures, problem.assembly});
+    EXPECT_FALSE(is_better_by_parts(*plan, quick));
+    EXPECT_EQ(is_better_by_parts(*plan, slow), joints == 9);
   }
 }
 

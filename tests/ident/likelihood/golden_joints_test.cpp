@@ -13,11 +13,8 @@
 #include <sstream>
 
 #include "base/eigen.hpp"
-#include "ident/identify.hpp"
 #include "ident/newton/response_line.hpp"
-#include "problems/case/in_memory.hpp"
 #include "problems/case/many_joints_problem.hpp"
-#include "tasks/bound.hpp"
 #include "tests/require.hpp"
 
 namespace jointid::ident {
@@ -27,7 +24,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using nlohmann::json;
 using problems::ManyJoints;
-using problems::Problem;
 
 json golden_case(const std::string& name) {
   std::ifstream file(std::filesystem::path(JOINTID_EXTERNAL_DATA).parent_path() / "golden" / "sparse.json");
@@ -41,34 +37,6 @@ json golden_case(const std::string& name) {
 
 frf::Dof dof_at(const ManyJoints& structure, const json& place) {
   return structure.parts[place[0].get<std::size_t>()].dofs()[place[1].get<std::size_t>()];
-}
-
-/// The bound of an independent program for chain50. Its errors are circular with E|e|² = (level |H|)²/3, and FRFs there and back two
-/// measurements of one number.
-TEST(GoldenJoints, TheBoundOfTheWholeLikelihoodIsThatOfAnIndependentProgram) {
-  const json golden = golden_case("chain50");
-  if (golden.is_null()) JOINTID_SKIP("no golden values; set JOINTID_EXTERNAL_DATA");
-  ManyJoints structure = problems::many_joints("chain-50");
-  structure.references.clear();
-  for (const json& each : golden["bound_references"]) structure.references.push_back(dof_at(structure, each));
-  std::vector<double> lines_hz;
-  for (std::size_t i = 0; i < structure.frequency_hz.size(); i += 2) lines_hz.push_back(structure.frequency_hz[i]);
-  structure.frequency_hz = lines_hz;
-  const Problem problem = problems::many_joints_problem(structure, {"chain-50", ""}, false);
-  Scene scene = problems::scene(problem);
-  scene.identify.method = Method::likelihood;
-  scene.identify.solver = Solver::gauss_helmert;
-  scene.noise->frf_model.level = golden["noise_level"].get<double>() / std::sqrt(3.0);
-  const auto plan = problems::plan(scene, {problem.substructures, problem.assembly});
-  std::vector<double> truth;
-  for (const problems::ExactUnknown& unknown : problem.unknowns) truth.push_back(unknown.value);
-  const std::vector<double> found = tasks::cramer_rao_bound(*plan, truth, {}), bound = golden["bound"];
-  ASSERT_EQ(bound.size(), found.size());
-  for (std::size_t c = 0; c < bound.size(); ++c) {
-    const std::string& name = problem.unknowns[c].name;  // joint after joint in the file, K of all joints before D here
-    const std::size_t joint = static_cast<std::size_t>(std::stoi(name.substr(1))) - 1, half = c < bound.size() / 2 ? 0 : 3;
-    EXPECT_NEAR(found[c] / bound[6 * joint + half + c % 3], 1.0, 2e-6) << name;
-  }
 }
 
 /// chain50_loose3: the share of K that each joint has left, from FRFs at six coordinates with the noise of the file; the other program's
