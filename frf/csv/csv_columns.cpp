@@ -142,7 +142,7 @@ class HeaderRow {
   void require_unit_of(std::size_t column, CsvPart part, const std::string& unit) const {
     const std::string plain = lower_case(plain_label(unit));
     const bool right = part == phase_deg   ? is_degrees(plain) || is_german_degree(plain)
-                       : part == phase_rad ? plain.starts_with("rad") && !plain.starts_with("rad/")
+                       : part == phase_rad ? is_radians(plain)
                                            : plain == "1";
     const bool scaled = part == re || part == im || part == mag;
     if (scaled || right || states_no_unit(unit) || unit == "-") return;

@@ -36,12 +36,32 @@ std::optional<std::string> numbers_as_text(const Object& object, const char* nam
   return fmt::format("{:g}", other != values.end() ? *other : 1.0);
 }
 
+/// The names of the axes, "frequency,response,reference".
+std::optional<std::string> labels_of_axes(const Object& object, const char* name) {
+  constexpr hssize_t most = 8;
+  const Handle id(H5Aopen(object.id.get(), name, H5P_DEFAULT));
+  if (!id.is_open()) return std::nullopt;
+  const Handle type(H5Aget_type(id.get())), space(H5Aget_space(id.get()));
+  const hssize_t count = H5Sget_simple_extent_npoints(space.get());
+  if (H5Tis_variable_str(type.get()) <= 0 || count < 1 || count > most) return std::nullopt;
+  std::vector<char*> labels(static_cast<std::size_t>(count), nullptr);
+  if (H5Aread(id.get(), type.get(), labels.data()) < 0) return std::nullopt;
+  std::string joined;
+  for (const char* label : labels) joined += (joined.empty() ? "" : ",") + std::string(label != nullptr ? label : "");
+  H5Dvlen_reclaim(type.get(), space.get(), H5P_DEFAULT, labels.data());
+  return joined;
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> attributes_as_texts(const Object& object) {
   std::vector<std::pair<std::string, std::string>> all;
   for (std::string& name : attribute_names(object)) {
     const char* own = name.c_str();
+    if (name == "DIMENSION_LABELS") {
+      if (auto labels = labels_of_axes(object, own)) all.emplace_back(std::move(name), std::move(*labels));
+      continue;
+    }
     const auto text = has_text_attribute(object, own) ? text_attribute(object, own) : numbers_as_text(object, own);
     if (text) all.emplace_back(std::move(name), *text);
   }

@@ -53,7 +53,14 @@ class Beside {
       if (values.size() > 1 && may_be_channel_factor(own_name(info)))
         fail(info.name, fmt::format("holds {} numbers that are not applied to the FRFs, {:g} first", values.size(), values[0].real()),
              remedy(own_name(info)));
+      const bool whole = std::ranges::all_of(values, [](Complex value) { return value.real() == std::floor(value.real()); });
+      if (values.size() > 1 && whole) continue;  // labels
       found.push_back(fmt::format("{} {} {:g}", info.name, values.size() > 1 ? "begins with" : "is", values[0].real()));
+    }
+    for (const auto& [name, text] : file_.notes(frf_)) {
+      double value = 0.0;
+      const bool number = may_be_channel_factor(name.substr(name.rfind('@') + 1)) && parse_cell(trimmed(text), false, value);
+      if (number && value > 0.0 && value != 1.0) found.push_back(fmt::format("{} is {:g}", name, value));
     }
     if (found.empty()) return {};
     const std::size_t more = found.size() > most ? found.size() - most : 0;
@@ -66,7 +73,7 @@ class Beside {
     for (const MatInfo& info : file_.variables()) {
       if (info.kind != MatKind::text || !info.name.starts_with(scope_)) continue;
       const std::string name = lower_case(info.name);
-      if (name.find("unit") == std::string::npos || name.find("_axis_units_lab") != std::string::npos) continue;
+      if ((name.find("unit") == std::string::npos && lower_case(own_name(info)) != "eu") || name.find("_axis_units_lab") != std::string::npos) continue;
       if (scope_of(info) != scope_ && !is_motion_or_force(info)) continue;
       if (name.find("freq") != std::string::npos || name.find("time") != std::string::npos || name.ends_with("ref_unit"))
         continue;
@@ -138,10 +145,12 @@ class Beside {
   /// Not in SI, and no length or time.
   bool is_motion_or_force(const MatInfo& info) const {
     const std::vector<std::string> texts = size(info) <= longest_label_beside ? file_.read(info).texts : std::vector<std::string>();
-    return std::ranges::any_of(texts, [](const std::string& text) {
-      const auto unit = parse_unit(text);
-      return unit && unit->si != 1.0 && (unit->force != 0 || (unit->length == 1 && unit->time < 0));
-    });
+    return std::ranges::any_of(texts, [](const std::string& text) { return is_motion_or_force(text); });
+  }
+
+  static bool is_motion_or_force(const std::string& text) {
+    const auto unit = text.size() <= longest_label_beside ? parse_unit(text) : std::nullopt;
+    return unit && unit->si != 1.0 && (unit->force != 0 || (unit->length == 1 && unit->time < 0));
   }
 
   /// A text that is the unit of an FRF, under a name that nothing reads: a label of a plot, "Accelerance [g/N]".
@@ -152,7 +161,12 @@ class Beside {
       if (!label || ++count > most_texts_beside) continue;
       for (const std::string& text : file_.read(info).texts) require_no_unit(info.name, text);
     }
-    for (const auto& [name, text] : file_.notes(frf_)) require_no_unit(name, text);
+    for (const auto& [name, text] : file_.notes(frf_)) {
+      require_no_unit(name, text);
+      const std::string own = lower_case(name.substr(name.rfind('@') + 1));
+      const bool unit = own.find("unit") != std::string::npos || own == "eu" || own == "uom";
+      if (unit && own.find("freq") == std::string::npos && is_motion_or_force(text)) fail(name, "is not read", rename);
+    }
   }
 
   void require_no_unit(const std::string& name, std::string_view text) const {

@@ -196,6 +196,13 @@ double MatLookup::hz_per_unit(const MatInfo& axis) const {
 /// where it states another unit than the name of the axis does.
 void MatLookup::require_no_other_label(const MatInfo& axis, double by_name) const {
   constexpr std::size_t longest = 64;
+  for (const auto& [name, note] : file_.notes(axis)) {
+    const std::vector<std::string_view> labels = labels_in(note);
+    const bool other = note.size() <= longest && std::ranges::any_of(labels, [&](std::string_view each) { return is_other(each, by_name); });
+    if (other && name.starts_with(axis.name + "@"))
+      fail(place_of(name), "is '" + shown_label(note) + "' and is not read",
+           "did you mean the attribute unit? Or give --frequency-unit, in a scene frequency_unit");
+  }
   for (const MatInfo& info : file_.variables()) {
     if (info.kind != MatKind::text || !info.name.starts_with(scope_of(axis)) || size(info) > longest) continue;
     const std::string name = lower_case(std::string_view(info.name).substr(scope_of(info).size()));

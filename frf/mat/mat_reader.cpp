@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "base/error.hpp"
@@ -51,6 +52,7 @@ class Reader {
     doubt_numbers_and_axes();
     set_.values = ordered(*frf_.values);
     if (frf_.imaginary != nullptr) add_imaginary(ordered(*frf_.imaginary));
+    doubt_polar();
     read_noise();
     to_receptance();
     return std::move(set_);
@@ -150,6 +152,10 @@ class Reader {
     constexpr std::array<std::string_view, 6> names = {"axes", "dims", "dimensions", "dim_order", "axis_order", "dimord"};
     std::string text = lookup_.joined_text(names);
     for (std::size_t k = 0; k < names.size() && text.empty(); ++k) text = file_.note(frf_.values, names[k]);
+    for (const auto& [name, labels] : file_.notes(*frf_.values)) {
+      const bool own = name == frf_.values->name + "@DIMENSION_LABELS";
+      if (own && text.empty() && order_of_axes(labels)) text = labels;
+    }
     if (text.empty()) return std::nullopt;
     const auto order = order_of_axes(text);
     if (!order && dims(*frf_.values).size() > 2)
@@ -206,6 +212,19 @@ class Reader {
     if (square && header.response != header.reference && dims(*frf_.values).size() > 2 && !stated_order())
       header.doubts.push_back(frf_.name + " does not state whether responses or references come first: responses are taken; a text axes = '" +
                               order_of(*frf_.values) + "' states it");
+  }
+
+  /// Magnitude + i phase: real parts that are never negative, and imaginary parts that fill a half turn.
+  void doubt_polar() {
+    constexpr std::size_t fewest = 16;
+    if (set_.values.size() < fewest || std::ranges::any_of(set_.values, [](const Complex& value) { return value.real() < 0.0; })) return;
+    double largest = 0.0;
+    for (const Complex& value : set_.values) largest = std::max(largest, std::abs(value.imag()));
+    for (const double half_turn : {std::numbers::pi, 180.0}) {
+      if (largest > 0.9 * half_turn && largest < half_turn * (1.0 + 1e-6))
+        set_.header.doubts.push_back(fmt::format("no real part of {} is below 0, and its imaginary parts end at {:.4g}, as if they were magnitudes "
+                                                 "and phases; if they are, store complex numbers", frf_.name, largest));
+    }
   }
 
   void add_imaginary(const std::vector<Complex>& imaginary) {

@@ -104,6 +104,12 @@ std::vector<std::string_view> labels_in(std::string_view text) {
 std::vector<std::string_view> ratios_in(std::string_view text) {
   constexpr std::string_view blanks = " \t", around = ".,;:!?\"'";
   std::vector<std::string_view> ratios;
+  if (const std::size_t in = text.rfind(" in "); in != std::string_view::npos) {
+    std::string_view rest = text.substr(in + 4);
+    rest = rest.substr(0, rest.find_first_of(",;"));
+    while (!rest.empty() && rest.back() == '.') rest.remove_suffix(1);
+    ratios.push_back(rest);
+  }
   for (std::size_t begin = text.find_first_not_of(blanks); begin != std::string_view::npos;) {
     const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
     std::string_view word = text.substr(begin, end - begin);

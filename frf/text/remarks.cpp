@@ -128,12 +128,12 @@ NumberUse use_of_number(std::string_view name) {
 }
 
 bool is_harmless_number(std::string_view name) {
-  NameWords words = words_of_name(name);
-  if (has_one_word(words, of_others)) return true;
-  for (std::string& word : words) {
-    if (word.size() > 3 && word.ends_with('s')) word.pop_back();
-  }
-  return std::ranges::any_of(words, [](const std::string& word) { return std::ranges::find(harmless_words, word) != harmless_words.end(); });
+  const NameWords words = words_of_name(name);
+  const auto is_known = [](std::string_view word) { return std::ranges::find(harmless_words, word) != harmless_words.end(); };
+  return has_one_word(words, of_others) || std::ranges::any_of(words, [&](std::string_view word) {
+           const bool plural = word.size() > 3 && word.ends_with('s');
+           return is_known(word) || (plural && is_known(word.substr(0, word.size() - 1)));
+         });
 }
 
 bool may_be_channel_factor(std::string_view name) { return has_one_word(words_of_name(name), words_of_channel_factors); }

@@ -56,7 +56,7 @@ class CsvRemarks : public FileTest {
 TEST_F(CsvRemarks, UnitsThatNothingReadsAreErrors) {
   for (const auto& [remark, unit] :
        {std::pair("# All values are in g/N.", "g/N"), std::pair("Exported accelerances (mm/s^2/N) of run 3", "mm/s^2/N"),
-        std::pair("# acceleration in g", "g"), std::pair("# force in lbf", "lbf"), std::pair("Channel 2,Acceleration,g", "g"),
+        std::pair("# FRF in g per newton.", "g per newton"), std::pair("# acceleration in g", "g"), std::pair("# force in lbf", "lbf"), std::pair("Channel 2,Acceleration,g", "g"),
         std::pair("Channel 1;Force;lbf", "lbf"), std::pair("# mm, N, s", "mm, N, s")}) {
     const std::string text = std::string(remark) + "\nFrequency [Hz],Real,Imag\n" + parts;
     EXPECT_THAT(error(text), AllOf(HasSubstr("line 1: states the unit '" + std::string(unit) + "'"), HasSubstr("--unit"))) << remark;

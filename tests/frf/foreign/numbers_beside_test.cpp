@@ -90,9 +90,22 @@ TEST_F(NumbersBeside, OneOfEachChannelIsLikelyAFactor) {
 }
 
 TEST_F(NumbersBeside, UnitsInSentencesAreNamed) {
-  for (const char* text : {"FRF in g/N, run 3", "accelerance (mm/s^2/N) of the beam"})
+  EXPECT_THAT(error(named("EU", std::string("g"))), HasSubstr("did you mean unit?"));
+  for (const char* text : {"FRF in g/N, run 3", "accelerance (mm/s^2/N) of the beam", "accelerance in g per N"})
     EXPECT_THAT(error(named("description", std::string(text))), AllOf(HasSubstr("states the unit"), HasSubstr("did you mean unit?"))) << text;
   for (const char* text : {"run 1/2 in m/N", "n/a", "and/or"}) EXPECT_EQ(read(named("description", std::string(text))).values.size(), 2U) << text;
+}
+
+TEST_F(NumbersBeside, MagnitudesAndPhasesAsPartsAreNoted) {
+  const auto doubts = [&](double last, double real) {
+    std::string text = "# name: f\n# type: range\n# base, limit, increment\n10 200 10\n\n\n# name: frf\n# type: complex matrix\n# rows: 20\n# columns: 1\n";
+    for (int k = 0; k < 20; ++k) text += " (" + std::to_string(k == 7 ? real : 1.0 + k) + "," + std::to_string(last * k / 19.0) + ")\n";
+    return load(*open(write_file("a.txt", text + "\n\n"), options())).header.doubts;
+  };
+  for (const double half_turn : {3.14159, 179.5, -178.0})
+    EXPECT_THAT(doubts(half_turn, 1.0), ElementsAre(HasSubstr("as if they were magnitudes and phases"))) << half_turn;
+  for (const double other : {2.0, 4.0, 90.0, 181.0}) EXPECT_THAT(doubts(other, 1.0), IsEmpty()) << other;
+  EXPECT_THAT(doubts(3.14159, -0.1), IsEmpty());
 }
 
 TEST_F(NumbersBeside, NamesOfFrequenciesSayTheirUnit) {

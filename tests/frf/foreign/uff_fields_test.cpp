@@ -26,7 +26,7 @@ TEST(UffFields, UnitsAFewColumnsToTheLeftOrRight) {
   EXPECT_DOUBLE_EQ(over_newton(types + name + std::string(14, ' ') + "daN"), 0.1);
   EXPECT_NEAR(over_newton(types + name + std::string(35, ' ') + "lbf"), 1.0 / 4.4482216152605, 1e-12);
   EXPECT_DOUBLE_EQ(over_newton(types + " Load cell no. 12345 kN"), 1e-3);
-  EXPECT_DOUBLE_EQ(over_newton(types + " Load cell no. 123456kN"), 1e-3);  // a name of 21 letters
+  EXPECT_DOUBLE_EQ(over_newton(types + " Load cell no. 1234567kN"), 1e-3);  // a name of 21 letters
 }
 
 TEST(UffFields, FactorsPartedByBlanks) {

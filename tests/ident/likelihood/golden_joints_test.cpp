@@ -14,6 +14,7 @@
 
 #include "base/eigen.hpp"
 #include "ident/newton/response_line.hpp"
+#include "ident/plan/coordinates.hpp"
 #include "problems/case/many_joints_problem.hpp"
 #include "tests/require.hpp"
 
