@@ -17,8 +17,8 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr double gravity = 9.80665;
-const std::string parts = "10,2,-1\n20,3,4\n";
+constexpr double gn = 9.80665;
+const std::string two_lines = "10,2,-1\n20,3,4\n";
 const std::string polar = "10,2.23606797749979,-26.56505117707799\n20,5,53.13010235415598\n";
 
 class CsvRemarks : public FileTest {
@@ -58,18 +58,18 @@ TEST_F(CsvRemarks, UnitsThatNothingReadsAreErrors) {
        {std::pair("# All values are in g/N.", "g/N"), std::pair("Exported accelerances (mm/s^2/N) of run 3", "mm/s^2/N"),
         std::pair("# FRF in g per newton.", "g per newton"), std::pair("# acceleration in g", "g"), std::pair("# force in lbf", "lbf"), std::pair("Channel 2,Acceleration,g", "g"),
         std::pair("Channel 1;Force;lbf", "lbf"), std::pair("# mm, N, s", "mm, N, s")}) {
-    const std::string text = std::string(remark) + "\nFrequency [Hz],Real,Imag\n" + parts;
+    const std::string text = std::string(remark) + "\nFrequency [Hz],Real,Imag\n" + two_lines;
     EXPECT_THAT(error(text), AllOf(HasSubstr("line 1: states the unit '" + std::string(unit) + "'"), HasSubstr("--unit"))) << remark;
     expect_right(text, 1.0, options("m/(s^2*N)"));
-    expect_right(std::string(remark) + "\nFrequency [Hz],Real [g/N],Imag [g/N]\n" + parts, gravity);
+    expect_right(std::string(remark) + "\nFrequency [Hz],Real [g/N],Imag [g/N]\n" + two_lines, gn);
   }
   for (const char* remark : {"# force in N", "Operator,G", "# 12/24 channels", "Channel 1,Force,N", "Date,01/02/2024", "# m, N, s",
                              "# positions in mm", "Hammer tip,steel", "Range: 5 V"})
-    expect_right(std::string(remark) + "\nFrequency [Hz],Real,Imag\n" + parts);
+    expect_right(std::string(remark) + "\nFrequency [Hz],Real,Imag\n" + two_lines);
 }
 
 TEST_F(CsvRemarks, FactorsThatAreNotAppliedAreNoted) {
-  const std::string table = "Frequency [Hz],Real [m/s^2/N],Imag [m/s^2/N]\n" + parts;
+  const std::string table = "Frequency [Hz],Real [m/s^2/N],Imag [m/s^2/N]\n" + two_lines;
   for (const char* name : {"gain", "Sensitivity (mV/g)", "calibration", "Window correction", "Empfindlichkeit", "Verstärkung", "weight"}) {
     for (const char* before : {"# ", ""}) {
       const FrfSet set = expect_right(before + std::string(name) + ": 2.5\n" + table);
@@ -83,7 +83,7 @@ TEST_F(CsvRemarks, FactorsThatAreNotAppliedAreNoted) {
 }
 
 TEST_F(CsvRemarks, UnitsAboveTheTitlesAndPartsBelowThem) {
-  expect_right("Hz,g/N,g/N\nFrequency,Real,Imag\n" + parts, gravity);
+  expect_right("Hz,g/N,g/N\nFrequency,Real,Imag\n" + two_lines, gn);
   expect_right("Source File Name:\tx\n\nFrequency\tVib & Ref1 H1 Acceleration / Force\t\n\tReal\tImaginary\n[ Hz ]\t[ mm/s² / N ]\t[ mm/s² / N ]\n"
                "10\t2\t-1\n20\t3\t4\n", 1e-3);
   OpenOptions two = options();
@@ -105,7 +105,7 @@ TEST_F(CsvRemarks, TitlesOfOtherLanguages) {
     expect_right("Frequency," + std::string(titles) + "\n" + polar);
   expect_right("Frequenz in Hz;Betrag in m/s²/N;Phase in Grad\n10;2,23606797749979;-26,56505117707799\n20;5;53,13010235415598\n");
   expect_right("Frequency,Mag,Fase [radianti]\n10,2.23606797749979,-0.4636476090008061\n20,5,0.9272952180016122\n");
-  expect_right("\"Frequency, Hz\",\"H1,2 Real, g/N\",\"H1,2 Imag, g/N\"\n" + parts, gravity);
+  expect_right("\"Frequency, Hz\",\"H1,2 Real, g/N\",\"H1,2 Imag, g/N\"\n" + two_lines, gn);
 }
 
 TEST(FrequencyTitles, AnyNameOverAUnitOfFrequencies) {
@@ -123,7 +123,7 @@ TEST_F(CsvRemarks, WhatATitleSaysIsNotLeftOut) {
        {std::pair("Real,Neg Imag", "of the negative of an FRF"), std::pair("Real normalized [m/s^2/N],Imag normalized [m/s^2/N]", "normalised"),
         std::pair("Real,Imag (e-iwt) [m/s^2/N]", "conjugates"), std::pair("Real (x 1e-3) [m/s^2/N],Imag (x 1e-3) [m/s^2/N]", "states a factor"),
         std::pair("Real (milli) [m/s^2/N],Imag (milli) [m/s^2/N]", "states a factor"), std::pair("Magnitude squared,Phase [deg]", "of the square")})
-    EXPECT_THAT(error("Frequency," + std::string(titles) + "\n" + parts), HasSubstr(named)) << titles;
+    EXPECT_THAT(error("Frequency," + std::string(titles) + "\n" + two_lines), HasSubstr(named)) << titles;
   EXPECT_THAT(error("Frequency,Mag,Phase [rad]\n10,1,179\n20,1,-179\n"), HasSubstr("is it in degrees?"));
   EXPECT_EQ(read("Frequency,Mag,Phase [rad]\n10,1,3.1\n20,1,-3.1\n30,1,-7\n").values.size(), 3U);
 }

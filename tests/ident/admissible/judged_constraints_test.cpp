@@ -100,8 +100,12 @@ TEST_P(EveryMethod, ConstraintsAreHeldAgainstTheData) {
     EXPECT_NE(wrong->status, Status::ok) << wrong->message;
     EXPECT_TRUE(is_contradicted(*wrong) || wrong->status != Status::doubtful) << wrong->message;
   }
-  if (is_contradicted(by_bound)) EXPECT_THAT(by_bound.message, HasSubstr(first + " <= "));
-  if (is_contradicted(by_tie)) EXPECT_THAT(by_tie.message, HasSubstr("\"" + tied.scene.identify.ties[0] + "\""));
+  if (is_contradicted(by_bound)) {
+    EXPECT_THAT(by_bound.message, HasSubstr(first + " <= "));
+  }
+  if (is_contradicted(by_tie)) {
+    EXPECT_THAT(by_tie.message, HasSubstr("\"" + tied.scene.identify.ties[0] + "\""));
+  }
   EXPECT_TRUE(is_contradicted(by_bound) || is_contradicted(by_tie));
   EXPECT_FALSE(is_contradicted(by_right)) << by_right.message;
 }
