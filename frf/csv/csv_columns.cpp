@@ -202,7 +202,8 @@ class HeaderRow {
       const std::size_t k = pair.first * header_.reference.size() + pair.second;
       if (k >= places.size() || !places[k])
         fail(columns.has(re) ? columns[re] : columns[mag],
-             "the titles " + labels.front() + " … " + labels.back() + " do not state which FRF is of which of the DOFs that are given",
+             "the titles " + labels.front() + " … " + labels.back() +
+                 " do not state which FRF is of which of the DOFs that are given",
              "name the columns by DOFs, e.g. 2:+Z/1:+Z re, or write them response by response");
       placed[*places[k]] = columns;
     }
@@ -214,7 +215,8 @@ class HeaderRow {
     const std::vector<std::string>&a = labels_[first], &b = labels_[second];
     for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
       if (a[k] == b[k] || std::ranges::find(b, a[k]) == b.end()) continue;
-      fail(0, "the parts of " + a[k] + " and " + b[k] + " are in different orders", "write the columns of both parts in one order");
+      fail(0, "the parts of " + a[k] + " and " + b[k] + " are in different orders",
+           "write the columns of both parts in one order");
     }
   }
 
@@ -236,7 +238,7 @@ class HeaderRow {
   CsvColumns::Pairs pairs_;
   Places responses_, references_;
   std::map<CsvPart, std::vector<std::string>> labels_;  ///< of columns without DOFs
-  CsvColumns::OfPair unnamed_;  ///< columns without DOFs seen so far, by part
+  CsvColumns::OfPair unnamed_;                          ///< columns without DOFs seen so far, by part
   bool named_ = false;
 };
 

@@ -48,10 +48,12 @@ class Beside {
       const bool fits = info.kind == MatKind::real && is_near(info) && std::ranges::find(sizes, size(info)) != sizes.end();
       if (!fits || info.name == axis || &info == &frf_ || info.dims == frf_.dims || is_read(own_name(info))) continue;
       const std::vector<Complex> values = file_.read(info).values;
-      const bool positive = std::ranges::all_of(values, [](Complex value) { return value.real() > 0.0 && std::isfinite(value.real()); });
+      const bool positive =
+          std::ranges::all_of(values, [](Complex value) { return value.real() > 0.0 && std::isfinite(value.real()); });
       if (!positive || std::ranges::all_of(values, [](Complex value) { return value.real() == 1.0; })) continue;
       if (values.size() > 1 && may_be_channel_factor(own_name(info)))
-        fail(info.name, fmt::format("holds {} numbers that are not applied to the FRFs, {:g} first", values.size(), values[0].real()),
+        fail(info.name,
+             fmt::format("holds {} numbers that are not applied to the FRFs, {:g} first", values.size(), values[0].real()),
              remedy(own_name(info)));
       const bool whole = std::ranges::all_of(values, [](Complex value) { return value.real() == std::floor(value.real()); });
       if (values.size() > 1 && whole) continue;  // labels
@@ -73,7 +75,9 @@ class Beside {
     for (const MatInfo& info : file_.variables()) {
       if (info.kind != MatKind::text || !info.name.starts_with(scope_)) continue;
       const std::string name = lower_case(info.name);
-      if ((name.find("unit") == std::string::npos && lower_case(own_name(info)) != "eu") || name.find("_axis_units_lab") != std::string::npos) continue;
+      if ((name.find("unit") == std::string::npos && lower_case(own_name(info)) != "eu") ||
+          name.find("_axis_units_lab") != std::string::npos)
+        continue;
       if (scope_of(info) != scope_ && !is_motion_or_force(info)) continue;
       if (name.find("freq") != std::string::npos || name.find("time") != std::string::npos || name.ends_with("ref_unit"))
         continue;
@@ -144,7 +148,8 @@ class Beside {
 
   /// Not in SI, and no length or time.
   bool is_motion_or_force(const MatInfo& info) const {
-    const std::vector<std::string> texts = size(info) <= longest_label_beside ? file_.read(info).texts : std::vector<std::string>();
+    const std::vector<std::string> texts =
+        size(info) <= longest_label_beside ? file_.read(info).texts : std::vector<std::string>();
     return std::ranges::any_of(texts, [](const std::string& text) { return is_motion_or_force(text); });
   }
 

@@ -26,12 +26,26 @@ namespace {
 using Names = std::span<const std::string_view>;
 
 /// In this order; x (pyuff) only of a struct.
-constexpr std::array<std::string_view, 17> axis_names = {
-    "frequency_hz", "frequency", "freq",           "f",         "freq_hz",     "frequencies",      "freq_domain",     "w",
-    "omega",        "freqs",     "frequency_axis", "freq_axis", "freq_vector", "frequency_vector", "x_values.values", "abscissa", "x"};
+constexpr std::array<std::string_view, 17> axis_names = {"frequency_hz",
+                                                         "frequency",
+                                                         "freq",
+                                                         "f",
+                                                         "freq_hz",
+                                                         "frequencies",
+                                                         "freq_domain",
+                                                         "w",
+                                                         "omega",
+                                                         "freqs",
+                                                         "frequency_axis",
+                                                         "freq_axis",
+                                                         "freq_vector",
+                                                         "frequency_vector",
+                                                         "x_values.values",
+                                                         "abscissa",
+                                                         "x"};
 constexpr std::array<std::string_view, 10> axis_unit_names = {
-    "frequency_unit", "freq_unit", "frequency_units", "freq_units", "x_values.quantity.label", "abscissa_axis_units_lab",
-    "freqUnit",       "freqUnits", "frequencyUnit",   "frequencyUnits"};
+    "frequency_unit",          "freq_unit", "frequency_units", "freq_units",    "x_values.quantity.label",
+    "abscissa_axis_units_lab", "freqUnit",  "freqUnits",       "frequencyUnit", "frequencyUnits"};
 constexpr double from_rad_per_s = 0.5 / std::numbers::pi;
 constexpr double longest_axis = 1e8;
 
@@ -198,7 +212,8 @@ void MatLookup::require_no_other_label(const MatInfo& axis, double by_name) cons
   constexpr std::size_t longest = 64;
   for (const auto& [name, note] : file_.notes(axis)) {
     const std::vector<std::string_view> labels = labels_in(note);
-    const bool other = note.size() <= longest && std::ranges::any_of(labels, [&](std::string_view each) { return is_other(each, by_name); });
+    const bool other =
+        note.size() <= longest && std::ranges::any_of(labels, [&](std::string_view each) { return is_other(each, by_name); });
     if (other && name.starts_with(axis.name + "@"))
       fail(place_of(name), "is '" + shown_label(note) + "' and is not read",
            "did you mean the attribute unit? Or give --frequency-unit, in a scene frequency_unit");
@@ -213,7 +228,8 @@ void MatLookup::require_no_other_label(const MatInfo& axis, double by_name) cons
     if (!label && !unit) continue;
     for (const std::string& text : texts(info)) {
       const bool other = unit && !states_no_unit(text) && lower_case(text) != "hz";
-      const bool states = label && std::ranges::any_of(labels_in(text), [&](std::string_view each) { return is_other(each, by_name); });
+      const bool states =
+          label && std::ranges::any_of(labels_in(text), [&](std::string_view each) { return is_other(each, by_name); });
       if (other || states)
         fail(place_of(info.name), "is '" + shown_label(text) + "' and is not read",
              "did you mean frequency_unit? Rename it, or give --frequency-unit, in a scene frequency_unit");

@@ -95,7 +95,8 @@ class Reader {
     const auto quantity = options_.quantity ? options_.quantity : pyuff_quantity();
     if (motion.empty() && !quantity) return "(?)/(" + force + ")";
     constexpr std::array<const char*, 3> si = {"m", "m/s", "m/s^2"};
-    return "(" + (motion.empty() ? si[static_cast<std::size_t>(*quantity)] : motion) + ")/(" + (force.empty() ? "N" : force) + ")";
+    return "(" + (motion.empty() ? si[static_cast<std::size_t>(*quantity)] : motion) + ")/(" + (force.empty() ? "N" : force) +
+           ")";
   }
 
   /// By the data types of records 9 and 10.
@@ -198,7 +199,8 @@ class Reader {
     std::vector<Complex> out(values.size());
     for (std::size_t line = 0; line < lines; ++line) {
       for (std::size_t r = 0; r < rows; ++r) {
-        for (std::size_t c = 0; c < columns; ++c) out[set_.index(line, r, c)] = values[apart[0] * line + apart[1] * r + apart[2] * c];
+        for (std::size_t c = 0; c < columns; ++c)
+          out[set_.index(line, r, c)] = values[apart[0] * line + apart[1] * r + apart[2] * c];
       }
     }
     return out;
@@ -210,20 +212,24 @@ class Reader {
     if (!numbers.empty()) header.doubts.push_back(numbers);
     const bool square = header.response.size() == header.reference.size() && header.response.size() > 1;
     if (square && header.response != header.reference && dims(*frf_.values).size() > 2 && !stated_order())
-      header.doubts.push_back(frf_.name + " does not state whether responses or references come first: responses are taken; a text axes = '" +
+      header.doubts.push_back(frf_.name +
+                              " does not state whether responses or references come first: responses are taken; a text axes = '" +
                               order_of(*frf_.values) + "' states it");
   }
 
   /// Magnitude + i phase: real parts that are never negative, and imaginary parts that fill a half turn.
   void doubt_polar() {
     constexpr std::size_t fewest = 16;
-    if (set_.values.size() < fewest || std::ranges::any_of(set_.values, [](const Complex& value) { return value.real() < 0.0; })) return;
+    if (set_.values.size() < fewest || std::ranges::any_of(set_.values, [](const Complex& value) { return value.real() < 0.0; }))
+      return;
     double largest = 0.0;
     for (const Complex& value : set_.values) largest = std::max(largest, std::abs(value.imag()));
     for (const double half_turn : {std::numbers::pi, 180.0}) {
       if (largest > 0.9 * half_turn && largest < half_turn * (1.0 + 1e-6))
-        set_.header.doubts.push_back(fmt::format("no real part of {} is below 0, and its imaginary parts end at {:.4g}, as if they were magnitudes "
-                                                 "and phases; if they are, store complex numbers", frf_.name, largest));
+        set_.header.doubts.push_back(
+            fmt::format("no real part of {} is below 0, and its imaginary parts end at {:.4g}, as if they were magnitudes "
+                        "and phases; if they are, store complex numbers",
+                        frf_.name, largest));
     }
   }
 

@@ -34,11 +34,11 @@ constexpr std::array dos_signs = std::to_array<std::pair<std::string_view, std::
 
 /// Pieces of ASCII that mean one sign or one word, in lower case.
 constexpr std::array pieces = std::to_array<std::pair<std::string_view, std::string_view>>(
-    {{"**", "^"},         {"^-^", "^-"},      {"^^", "^"},          {"pk-pk", "pkpk"},    {"p-p", "pp"},      {"0-peak", "pk"},
-     {"0-pk", "pk"},      {"0-p", "pk"},      {"-force", "force"},  {" force", "force"},  {", rms", " rms"},  {", pk", " pk"},
-     {", peak", " pk"},   {"lb-f", "lbf"},    {"lb(f)", "lbf"},     {"lb (f)", "lbf"},    {"lb_f", "lbf"},    {"lb f", "lbf"},
-     {"kg-f", "kgf"},     {"kg(f)", "kgf"},   {"kg (f)", "kgf"},    {"kg_f", "kgf"},      {"kg f", "kgf"},    {"milli-", "milli"},
-     {"micro-", "micro"}, {"ms^-2", "m*s^-2"}, {"ms-2", "m*s^-2"},  {"ms^-1", "m*s^-1"},  {"ms-1", "m*s^-1"}, {"g0", "gn"}});
+    {{"**", "^"},         {"^-^", "^-"},       {"^^", "^"},         {"pk-pk", "pkpk"},   {"p-p", "pp"},      {"0-peak", "pk"},
+     {"0-pk", "pk"},      {"0-p", "pk"},       {"-force", "force"}, {" force", "force"}, {", rms", " rms"},  {", pk", " pk"},
+     {", peak", " pk"},   {"lb-f", "lbf"},     {"lb(f)", "lbf"},    {"lb (f)", "lbf"},   {"lb_f", "lbf"},    {"lb f", "lbf"},
+     {"kg-f", "kgf"},     {"kg(f)", "kgf"},    {"kg (f)", "kgf"},   {"kg_f", "kgf"},     {"kg f", "kgf"},    {"milli-", "milli"},
+     {"micro-", "micro"}, {"ms^-2", "m*s^-2"}, {"ms-2", "m*s^-2"},  {"ms^-1", "m*s^-1"}, {"ms-1", "m*s^-1"}, {"g0", "gn"}});
 
 std::string_view sign_of(std::string_view sequence) {
   const auto is_it = [&](const auto& sign) { return sign.first == sequence; };
@@ -86,7 +86,8 @@ std::string_view without_padding(std::string_view label) {
 }
 
 std::string_view without_brackets(std::string_view label) {
-  const bool both = label.size() > 1 && ((label.front() == '[' && label.back() == ']') || (label.front() == '(' && label.back() == ')'));
+  const bool both =
+      label.size() > 1 && ((label.front() == '[' && label.back() == ']') || (label.front() == '(' && label.back() == ')'));
   const bool around = both && label.find_first_of("])") == label.size() - 1;
   return around ? without_padding(label.substr(1, label.size() - 2)) : label;
 }
@@ -139,8 +140,8 @@ std::string plain_label(std::string_view label) {
   for (std::string_view rest = text; !rest.empty();) {
     const std::string_view sequence = rest.substr(0, std::max<std::size_t>(1, utf8_length(rest)));
     rest.remove_prefix(sequence.size());
-    const bool converted_twice = sequence == "Â" && !rest.empty() &&
-                                 sign_of(rest.substr(0, utf8_length(rest))) != rest.substr(0, utf8_length(rest));
+    const bool converted_twice =
+        sequence == "Â" && !rest.empty() && sign_of(rest.substr(0, utf8_length(rest))) != rest.substr(0, utf8_length(rest));
     if (!converted_twice) plain += sign_of(sequence);
   }
   replace_pieces(plain);

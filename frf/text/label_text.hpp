@@ -17,12 +17,12 @@ std::string_view without_padding(std::string_view label);
 /// "ms" of "[ms]" and "(ms)", blanks around it left out; "(m/s)/(N)" stays as it is.
 std::string_view without_brackets(std::string_view label);
 
-/// What may be the unit of a text: all of it, what stands in the last brackets at its end, and behind its last colon or equal sign;
-/// "g/N" of "Accelerance [g/N]" and "y = g/N".
+/// What may be the unit of a text: all of it, what stands in the last brackets at its end, and behind its last colon or equal
+/// sign; "g/N" of "Accelerance [g/N]" and "y = g/N".
 std::vector<std::string_view> labels_in(std::string_view text);
 
-/// Words of a sentence that hold a stroke, "g/N" of "FRF in g/N (test 3)", without the signs around them, and what stands behind the
-/// last "in", "g per N".
+/// Words of a sentence that hold a stroke, "g/N" of "FRF in g/N (test 3)", without the signs around them, and what stands behind
+/// the last "in", "g per N".
 std::vector<std::string_view> ratios_in(std::string_view text);
 
 /// The label in UTF-8: what is no valid UTF-8 is taken for Latin-1.

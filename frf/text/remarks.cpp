@@ -44,30 +44,39 @@ bool has_part_of(const NameWords& words, const std::array<std::string_view, Size
 }
 
 constexpr std::array<std::string_view, 18> parts_of_factors = {
-    "scale",  "scaling", "calib",     "sensitiv",    "multipl", "amplific", "attenua", "convers",     "normali",
-    "skalier", "faktor", "kalibrier", "empfindlich", "facteur", "verst\u00E4rk", "verstaerk", "preamp", "correction"};
-constexpr std::array<std::string_view, 18> words_of_factors = {"gain", "gains", "cal", "sens", "factor",  "factors", "lsb",  "sign", "ecf",
-                                                               "acf",  "mult",  "fac", "fact", "divisor", "divide",  "conv", "sf",   "eu"};
+    "scale",   "scaling", "calib",     "sensitiv",    "multipl", "amplific",      "attenua",   "convers", "normali",
+    "skalier", "faktor",  "kalibrier", "empfindlich", "facteur", "verst\u00E4rk", "verstaerk", "preamp",  "correction"};
+constexpr std::array<std::string_view, 18> words_of_factors = {"gain", "gains",   "cal",    "sens", "factor", "factors",
+                                                               "lsb",  "sign",    "ecf",    "acf",  "mult",   "fac",
+                                                               "fact", "divisor", "divide", "conv", "sf",     "eu"};
 /// Of what else there are scales and factors.
 constexpr std::array<std::string_view, 28> of_others = {
-    "loss", "damping", "quality", "crest", "safety", "fill",  "form",    "plot",     "axis",  "time",  "x",     "freq", "frequency",
-    "window", "overlap", "shape", "mode", "modal", "color", "colour", "display", "colormap", "modes", "noise", "power",
-    "load", "full", "auto"};
+    "loss",    "damping",  "quality",   "crest",  "safety",  "fill",  "form", "plot",  "axis",  "time",
+    "x",       "freq",     "frequency", "window", "overlap", "shape", "mode", "modal", "color", "colour",
+    "display", "colormap", "modes",     "noise",  "power",   "load",  "full", "auto"};
 
 /// Of channels, one each or one of all.
-constexpr std::array<std::string_view, 15> words_of_channel_factors = {"amp",  "amps", "ampl",  "amplitude", "amplitudes", "weight", "weights", "coeff",
-                                                                       "coef", "norm", "norms", "ref",       "slope",      "corr",   "sensor"};
+constexpr std::array<std::string_view, 15> words_of_channel_factors = {"amp",    "amps",    "ampl",  "amplitude", "amplitudes",
+                                                                       "weight", "weights", "coeff", "coef",      "norm",
+                                                                       "norms",  "ref",     "slope", "corr",      "sensor"};
 /// Of sampling, lines, models, places and conditions of a test.
 constexpr std::array harmless_words = std::to_array<std::string_view>(
-    {"fs", "rate", "sampling", "sample", "df", "dt", "delta", "nfft", "fft", "n", "nf", "nr", "nc", "ni", "no", "nres", "nref", "count",
-     "number", "num", "nb", "len", "length", "size", "block", "blocksize", "lines", "line", "average", "avg", "navg", "naverage", "f", "fmin",
-     "fmax", "fc", "fn", "wn", "freq", "frequency", "frequencies", "omega", "w", "t", "time", "zeta", "eta", "xi", "damping", "loss", "mode",
-     "modal", "pole", "mass", "masses", "m", "stiffness", "inertia", "temp", "temperature", "date", "year", "month", "day", "hour", "minute",
-     "version", "id", "run", "test", "index", "idx", "torque", "preload", "overlap", "window", "tau", "x", "y", "z", "pos", "position",
-     "coord", "coordinate", "xyz", "node", "dof", "channel", "point", "distance", "radius", "height", "width", "thickness", "area", "volume",
-     "rho", "density", "e", "young", "poisson", "nu", "seed", "order", "bandwidth", "resolution", "snr", "noise", "sigma", "std", "variance",
-     "humidity", "pressure", "dir", "direction", "type", "spec", "case", "step", "start", "end", "stop", "hammer", "tip", "bit", "bits",
-     "valid", "flag", "mask", "status", "serial", "timestamp", "duration", "trigger", "delay", "coherence", "coh"});
+    {"fs",        "rate",    "sampling",   "sample",    "df",          "dt",          "delta",      "nfft",      "fft",
+     "n",         "nf",      "nr",         "nc",        "ni",          "no",          "nres",       "nref",      "count",
+     "number",    "num",     "nb",         "len",       "length",      "size",        "block",      "blocksize", "lines",
+     "line",      "average", "avg",        "navg",      "naverage",    "f",           "fmin",       "fmax",      "fc",
+     "fn",        "wn",      "freq",       "frequency", "frequencies", "omega",       "w",          "t",         "time",
+     "zeta",      "eta",     "xi",         "damping",   "loss",        "mode",        "modal",      "pole",      "mass",
+     "masses",    "m",       "stiffness",  "inertia",   "temp",        "temperature", "date",       "year",      "month",
+     "day",       "hour",    "minute",     "version",   "id",          "run",         "test",       "index",     "idx",
+     "torque",    "preload", "overlap",    "window",    "tau",         "x",           "y",          "z",         "pos",
+     "position",  "coord",   "coordinate", "xyz",       "node",        "dof",         "channel",    "point",     "distance",
+     "radius",    "height",  "width",      "thickness", "area",        "volume",      "rho",        "density",   "e",
+     "young",     "poisson", "nu",         "seed",      "order",       "bandwidth",   "resolution", "snr",       "noise",
+     "sigma",     "std",     "variance",   "humidity",  "pressure",    "dir",         "direction",  "type",      "spec",
+     "case",      "step",    "start",      "end",       "stop",        "hammer",      "tip",        "bit",       "bits",
+     "valid",     "flag",    "mask",       "status",    "serial",      "timestamp",   "duration",   "trigger",   "delay",
+     "coherence", "coh"});
 
 /// In lower case without what formulas may have more of, "e-iwt" of "e^{-iwt}".
 std::string without_signs(std::string_view text, std::string_view signs) {
@@ -117,7 +126,8 @@ std::optional<double> power_of_ten(std::string_view word) {
 NumberUse use_of_number(std::string_view name) {
   const NameWords words = words_of_name(name);
   constexpr std::array<std::string_view, 2> added = {"offset", "bias"};
-  if (has_one_word(words, of_others) && !has_one_word(words, std::array<std::string_view, 1>{"correction"})) return NumberUse::none;
+  if (has_one_word(words, of_others) && !has_one_word(words, std::array<std::string_view, 1>{"correction"}))
+    return NumberUse::none;
   if (has_one_word(words, added)) return NumberUse::is_added;
   const bool to_si = words == NameWords{"to", "si"} || words == NameWords{"tosi"};
   constexpr std::array<std::string_view, 7> electrical = {"v", "mv", "volt", "volts", "eu", "pc", "counts"};
@@ -141,15 +151,17 @@ bool may_be_channel_factor(std::string_view name) { return has_one_word(words_of
 bool is_of_something_else(std::string_view name) {
   constexpr std::array<std::string_view, 12> parts = {"conj",     "impedance", "stiff", "inverse", "transmissib", "transpos",
                                                       "residual", "error",     "deriv", "_mass",   "normali",     "squared"};
-  constexpr std::array<std::string_view, 13> words = {"inv",   "err", "db",   "sq", "log", "diff", "delta",
-                                                      "std",   "norm", "ln",  "dif", "t",  "var"};
-  constexpr std::array<std::string_view, 14> whole = {"z",  "zj", "hinv", "invh", "ht",   "hh", "hstar",
+  constexpr std::array<std::string_view, 13> words = {"inv", "err",  "db", "sq",  "log", "diff", "delta",
+                                                      "std", "norm", "ln", "dif", "t",   "var"};
+  constexpr std::array<std::string_view, 14> whole = {"z",  "zj",  "hinv", "invh", "ht",  "hh",  "hstar",
                                                       "dh", "lnh", "logh", "hlog", "hdb", "hsq", "deltah"};
   const std::string plain = lower_case(name);
   NameWords split(1);
   for (const char c : plain) {
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0) split.back() += c;
-    else split.emplace_back();
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+      split.back() += c;
+    else
+      split.emplace_back();
   }
   const auto inside = [&](std::string_view part) { return plain.find(part) != std::string::npos; };
   const bool by_word = split.size() > 1 && has_one_word(split, words);
@@ -174,8 +186,8 @@ std::optional<double> factor_in_title(std::string_view title) {
 
 std::optional<double> stated_factor(std::string_view text) {
   const std::string plain = lower_case(text);
-  for (const std::string_view sign : {"multiplied by ", "multiply by ", "multiply with ", "scaled by ", "divided by ", "divide by ",
-                                      "values x ", "values x"}) {
+  for (const std::string_view sign :
+       {"multiplied by ", "multiply by ", "multiply with ", "scaled by ", "divided by ", "divide by ", "values x ", "values x"}) {
     const std::size_t at = plain.find(sign);
     if (at == std::string::npos) continue;
     const std::string_view rest = trimmed(std::string_view(plain).substr(at + sign.size()));

@@ -56,24 +56,28 @@ class CsvRemarks : public FileTest {
 TEST_F(CsvRemarks, UnitsThatNothingReadsAreErrors) {
   for (const auto& [remark, unit] :
        {std::pair("# All values are in g/N.", "g/N"), std::pair("Exported accelerances (mm/s^2/N) of run 3", "mm/s^2/N"),
-        std::pair("# FRF in g per newton.", "g per newton"), std::pair("# acceleration in g", "g"), std::pair("# force in lbf", "lbf"), std::pair("Channel 2,Acceleration,g", "g"),
-        std::pair("Channel 1;Force;lbf", "lbf"), std::pair("# mm, N, s", "mm, N, s")}) {
+        std::pair("# FRF in g per newton.", "g per newton"), std::pair("# acceleration in g", "g"),
+        std::pair("# force in lbf", "lbf"), std::pair("Channel 2,Acceleration,g", "g"), std::pair("Channel 1;Force;lbf", "lbf"),
+        std::pair("# mm, N, s", "mm, N, s")}) {
     const std::string text = std::string(remark) + "\nFrequency [Hz],Real,Imag\n" + two_lines;
-    EXPECT_THAT(error(text), AllOf(HasSubstr("line 1: states the unit '" + std::string(unit) + "'"), HasSubstr("--unit"))) << remark;
+    EXPECT_THAT(error(text), AllOf(HasSubstr("line 1: states the unit '" + std::string(unit) + "'"), HasSubstr("--unit")))
+        << remark;
     expect_right(text, 1.0, options("m/(s^2*N)"));
     expect_right(std::string(remark) + "\nFrequency [Hz],Real [g/N],Imag [g/N]\n" + two_lines, gn);
   }
-  for (const char* remark : {"# force in N", "Operator,G", "# 12/24 channels", "Channel 1,Force,N", "Date,01/02/2024", "# m, N, s",
-                             "# positions in mm", "Hammer tip,steel", "Range: 5 V"})
+  for (const char* remark : {"# force in N", "Operator,G", "# 12/24 channels", "Channel 1,Force,N", "Date,01/02/2024",
+                             "# m, N, s", "# positions in mm", "Hammer tip,steel", "Range: 5 V"})
     expect_right(std::string(remark) + "\nFrequency [Hz],Real,Imag\n" + two_lines);
 }
 
 TEST_F(CsvRemarks, FactorsThatAreNotAppliedAreNoted) {
   const std::string table = "Frequency [Hz],Real [m/s^2/N],Imag [m/s^2/N]\n" + two_lines;
-  for (const char* name : {"gain", "Sensitivity (mV/g)", "calibration", "Window correction", "Empfindlichkeit", "Verstärkung", "weight"}) {
+  for (const char* name :
+       {"gain", "Sensitivity (mV/g)", "calibration", "Window correction", "Empfindlichkeit", "Verstärkung", "weight"}) {
     for (const char* before : {"# ", ""}) {
       const FrfSet set = expect_right(before + std::string(name) + ": 2.5\n" + table);
-      EXPECT_THAT(set.header.doubts, ElementsAre(AllOf(HasSubstr("line 1 states '" + std::string(name) + " = 2.5'"), HasSubstr("not applied"))));
+      EXPECT_THAT(set.header.doubts,
+                  ElementsAre(AllOf(HasSubstr("line 1 states '" + std::string(name) + " = 2.5'"), HasSubstr("not applied"))));
     }
   }
   for (const char* line : {"# gain: 1", "# sensitivity: 100 mV/g", "# loss factor: 0.02", "# temperature: 21.5", "Averages,10"})
@@ -84,11 +88,16 @@ TEST_F(CsvRemarks, FactorsThatAreNotAppliedAreNoted) {
 
 TEST_F(CsvRemarks, UnitsAboveTheTitlesAndPartsBelowThem) {
   expect_right("Hz,g/N,g/N\nFrequency,Real,Imag\n" + two_lines, gn);
-  expect_right("Source File Name:\tx\n\nFrequency\tVib & Ref1 H1 Acceleration / Force\t\n\tReal\tImaginary\n[ Hz ]\t[ mm/s² / N ]\t[ mm/s² / N ]\n"
-               "10\t2\t-1\n20\t3\t4\n", 1e-3);
+  expect_right(
+      "Source File Name:\tx\n\nFrequency\tVib & Ref1 H1 Acceleration / Force\t\n\tReal\tImaginary\n[ Hz ]\t[ mm/s² / N ]\t[ "
+      "mm/s² / N ]\n"
+      "10\t2\t-1\n20\t3\t4\n",
+      1e-3);
   OpenOptions two = options();
   two.response = dofs({"1:+Z", "2:+Z"});
-  const FrfSet set = read("Frequency,Point 1,,Point 2,\n,Real,Imaginary,Real,Imaginary\nHz,m/s²/N,m/s²/N,m/s²/N,m/s²/N\n10,1,2,3,4\n20,1,2,3,4\n", two);
+  const FrfSet set = read(
+      "Frequency,Point 1,,Point 2,\n,Real,Imaginary,Real,Imaginary\nHz,m/s²/N,m/s²/N,m/s²/N,m/s²/N\n10,1,2,3,4\n20,1,2,3,4\n",
+      two);
   ASSERT_EQ(set.values.size(), 4U);
   EXPECT_NEAR(std::abs(set.values[1] / set.values[0]), std::sqrt(5.0), 1e-12);
 }
@@ -100,8 +109,8 @@ TEST_F(CsvRemarks, TitlesOfOtherLanguages) {
     const FrfSet set = expect_right("Frequency," + std::string(titles) + "\n10,2,-1,0.5\n20,3,4,0.25\n");
     EXPECT_THAT(set.coherence, ElementsAre(0.5, 0.25)) << titles;
   }
-  for (const char* titles : {"Ampl.,Ph. [deg]", "Ampiezza,Fase [gradi]", "Mag.,Phase [degrés]", "Amp,Phasenlage [Deg.]", "Amplitud,Fase [grados]",
-                             "LinMag,Phase [graden]", "Mag,Phase [stopni]"})
+  for (const char* titles : {"Ampl.,Ph. [deg]", "Ampiezza,Fase [gradi]", "Mag.,Phase [degrés]", "Amp,Phasenlage [Deg.]",
+                             "Amplitud,Fase [grados]", "LinMag,Phase [graden]", "Mag,Phase [stopni]"})
     expect_right("Frequency," + std::string(titles) + "\n" + polar);
   expect_right("Frequenz in Hz;Betrag in m/s²/N;Phase in Grad\n10;2,23606797749979;-26,56505117707799\n20;5;53,13010235415598\n");
   expect_right("Frequency,Mag,Fase [radianti]\n10,2.23606797749979,-0.4636476090008061\n20,5,0.9272952180016122\n");
@@ -109,20 +118,24 @@ TEST_F(CsvRemarks, TitlesOfOtherLanguages) {
 }
 
 TEST(FrequencyTitles, AnyNameOverAUnitOfFrequencies) {
-  for (const auto& [cell, unit] : {std::pair("частота [Hz]", "Hz"), std::pair("Abscissa (kHz)", "kHz"), std::pair("Pulsation [rad/s]", "rad/s"),
-                                   std::pair("X [Hz]", "Hz"), std::pair("Kreisfrequenz", "rad/s"), std::pair("angular frequency", "rad/s")}) {
+  for (const auto& [cell, unit] :
+       {std::pair("частота [Hz]", "Hz"), std::pair("Abscissa (kHz)", "kHz"), std::pair("Pulsation [rad/s]", "rad/s"),
+        std::pair("X [Hz]", "Hz"), std::pair("Kreisfrequenz", "rad/s"), std::pair("angular frequency", "rad/s")}) {
     ASSERT_TRUE(frequency_title(cell)) << cell;
     EXPECT_EQ(frequency_title(cell)->unit, unit) << cell;
   }
-  for (const char* cell : {"Speed [rpm]", "Sample rate [Hz]", "log10(f) [Hz]", "Frequency ratio [-]", "f resolution [Hz]", "Time [s]", "Bin"})
+  for (const char* cell :
+       {"Speed [rpm]", "Sample rate [Hz]", "log10(f) [Hz]", "Frequency ratio [-]", "f resolution [Hz]", "Time [s]", "Bin"})
     EXPECT_FALSE(frequency_title(cell)) << cell;
 }
 
 TEST_F(CsvRemarks, WhatATitleSaysIsNotLeftOut) {
-  for (const auto& [titles, named] :
-       {std::pair("Real,Neg Imag", "of the negative of an FRF"), std::pair("Real normalized [m/s^2/N],Imag normalized [m/s^2/N]", "normalised"),
-        std::pair("Real,Imag (e-iwt) [m/s^2/N]", "conjugates"), std::pair("Real (x 1e-3) [m/s^2/N],Imag (x 1e-3) [m/s^2/N]", "states a factor"),
-        std::pair("Real (milli) [m/s^2/N],Imag (milli) [m/s^2/N]", "states a factor"), std::pair("Magnitude squared,Phase [deg]", "of the square")})
+  for (const auto& [titles, named] : {std::pair("Real,Neg Imag", "of the negative of an FRF"),
+                                      std::pair("Real normalized [m/s^2/N],Imag normalized [m/s^2/N]", "normalised"),
+                                      std::pair("Real,Imag (e-iwt) [m/s^2/N]", "conjugates"),
+                                      std::pair("Real (x 1e-3) [m/s^2/N],Imag (x 1e-3) [m/s^2/N]", "states a factor"),
+                                      std::pair("Real (milli) [m/s^2/N],Imag (milli) [m/s^2/N]", "states a factor"),
+                                      std::pair("Magnitude squared,Phase [deg]", "of the square")})
     EXPECT_THAT(error("Frequency," + std::string(titles) + "\n" + two_lines), HasSubstr(named)) << titles;
   EXPECT_THAT(error("Frequency,Mag,Phase [rad]\n10,1,179\n20,1,-179\n"), HasSubstr("is it in degrees?"));
   EXPECT_EQ(read("Frequency,Mag,Phase [rad]\n10,1,3.1\n20,1,-3.1\n30,1,-7\n").values.size(), 3U);

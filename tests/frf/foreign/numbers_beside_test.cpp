@@ -23,7 +23,8 @@ class NumbersBeside : public FileTest {
     return "# name: " + name + "\n# type: scalar\n" + std::to_string(value) + "\n\n\n";
   }
   static std::string named(const std::string& name, const std::string& value) {
-    return "# name: " + name + "\n# type: string\n# elements: 1\n# length: " + std::to_string(value.size()) + "\n" + value + "\n\n\n";
+    return "# name: " + name + "\n# type: string\n# elements: 1\n# length: " + std::to_string(value.size()) + "\n" + value +
+           "\n\n\n";
   }
   /// 2 − 1i and 3 + 4i m/N at 10 and 20 Hz.
   std::string file(const std::string& beside) const {
@@ -43,9 +44,29 @@ class NumbersBeside : public FileTest {
 };
 
 TEST_F(NumbersBeside, AFactorThatNobodyAppliesIsAnError) {
-  for (const char* name : {"scale", "ScaleFactor", "gain", "calibration", "sensitivity", "sens_acc", "y_scale", "to_si", "frf_gain",
-                           "volts_per_eu", "mV_per_g", "ecf", "EUFactor", "unitfactor", "m_per_in", "volt_to_g", "amplitude_correction",
-                           "window_correction", "fac", "mult", "divisor", "preamp", "Korrekturfaktor"}) {
+  for (const char* name : {"scale",
+                           "ScaleFactor",
+                           "gain",
+                           "calibration",
+                           "sensitivity",
+                           "sens_acc",
+                           "y_scale",
+                           "to_si",
+                           "frf_gain",
+                           "volts_per_eu",
+                           "mV_per_g",
+                           "ecf",
+                           "EUFactor",
+                           "unitfactor",
+                           "m_per_in",
+                           "volt_to_g",
+                           "amplitude_correction",
+                           "window_correction",
+                           "fac",
+                           "mult",
+                           "divisor",
+                           "preamp",
+                           "Korrekturfaktor"}) {
     EXPECT_THAT(error(named(name, 0.5)),
                 AllOf(HasSubstr(std::string("variable ") + name), HasSubstr("is 0.5 and is not applied to the FRFs"),
                       HasSubstr("store the FRFs multiplied by it and remove")))
@@ -70,21 +91,25 @@ TEST_F(NumbersBeside, OtherPositiveNumbersAreNoted) {
   for (const char* name : {"amp", "weight", "norm", "slope", "dB_ref", "coeff", "S", "vref", "alpha"})
     EXPECT_THAT(read(named(name, 2.5)).header.doubts,
                 ElementsAre("numbers beside the FRFs are not applied to them: " + std::string(name) + " is 2.5"));
-  for (const char* name : {"fs", "nfft", "zeta", "masses", "sensor_mass", "temperature", "SampleRate", "preload", "loss_factor", "overlap", "nodes"})
+  for (const char* name :
+       {"fs", "nfft", "zeta", "masses", "sensor_mass", "temperature", "SampleRate", "preload", "loss_factor", "overlap", "nodes"})
     EXPECT_THAT(read(named(name, 2.5)).header.doubts, IsEmpty()) << name;
   EXPECT_THAT(read(named("amp", 1.0) + named("level", -3.0)).header.doubts, IsEmpty());
 }
 
 TEST_F(NumbersBeside, OneOfEachChannelIsLikelyAFactor) {
   const auto two = [](const std::string& name) {
-    return "# name: f\n# type: range\n# base, limit, increment\n10 30 10\n\n\n# name: frf\n# type: complex matrix\n# rows: 3\n# columns: 2\n"
-           " (2,-1) (1,1)\n (3,4) (1,1)\n (5,4) (1,1)\n\n\n# name: " + name + "\n# type: matrix\n# rows: 1\n# columns: 2\n 2.5 3.5\n\n\n";
+    return "# name: f\n# type: range\n# base, limit, increment\n10 30 10\n\n\n# name: frf\n# type: complex matrix\n# rows: 3\n# "
+           "columns: 2\n"
+           " (2,-1) (1,1)\n (3,4) (1,1)\n (5,4) (1,1)\n\n\n# name: " +
+           name + "\n# type: matrix\n# rows: 1\n# columns: 2\n 2.5 3.5\n\n\n";
   };
   OpenOptions given = options();
   given.response = dofs({"1:+Z", "2:+Z"});
   for (const char* name : {"amp", "weights", "coeff", "norm"})
     EXPECT_THAT(message_of([&] { open(write_file("a.txt", two(name)), given); }),
-                AllOf(HasSubstr(std::string("variable ") + name + ": holds 2 numbers that are not applied"), HasSubstr("remove or rename")));
+                AllOf(HasSubstr(std::string("variable ") + name + ": holds 2 numbers that are not applied"),
+                      HasSubstr("remove or rename")));
   EXPECT_THAT(load(*open(write_file("a.txt", two("v")), given)).header.doubts, ElementsAre(HasSubstr("v begins with 2.5")));
   EXPECT_THAT(load(*open(write_file("a.txt", two("channels")), given)).header.doubts, IsEmpty());
 }
@@ -92,14 +117,20 @@ TEST_F(NumbersBeside, OneOfEachChannelIsLikelyAFactor) {
 TEST_F(NumbersBeside, UnitsInSentencesAreNamed) {
   EXPECT_THAT(error(named("EU", std::string("g"))), HasSubstr("did you mean unit?"));
   for (const char* text : {"FRF in g/N, run 3", "accelerance (mm/s^2/N) of the beam", "accelerance in g per N"})
-    EXPECT_THAT(error(named("description", std::string(text))), AllOf(HasSubstr("states the unit"), HasSubstr("did you mean unit?"))) << text;
-  for (const char* text : {"run 1/2 in m/N", "n/a", "and/or"}) EXPECT_EQ(read(named("description", std::string(text))).values.size(), 2U) << text;
+    EXPECT_THAT(error(named("description", std::string(text))),
+                AllOf(HasSubstr("states the unit"), HasSubstr("did you mean unit?")))
+        << text;
+  for (const char* text : {"run 1/2 in m/N", "n/a", "and/or"})
+    EXPECT_EQ(read(named("description", std::string(text))).values.size(), 2U) << text;
 }
 
 TEST_F(NumbersBeside, MagnitudesAndPhasesAsPartsAreNoted) {
   const auto doubts = [&](double last, double real) {
-    std::string text = "# name: f\n# type: range\n# base, limit, increment\n10 200 10\n\n\n# name: frf\n# type: complex matrix\n# rows: 20\n# columns: 1\n";
-    for (int k = 0; k < 20; ++k) text += " (" + std::to_string(k == 7 ? real : 1.0 + k) + "," + std::to_string(last * k / 19.0) + ")\n";
+    std::string text =
+        "# name: f\n# type: range\n# base, limit, increment\n10 200 10\n\n\n# name: frf\n# type: complex matrix\n# rows: 20\n# "
+        "columns: 1\n";
+    for (int k = 0; k < 20; ++k)
+      text += " (" + std::to_string(k == 7 ? real : 1.0 + k) + "," + std::to_string(last * k / 19.0) + ")\n";
     return load(*open(write_file("a.txt", text + "\n\n"), options())).header.doubts;
   };
   for (const double half_turn : {3.14159, 179.5, -178.0})
@@ -120,17 +151,22 @@ TEST_F(NumbersBeside, NamesOfFrequenciesSayTheirUnit) {
   EXPECT_DOUBLE_EQ(hz("freq_mHz"), 0.01);
   EXPECT_DOUBLE_EQ(hz("band"), 10.0);
   for (const char* name : {"log_freq", "freq_ratio", "freq_norm"})
-    EXPECT_THAT(message_of([&] { hz(name); }), AllOf(HasSubstr("holds no frequencies by its name"), HasSubstr("--frequency-unit Hz")));
+    EXPECT_THAT(message_of([&] { hz(name); }),
+                AllOf(HasSubstr("holds no frequencies by its name"), HasSubstr("--frequency-unit Hz")));
 }
 
 /// Where responses and references are as many and not the same, a transposed array looks the same.
 TEST_F(NumbersBeside, SquareArraysWithoutAxesAreNoted) {
-  std::string three = "# name: f\n# type: matrix\n# rows: 1\n# columns: 3\n 10 20 30\n\n\n# name: frf\n# type: complex matrix\n# ndims: 3\n 3 2 2\n";
+  std::string three =
+      "# name: f\n# type: matrix\n# rows: 1\n# columns: 3\n 10 20 30\n\n\n# name: frf\n# type: complex matrix\n# ndims: 3\n 3 2 "
+      "2\n";
   for (int k = 0; k < 12; ++k) three += " (" + std::to_string(k) + ",1)\n";
   three += "\n\n";
   OpenOptions given = options();
   given.response = dofs({"1:+Z", "2:+Z"}), given.reference = dofs({"1:+Z", "3:+Z"});
-  const auto doubts = [&](const std::string& axes) { return load(*open(write_file("a.txt", three + axes), given)).header.doubts; };
+  const auto doubts = [&](const std::string& axes) {
+    return load(*open(write_file("a.txt", three + axes), given)).header.doubts;
+  };
   EXPECT_THAT(doubts(""), ElementsAre(AllOf(HasSubstr("responses or references come first"), HasSubstr("axes = 'FRC'"))));
   EXPECT_THAT(doubts(named("axes", std::string("FRC"))), IsEmpty());
   given.reference = given.response;
@@ -140,11 +176,13 @@ TEST_F(NumbersBeside, SquareArraysWithoutAxesAreNoted) {
 TEST_F(NumbersBeside, ConjugatesAreNamed) {
   for (const char* text : {"exp(-i*omega*t)", "convention e^{-iwt}", "H conjugated, exp(-jwt)"})
     EXPECT_THAT(error(named("comment", std::string(text))), HasSubstr("conjugates of FRFs of exp(+iωt)")) << text;
-  for (const char* text : {"exp(+i*omega*t)", "exp(iwt)", "tube-jwt", "not conjugated"}) EXPECT_FALSE(states_conjugates(text)) << text;
+  for (const char* text : {"exp(+i*omega*t)", "exp(iwt)", "tube-jwt", "not conjugated"})
+    EXPECT_FALSE(states_conjugates(text)) << text;
 }
 
 TEST_F(NumbersBeside, TheLabelOfAPlotStatesTheUnitOfTheAxis) {
-  EXPECT_THAT(error(named("xlabel", std::string("Frequency [kHz]"))), AllOf(HasSubstr("is not read"), HasSubstr("frequency_unit")));
+  EXPECT_THAT(error(named("xlabel", std::string("Frequency [kHz]"))),
+              AllOf(HasSubstr("is not read"), HasSubstr("frequency_unit")));
   EXPECT_EQ(read(named("xlabel", std::string("Frequency [Hz]"))).header.frequency_hz, (std::vector<double>{10.0, 20.0}));
 }
 
@@ -161,7 +199,8 @@ TEST(OrderOfAxes, LettersAndWords) {
 /// [3,2,2], first index fastest.
 TEST_F(NumbersBeside, AxesInAnyOrderThatIsStated) {
   std::string three =
-      "# name: f\n# type: matrix\n# rows: 1\n# columns: 3\n 10 20 30\n\n\n# name: frf\n# type: complex matrix\n# ndims: 3\n 3 2 2\n";
+      "# name: f\n# type: matrix\n# rows: 1\n# columns: 3\n 10 20 30\n\n\n# name: frf\n# type: complex matrix\n# ndims: 3\n 3 2 "
+      "2\n";
   for (int k = 0; k < 12; ++k) three += " (" + std::to_string(k) + ",1)\n";
   three += "\n\n";
   OpenOptions given;
@@ -185,7 +224,8 @@ TEST(NamesOfArrays, OfWhatIsComputedFromFrfs) {
   for (const char* name : {"Z", "dyn_stiff", "Hinv", "HT", "H_transposed", "logH", "H_dB", "H_sq", "dH", "H_err", "H_residual",
                            "H_normalized", "conjH"})
     EXPECT_TRUE(is_of_something_else(name)) << name;
-  for (const char* name : {"H", "frf", "FRF", "H1", "Hv", "H_acc", "accelerance", "Y", "data", "H_test", "A", "resp", "H12", "transfer"})
+  for (const char* name :
+       {"H", "frf", "FRF", "H1", "Hv", "H_acc", "accelerance", "Y", "data", "H_test", "A", "resp", "H12", "transfer"})
     EXPECT_FALSE(is_of_something_else(name)) << name;
 }
 

@@ -30,7 +30,8 @@ TEST(UffFields, UnitsAFewColumnsToTheLeftOrRight) {
 }
 
 TEST(UffFields, FactorsPartedByBlanks) {
-  const std::string units = "    -1\n   164\n         9mm                           2\n  1.0D+03  1.0D+00  1.0D+00  2.7315D+02\n    -1\n";
+  const std::string units =
+      "    -1\n   164\n         9mm                           2\n  1.0D+03  1.0D+00  1.0D+00  2.7315D+02\n    -1\n";
   const TemporaryUff file(units + simple_record().str()), metres(simple_record().str());
   EXPECT_DOUBLE_EQ(load(*open(file.path())).values[0].real(), 1e-3 * load(*open(metres.path())).values[0].real());
 }
