@@ -42,7 +42,7 @@ std::vector<BlockEntry> entries_of(const MatrixXd& matrix) {
 
 std::optional<SymmetricBlock> definite_block(const std::vector<BlockPart>& parts, std::size_t first, std::size_t count, double unit) {
   const auto size = at(count);
-  const auto at = [&](std::size_t i) { return static_cast<Index>(i - first); };
+  const auto within = [&](std::size_t i) { return static_cast<Index>(i - first); };
   std::map<std::size_t, MatrixXd> coefficients;  // by column
   MatrixXd known = MatrixXd::Zero(size, size);
   for (const BlockPart& part : parts) {
@@ -50,11 +50,11 @@ std::optional<SymmetricBlock> definite_block(const std::vector<BlockPart>& parts
       const auto column = part.column_of.find(term.unknown);
       if (column == part.column_of.end()) continue;
       MatrixXd& own = coefficients.try_emplace(column->second, MatrixXd::Zero(size, size)).first->second;
-      own(at(term.row), at(term.column)) += term.coefficient * (part.factor * part.unit / unit);
+      own(within(term.row), within(term.column)) += term.coefficient * (part.factor * part.unit / unit);
     }
     for (const restrictions::Known& element : part.matrix.known) {
       if (element.row < first || element.row >= first + count) continue;
-      known(at(element.row), at(element.column)) += element.value * part.factor / unit;
+      known(within(element.row), within(element.column)) += element.value * part.factor / unit;
     }
   }
   std::vector<MatrixXd> all = {known};

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "ident/admissible/admissible_set.hpp"
 #include "ident/admissible/constraint_phrases.hpp"
 #include "ident/equations/assemble.hpp"
 #include "ident/scene/read_scene.hpp"
@@ -58,6 +59,24 @@ TEST(AdmissibleLinear, DefiniteMatricesHaveNoNegativeEigenvalue) {
     EXPECT_GT(found.admissibility->equations, 0u);
     EXPECT_THAT(found.unknowns[0].limit + found.unknowns[19].limit, HasSubstr("is singular"));
   }
+}
+
+/// The condition of a joint is one of its own unknowns, wherever its coordinates stand among those of all joints.
+TEST(AdmissibleLinear, EveryOneOfManyJointsIsDefinite) {
+  LinearCase chain("chain-50");
+  const Solution free = solve(*chain.polluted());
+  ASSERT_LT(least_relative_eigenvalue(free), -1e-6);
+  for (restrictions::JointSpec& joint : chain.scene.joints) joint.definite = both;
+  const auto plan = chain.polluted();
+  ASSERT_EQ(plan->admissible->inequalities.size(), 2 * chain.scene.joints.size());
+  const auto& unknowns = chain.problem.unknowns;
+  for (const Inequality& inequality : plan->admissible->inequalities) {
+    const std::string joint = inequality.text.substr(0, inequality.text.find('.') + 1);
+    ASSERT_FALSE(inequality.block.unknowns.empty());
+    for (const Eigen::Index u : inequality.block.unknowns)
+      EXPECT_THAT(unknowns[static_cast<std::size_t>(u)].name, testing::StartsWith(joint)) << inequality.text;
+  }
+  EXPECT_GE(least_relative_eigenvalue(solve(*plan)), -1e-9);
 }
 
 /// The admissible joints are convex and the truth is one of them: in the metric of the projection it cannot come to lie further off.
