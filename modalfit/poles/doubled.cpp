@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "base/complex.hpp"
@@ -18,7 +17,8 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double least_unexplained = 0.25;  ///< of what the second pole saves
+constexpr double least_unexplained = 0.5;
+constexpr double telling_deviations = 4.0;  ///< standard deviations of residues that a FRF must have to tell
 
 double s_plane_distance(const ModelKind& kind, const Pole& a, const Pole& b) {
   return std::hypot(a.frequency_hz - b.frequency_hz, half_width_hz(kind, a) - half_width_hz(kind, b));
@@ -28,88 +28,55 @@ constexpr double much_worse = 100.0;       ///< in mean square
 
 bool is_same(const Pole& a, const Pole& b) { return std::abs(a.frequency_hz - b.frequency_hz) < 1e-9 * a.frequency_hz; }
 
-/// The cost of one FRF with a pole of its own in place of pole `at`, and the step of (ln f, damping) that would lower it to first order.
-struct OwnPole {
-  double cost = std::numeric_limits<double>::infinity(), to_frequency_hz = 0.0, to_damping = 0.0;
-};
-
-OwnPole own_pole(const Band& band, std::size_t entry, const ModelKind& kind, const std::vector<Pole>& poles, std::size_t at) {
+/// What poles of each FRF's own in place of pole `at` would take off the cost, to first order: Σ gᵀC⁻¹g. An FRF that would have to move it
+/// by more than the half width, or its damping by more than itself, is not explained so.
+double own_saving(const Band& band, const std::vector<std::size_t>& entries, const ModelKind& kind, const std::vector<Pole>& poles,
+                  std::size_t at) {
   const RealBasis basis(make_basis(kind, poles, band.frequency_hz, band.scale_hz(), true));
-  const NormalBlock block(basis, band, entry);
-  OwnPole out{.cost = block.cost()};
-  const auto terms = block.pole_terms(basis);
-  const auto i = static_cast<Index>(2 * at);
-  const double a = terms.curvature(i, i), b = terms.curvature(i, i + 1), c = terms.curvature(i + 1, i + 1);
-  const double f = terms.gradient(i), g = terms.gradient(i + 1), determinant = a * c - b * b;
-  if (!(determinant > 1e-9 * a * c)) return out;
-  out.to_frequency_hz = poles[at].frequency_hz * (c * f - b * g) / determinant;
-  out.to_damping = (a * g - b * f) / determinant;
-  return out;
-}
-
-/// The least cost of one FRF by steps from a pole of its own that stays within the half width of the common one, its damping within
-/// itself.
-double own_cost(const Band& band, std::size_t entry, const ModelKind& kind, std::vector<Pole> poles, std::size_t at, const Pole& start) {
-  constexpr int most_steps = 3;
-  const Pole common = poles[at];
-  const double half_width = half_width_hz(kind, common);
-  const auto kept_near = [&](const Pole& pole) {
-    return Pole{std::clamp(pole.frequency_hz, common.frequency_hz - half_width, common.frequency_hz + half_width),
-                std::clamp(pole.damping, 0.1 * common.damping, 2.0 * common.damping)};
-  };
-  poles[at] = kept_near(start);
-  OwnPole best = own_pole(band, entry, kind, poles, at);
-  double share = 1.0;
-  for (int step = 0; step < most_steps; ++step) {
-    const Pole before = poles[at];
-    poles[at] = kept_near({before.frequency_hz + share * best.to_frequency_hz, before.damping + share * best.to_damping});
-    const OwnPole next = own_pole(band, entry, kind, poles, at);
-    if (next.cost < best.cost) {
-      best = next;
-      continue;
-    }
-    poles[at] = before;
-    share *= 0.3;
-  }
-  return best.cost;
+  std::vector<double> saving(entries.size());
+  tbb::parallel_for(std::size_t{0}, entries.size(), [&](std::size_t k) {
+    const auto terms = NormalBlock(basis, band, entries[k]).pole_terms(basis);
+    const auto i = static_cast<Index>(2 * at);
+    const double a = terms.curvature(i, i), b = terms.curvature(i, i + 1), c = terms.curvature(i + 1, i + 1);
+    const double f = terms.gradient(i), g = terms.gradient(i + 1), determinant = a * c - b * b;
+    if (!(determinant > 1e-9 * a * c)) return;
+    const double frequency_hz = poles[at].frequency_hz * (c * f - b * g) / determinant, damping = (a * g - b * f) / determinant;
+    const bool is_near = std::abs(frequency_hz) < half_width_hz(kind, poles[at]) && std::abs(damping) < poles[at].damping;
+    if (is_near) saving[k] = (c * f * f - 2.0 * b * f * g + a * g * g) / determinant;
+  });
+  return std::accumulate(saving.begin(), saving.end(), 0.0);
 }
 
 /// Complex frequency f + i·(half width).
 Complex complex_frequency(const ModelKind& kind, const Pole& pole) { return {pole.frequency_hz, half_width_hz(kind, pole)}; }
 
-/// Where the two poles act as one in one FRF: their centroid, weighted by its residues; the common pole where that is none.
-Pole centroid(const ModelKind& kind, const std::array<Pole, 2>& two, const std::array<Complex, 2>& residue, const Pole& common) {
-  const Complex at = (residue[0] * complex_frequency(kind, two[0]) + residue[1] * complex_frequency(kind, two[1])) /
-                     (residue[0] + residue[1]);
-  if (!(std::isfinite(std::norm(at)) && at.real() > 0.0 && at.imag() > 0.0)) return common;
-  return {at.real(), at.imag() * damping_per_zeta(kind) / at.real()};
-}
-
-/// The cost of all FRFs, each with one pole of its own in place of the two.
-double cost_of_own_poles(const Band& band, const std::vector<std::size_t>& entries, const ModelKind& kind, const RefinedPoles& one,
-                         const RefinedPoles& two, const std::array<std::size_t, 2>& pair) {
-  const Residues residues = fit_residues(band, entries, kind, two.poles);
+/// Whether the centroid of the two poles, weighted by their residues, stays between them in all FRFs.
+bool acts_as_one(const Band& band, const std::vector<std::size_t>& entries, const ModelKind& kind, const std::vector<Pole>& poles,
+                 const std::array<std::size_t, 2>& pair) {
+  const Residues residues = fit_residues(band, entries, kind, poles);
   const std::size_t own = kind.real_modes ? 1 : 2;
-  const Pole common = one.poles[pair[0]];
-  std::vector<double> cost(entries.size());
-  tbb::parallel_for(std::size_t{0}, entries.size(), [&](std::size_t k) {
+  const Complex difference = complex_frequency(kind, poles[pair[0]]) - complex_frequency(kind, poles[pair[1]]);
+  const double half_width = std::sqrt(half_width_hz(kind, poles[pair[0]]) * half_width_hz(kind, poles[pair[1]]));
+  for (std::size_t k = 0; k < entries.size(); ++k) {
     std::array<Complex, 2> residue;
+    double variance = 0.0;
     for (std::size_t m = 0; m < 2; ++m) {
       const std::size_t at = k * residues.columns + pair[m] * own;
       residue[m] = {residues.coefficients[at], own == 2 ? residues.coefficients[at + 1] : 0.0};
+      variance += residues.variance[at] + (own == 2 ? residues.variance[at + 1] : 0.0);
     }
-    const Pole start = centroid(kind, {two.poles[pair[0]], two.poles[pair[1]]}, residue, common);
-    cost[k] = std::min(own_cost(band, entries[k], kind, one.poles, pair[0], common),
-                       own_cost(band, entries[k], kind, one.poles, pair[0], start));
-  });
-  return std::accumulate(cost.begin(), cost.end(), 0.0);
+    const Complex sum = residue[0] + residue[1];
+    if (std::norm(residue[0]) + std::norm(residue[1]) < telling_deviations * telling_deviations * variance) continue;
+    if (std::abs(0.5 * difference * (residue[0] - residue[1])) > half_width * std::abs(sum)) return false;
+  }
+  return true;
 }
 
 /// Whether the two poles follow the FRFs to digits that no measurement has, and one pole does not, not even one of each FRF's own.
 bool two_are_exact(const Band& band, const std::vector<std::size_t>& entries, const ModelKind& kind, const RefinedPoles& one,
                    const RefinedPoles& two, const std::array<std::size_t, 2>& pair) {
   if (!is_exact(band, entries, kind, two.poles)) return false;
-  const double unexplained = entries.size() > 1 ? cost_of_own_poles(band, entries, kind, one, two, pair) : one.cost;
+  const double unexplained = one.cost - (entries.size() > 1 ? own_saving(band, entries, kind, one.poles, pair[0]) : 0.0);
   return unexplained > std::max(much_worse * two.cost, 2.0 * two.freedom);
 }
 
@@ -148,8 +115,9 @@ std::vector<Pole> with_one(std::vector<Pole> poles, const std::array<std::size_t
 bool one_pole_does(const Band& band, const std::vector<std::size_t>& entries, const ModelKind& kind, const RefinedPoles& one,
                    const RefinedPoles& two, const std::array<std::size_t, 2>& pair) {
   if (two_are_exact(band, entries, kind, one, two, pair)) return false;
-  if (entries.size() == 1) return true;
-  const double saving = one.cost - two.cost, unexplained = cost_of_own_poles(band, entries, kind, one, two, pair) - two.cost;
+  if (entries.size() == 1 || acts_as_one(band, entries, kind, two.poles, pair)) return true;
+  const double saving = one.cost - two.cost;
+  const double unexplained = saving - own_saving(band, entries, kind, one.poles, pair[0]);
   const double misfit = two.freedom > 0.0 ? std::max(1.0, two.cost / two.freedom) : 1.0;
   const double noise = misfit * chi_square_quantile(2.0 * static_cast<double>(entries.size()) + 2.0, significance_deviations);
   return unexplained < std::max(least_unexplained * saving, noise);

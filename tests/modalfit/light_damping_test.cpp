@@ -10,7 +10,6 @@
 #include "modalfit/model/fit.hpp"
 #include "modalfit/model/noise_laws.hpp"
 #include "modalfit/poles/doubled.hpp"
-#include "modalfit/poles/refine.hpp"
 #include "modalfit/poles/residual_peaks.hpp"
 
 namespace jointid::modalfit {
@@ -127,49 +126,6 @@ TEST(LightDamping, ModesOfOtherShapesWithinABandwidthAreTwo) {
   rig.modes = {{112.0, 2e-3, {1.0, 0.3, 0.6, 0.7, -0.2}}, {112.35, 2e-3, {-0.5, 0.9, 0.6, -0.8, 0.9}}};
   const ModalFit found = fitted_in(rig.measured(), 105.0, 119.0);
   EXPECT_EQ(modes_in(found).size(), 2u);
-}
-
-/// Poles refined with the weights of their noise, and with one pole in place of the last two.
-struct OneOrTwo {
-  Band band;
-  RefinedPoles one, two;
-  static constexpr std::array<std::size_t, 2> pair = {0, 1};
-
-  OneOrTwo(const Rig& rig, const std::array<Pole, 2>& start) : band(make_band(rig.measured(), {})) {
-    const std::vector<std::size_t> entries = all();
-    std::vector<Pole> poles = {start[0], start[1]};
-    for (int pass = 0; pass < 2; ++pass) estimate_noise(band, entries, {}, poles);
-    two = refine(band, entries, {}, poles);
-    one = refine(band, entries, {}, with_one(two.poles, pair));
-  }
-
-  static std::vector<std::size_t> all() { return {0, 1, 2, 3, 4}; }
-  bool one_does() const { return one_pole_does(band, all(), {}, one, two, pair); }
-};
-
-/// Two modes at half to nine tenths of a half-power bandwidth, whatever their shapes, stay two; one mode that drifts by up to a third of
-/// the half width from point to point is one.
-TEST(LightDamping, TwoModesStayTwoAndOneThatDriftsIsOne) {
-  constexpr double zeta = 2e-3, hz = 112.0;
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    const auto uniform = [&](std::uint64_t draw) { return uniform_numbers({.seed = seed, .trial = 7}, draw)[0]; };
-    const auto shape = [&](std::uint64_t first) {
-      std::vector<double> out;
-      for (std::uint64_t k = 0; k < 5; ++k) out.push_back((uniform(first + k) < 0.5 ? -1.0 : 1.0) * (0.3 + 0.7 * uniform(first + 10 + k)));
-      return out;
-    };
-    Rig rig;
-    rig.seed = seed;
-    rig.low_hz = 108.0;
-    rig.high_hz = 116.0;
-    const double apart = (0.5 + 0.4 * uniform(1)) * 2.0 * zeta * hz;
-    rig.modes = {{hz, zeta, shape(100)}, {hz + apart, zeta, shape(200)}};
-    EXPECT_FALSE(OneOrTwo(rig, {Pole{hz, zeta}, Pole{hz + apart, zeta}}).one_does()) << seed << ", apart " << apart;
-    rig.modes.pop_back();
-    rig.drift = uniform(2) * zeta / 3.0;
-    const double step = 1.5 * rig.drift * hz;
-    EXPECT_TRUE(OneOrTwo(rig, {Pole{hz - step, zeta}, Pole{hz + step, zeta}}).one_does()) << seed << ", drift " << rig.drift;
-  }
 }
 
 TEST(LightDamping, FewerModesThanAskedForIsDoubtful) {
