@@ -56,7 +56,8 @@ std::vector<Step> scene_steps(const std::string& sweep) {
       scene.lowest_hz = value;
     });
   }
-  if (sweep == "loss") return steps({0.0, 1e-8, 1e-4, 1e-2, 0.5}, [](ExtremeScene& scene, double value) { scene.loss_factor = value; });
+  if (sweep == "loss")
+    return steps({0.0, 1e-8, 1e-4, 1e-2, 0.5}, [](ExtremeScene& scene, double value) { scene.loss_factor = value; });
   if (sweep == "resonance") {
     return steps({0.0, 1e-12, 1e-8, 1e-4}, [](ExtremeScene& scene, double value) {
       scene.loss_factor = scene.joint_loss = value;
@@ -76,7 +77,9 @@ std::vector<Step> scene_steps(const std::string& sweep) {
   return {};
 }
 
-bool follows_all_methods(const std::string& sweep) { return sweep == "stiffness" || sweep == "free-free" || sweep == "resonance"; }
+bool follows_all_methods(const std::string& sweep) {
+  return sweep == "stiffness" || sweep == "free-free" || sweep == "resonance";
+}
 
 /// Up to which number of lines the likelihood and the SVD are measured.
 constexpr std::size_t few_lines = 1000;
@@ -138,7 +141,8 @@ void run(const std::string& sweep, const Watch& watch, std::vector<Measured>& ou
     measure_scene(sweep, step, watch, out);
   }
   if (sweep == "hilbert") {
-    for (const std::size_t size : {2u, 4u, 6u, 8u, 10u, 12u}) measure_rows(sweep, static_cast<double>(size), hilbert(size), watch, out);
+    for (const std::size_t size : {2u, 4u, 6u, 8u, 10u, 12u})
+      measure_rows(sweep, static_cast<double>(size), hilbert(size), watch, out);
   }
   if (sweep == "laeuchli") {
     for (const double delta : decades(-14, 0, 2)) measure_rows(sweep, delta, laeuchli(5, delta), watch, out);
@@ -170,8 +174,10 @@ const std::vector<Sweep>& sweeps() {
       {"hilbert", "rows: Hilbert matrices", "size"},
       {"laeuchli", "rows: Läuchli matrices", "δ"},
       {"weights", "rows: weights in random order (Powell and Reid)", "largest over smallest weight"},
-      {"chain", "27 beams on 26 joints, rows by parts, digits true", "stiffest joint over the structure, and the structure over the softest"},
-      {"frame", "15 beams on 21 joints, rows by parts, digits true", "stiffest joint over the structure, and the structure over the softest"}};
+      {"chain", "27 beams on 26 joints, rows by parts, digits true",
+       "stiffest joint over the structure, and the structure over the softest"},
+      {"frame", "15 beams on 21 joints, rows by parts, digits true",
+       "stiffest joint over the structure, and the structure over the softest"}};
   return all;
 }
 

@@ -84,11 +84,12 @@ std::string without_stroke(std::string_view name) {
   return std::string(name);
 }
 
-/// "частота [Hz]", "Abscissa (kHz)", "Pulsation [rad/s]": any name over a unit of frequencies, but that of a speed, a step or a width, or
-/// of what is computed from frequencies.
+/// "частота [Hz]", "Abscissa (kHz)", "Pulsation [rad/s]": any name over a unit of frequencies, but that of a speed, a step or a
+/// width, or of what is computed from frequencies.
 bool is_frequency_by_unit(const std::string& name, const std::string& unit) {
-  constexpr std::array others = std::to_array<std::string_view>({"speed", "drehzahl", "rate", "step", "span", "width", "resolution", "delta",
-                                                                 "log", "ratio", "norm", "order", "time", "period", "shift", "natural"});
+  constexpr std::array others =
+      std::to_array<std::string_view>({"speed", "drehzahl", "rate", "step", "span", "width", "resolution", "delta", "log",
+                                       "ratio", "norm", "order", "time", "period", "shift", "natural"});
   const std::string plain = lower_case(plain_label(unit));
   const bool known = (plain.ends_with("hz") || plain.starts_with("rad/s")) && hertz_of_label(unit);
   if (!known || name.empty() || name.find_first_of("0123456789*/^:+") != std::string::npos) return false;

@@ -307,9 +307,15 @@ class MirrorNoise {
 /// H_ij − H_ji = share · (H_ij + H_ji)/2 of a pair, over the lines.
 struct PairSlope {
   SlopeFit fit;
-  double square = 0.0;  ///< Σ |H_ij − H_ji|², weighed
+  double square = 0.0;               ///< Σ |H_ij − H_ji|², weighed
+  double first = 0.0, second = 0.0;  ///< Σ |H_ij|², Σ |H_ji|², weighed
+  Complex cross{};                   ///< Σ conj(H_ij) H_ji, weighed
 
-  bool is_told() const { return fit.is_told() && fit.freedom() >= 1.0; }
+  /// A factor leaves the shape: one of the two that is noise has none.
+  bool is_told() const {
+    constexpr double least_coherence = 0.8;
+    return fit.is_told() && fit.freedom() >= 1.0 && std::norm(cross) > least_coherence * first * second;
+  }
   double deviation() const { return fit.scatter() / fit.square(); }
   /// Noise that one of the two has more of than the other looks like a share of at most that.
   double doubt() const { return 0.5 * std::max(0.0, square - fit.value() * fit.slope()) / fit.square(); }
@@ -329,6 +335,9 @@ std::vector<PairSlope> pair_slopes(const CheckedFile& file, const MirrorPlaces& 
       PairSlope& pair = out[i * n + j];
       pair.fit.add(weight * (std::conj(both) * difference).real(), weight * std::norm(both));
       pair.square += weight * std::norm(difference);
+      pair.first += weight * std::norm(a);
+      pair.second += weight * std::norm(b);
+      pair.cross += weight * std::conj(a) * b;
     });
   }
   return out;
@@ -443,7 +452,8 @@ std::optional<PairFactor> factor_of_one_pair(const CheckedFile& file, double tri
   if (worst == nullptr) return std::nullopt;
   const auto place = static_cast<std::size_t>(worst - pairs.data());
   const double share = worst->fit.value(), factor = (1.0 + 0.5 * share) / (1.0 - 0.5 * share);
-  return PairFactor{places.dofs[place / n], places.dofs[place % n], factor, worst->deviation() / std::pow(1.0 - 0.5 * share, 2), usual};
+  return PairFactor{places.dofs[place / n], places.dofs[place % n], factor, worst->deviation() / std::pow(1.0 - 0.5 * share, 2),
+                    usual};
 }
 
 ReciprocityMap reciprocity_map(const CheckedFile& file) {

@@ -141,9 +141,10 @@ std::optional<Suspect> gain_of_one_frf(const CheckedFile& file, double tried) {
   return Suspect{.kind = SuspectKind::gain,
                  .file = file.name,
                  .dofs = {found->i, found->j},
-                 .evidence = fmt::format("one FRF: that of {0} over {1} is {2:.3g} ± {3:.1g} times that of {1} over {0}, where the middle one "
-                                         "of all pairs is off by {4}. One of the two is wrong: its gain, range or hits",
-                                         found->i.name(), found->j.name(), found->factor, found->deviation, percent(found->usual)),
+                 .evidence = fmt::format(
+                     "one FRF: that of {0} over {1} is {2:.3g} ± {3:.1g} times that of {1} over {0}, where the middle one "
+                     "of all pairs is off by {4}. One of the two is wrong: its gain, range or hits",
+                     found->i.name(), found->j.name(), found->factor, found->deviation, percent(found->usual)),
                  .confidence = unexplained_confidence,
                  .remedy = ""};
 }
@@ -269,8 +270,8 @@ std::string worst_band(const std::vector<Line>& lines, const std::vector<double>
     }
   }
   if (first == n) return "";
-  return ", most from " + digits(lines[first].frequency_hz, "%.4g") + " to " + digits(lines[first + width - 1].frequency_hz, "%.4g") +
-         " Hz";
+  return ", most from " + digits(lines[first].frequency_hz, "%.4g") + " to " +
+         digits(lines[first + width - 1].frequency_hz, "%.4g") + " Hz";
 }
 
 std::vector<Suspect> unexplained(const Files& files, const std::vector<SpanSetup>& setups, const Screening& screening,

@@ -174,7 +174,7 @@ std::optional<FreeEstimate> judge_prediction(const Plan& plan, const std::vector
 void judge_constrained(const Plan& plan, const std::optional<FreeEstimate>& fit, const std::vector<double>& free,
                        const std::vector<double>& theta, Solution& out) {
   if (out.status == Status::not_converged) return;  // what holds there is not what the scene asks for
-  if (fit) return judge_constraints(plan, *fit, theta, out);
+  if (fit) return judge_constraints(plan, *fit, free, theta, out);
   judge_constraints_by_residuals(plan, free, theta, out);
 }
 

@@ -115,7 +115,8 @@ std::optional<std::vector<WeighedCondition>> frequency_conditions(const Plan& pl
       const MeasuredRectangle h_bb = read_rectangle(*plan.substructures, at.joint, at.joint, *scene, each.lines);
       const double error = std::sqrt(part_variance(each, h_bb) + each.rough * each.rough + 1e-12 * each.value * each.value);
       if (!(error > 0.0) || !std::isfinite(error)) return std::nullopt;
-      out.push_back({each.coefficients / error, each.value / error,
+      out.push_back({each.coefficients / error,
+                     each.value / error,
                      {plain_number(each.frequency_hz) + " Hz is an eigenfrequency", "[identify] frequencies"}});
     }
   } catch (const InputError&) {
@@ -197,27 +198,54 @@ std::optional<ConstraintCost> cost_of(const Plan& plan, const FreeEstimate& free
   return out;
 }
 
+/// Doubtful where equalities at stated eigenfrequencies move an unknown, by the noise of the substructures there, further than
+/// its error: the data do not contradict such a frequency, but the joint that has it exactly is worse than one without. `own`:
+/// the unknowns of the method without constraints; empty: not known.
+void judge_frequencies(const Plan& plan, const FreeEstimate& free, const std::vector<double>& own,
+                       const std::vector<double>& theta, Solution& out) {
+  constexpr double most_deviations = 5.0, most_by_method = 0.5;
+  if (plan.scene.identify.frequencies_hz.empty()) return;
+  const MatrixXd covariance = with_least_errors(plan, free);
+  double worst = most_deviations;
+  std::size_t of = theta.size();
+  for (std::size_t c = 0; c < theta.size(); ++c) {
+    const double moved = std::abs(theta[c] - free.theta[c]), deviations = moved / std::sqrt(covariance(at(c), at(c)));
+    const bool by_method = !own.empty() && std::abs(own[c] - free.theta[c]) > most_by_method * moved;
+    if (!(deviations > worst) || by_method) continue;
+    worst = deviations;
+    of = c;
+  }
+  if (of == theta.size()) return;
+  tell(out, Status::doubtful,
+       "The stated eigenfrequencies move " + plan.columns->name(of, plan.restriction) + " by " + digits(worst, "%.3g") +
+           " of its standard deviations: the FRFs of the substructures are not exact enough there to hold a frequency. Remove "
+           "[identify] frequencies, correct them, or measure the substructures with less noise.");
+}
+
 }  // namespace
 
 double likely_cost(std::size_t equations, std::size_t lines) {
   constexpr double fewest = 4.0;
   const auto k = static_cast<double>(equations), freedom = static_cast<double>(std::max<std::size_t>(lines, 2)) - 1.0;
   const double left = std::max(fewest, freedom - k + 1.0);
-  return freedom / left * k * boost::math::quantile(complement(boost::math::fisher_f_distribution<double>(k, left), once_in_a_thousand));
+  return freedom / left * k *
+         boost::math::quantile(complement(boost::math::fisher_f_distribution<double>(k, left), once_in_a_thousand));
 }
 
-void judge_constraints(const Plan& plan, const FreeEstimate& free, const std::vector<double>& theta, Solution& out) {
+void judge_constraints(const Plan& plan, const FreeEstimate& free, const std::vector<double>& own,
+                       const std::vector<double>& theta, Solution& out) {
   const auto cost = cost_of(plan, free, Eigen::Map<const VectorXd>(theta.data(), at(theta.size())));
   if (!cost || cost->equations == 0) return;
   const double likely = likely_cost(cost->equations, free.lines);
-  if (!cost->is_above(likely)) return;
+  if (!cost->is_above(likely)) return judge_frequencies(plan, free, own, theta, out);
   tell_cost(*cost, likely,
             free.from_knowledge ? "the noise that files and scene state"
                                 : "the scatter of neighbouring lines, as files and scene do not state the noise",
             out);
 }
 
-void judge_constraints_by_residuals(const Plan& plan, const std::vector<double>& free, const std::vector<double>& theta, Solution& out) {
+void judge_constraints_by_residuals(const Plan& plan, const std::vector<double>& free, const std::vector<double>& theta,
+                                    Solution& out) {
   constexpr double five_deviations = 25.0, least_motion = 0.01;
   if (!out.admissibility || !is_usable(out.status)) return;
   const ConstraintCost cost{out.admissibility->chi_square, out.admissibility->equations, shares_of(plan, *out.admissibility)};
@@ -227,7 +255,8 @@ void judge_constraints_by_residuals(const Plan& plan, const std::vector<double>&
   double most = free.empty() ? 1.0 : 0.0;
   for (std::size_t c = 0; c < free.size(); ++c) most = std::max(most, std::abs(theta[c] - free[c]) / largest[at(c)]);
   if (!(most > least_motion)) return;
-  tell_cost(cost, likely, "the residuals of the equations, as the noise of the FRFs is not known; noise also biases this method", out);
+  tell_cost(cost, likely, "the residuals of the equations, as the noise of the FRFs is not known; noise also biases this method",
+            out);
 }
 
 void judge_constraints_by_variances(const Plan& plan, double ratio, Solution& out) {

@@ -25,8 +25,10 @@ double likely_cost(std::size_t equations, std::size_t lines);
 /// Doubtful, naming the worst constraint, where the data contradict those of the scene: where the nearest joint that meets them is
 /// further from the free estimate, in the metric of its cautious covariance, than likely_cost(). A thousandth of each unknown is added to
 /// its error (axes and units are no better). Stated eigenfrequencies have their own error: that of H_bb there and of its
-/// interpolation. `theta`: the constrained estimate.
-void judge_constraints(const Plan& plan, const FreeEstimate& free, const std::vector<double>& theta, Solution& out);
+/// interpolation; doubtful, too, where that error moves an unknown by more than five of its standard deviations. `theta`: the
+/// constrained estimate. `own`: the unknowns of the method without constraints; empty: not known.
+void judge_constraints(const Plan& plan, const FreeEstimate& free, const std::vector<double>& own, const std::vector<double>& theta,
+                       Solution& out);
 
 /// The same where the errors of the FRFs are not known: Admissibility::chi_square, by the scatter of the equations' residuals. Noise
 /// biases linear estimates beyond that, so five deviations are asked for, and that an unknown moved by a hundredth of the largest

@@ -41,11 +41,14 @@ MatrixXcd shifted_q(const NoisyLines& data, MatrixXcd q) {
   return q;
 }
 
-/// Whether the errors of a column of the substructures depend on each other, and what an equation makes of them: q F of B's part, and
-/// the row of C that is no joint coordinate.
-bool has_part_errors(const NoisyLine& line, Index column) { return line.part_errors[static_cast<std::size_t>(column)].size() > 0; }
+/// Whether the errors of a column of the substructures depend on each other, and what an equation makes of them: q F of B's part,
+/// and the row of C that is no joint coordinate.
+bool has_part_errors(const NoisyLine& line, Index column) {
+  return line.part_errors[static_cast<std::size_t>(column)].size() > 0;
+}
 
-Eigen::RowVectorXcd part_error(const NoisyLines& data, const NoisyLine& line, const MatrixXcd& q, Index row, Index column, bool with_c) {
+Eigen::RowVectorXcd part_error(const NoisyLines& data, const NoisyLine& line, const MatrixXcd& q, Index row, Index column,
+                               bool with_c) {
   const MatrixXcd& factor = line.part_errors[static_cast<std::size_t>(column)];
   Eigen::RowVectorXcd out = q.row(row) * factor.topRows(q.cols());
   if (with_c && data.row_joint[static_cast<std::size_t>(row)] < 0) out -= factor.row(q.cols() + row);
@@ -120,7 +123,8 @@ double or_zero(double value) { return std::isfinite(value) ? value : 0.0; }
 MatrixXd known_only(const MatrixXd& values) { return values.unaryExpr(&or_zero); }
 
 /// The part of noise_of() of columns whose errors depend on each other; `q`: of the derivatives, and of what is known.
-MatrixXd shared_noise_of(const NoisyLines& data, const NoisyLine& line, const LineResidual& now, const std::vector<MatrixXcd>& q) {
+MatrixXd shared_noise_of(const NoisyLines& data, const NoisyLine& line, const LineResidual& now,
+                         const std::vector<MatrixXcd>& q) {
   const Index p = at(q.size()) - 1;
   MatrixXd out = MatrixXd::Zero(p + 1, p + 1);
   for (Index m = 0; m < now.r.cols(); ++m) {
@@ -146,7 +150,7 @@ MatrixXd noise_of(const NoisyLines& data, const NoisyLine& line, const JointImpe
   const Index p = at(joint.columns().size()), n = line.b.rows();
   const MatrixXd va = known_only(line.a_variance), vb = known_only(line.b_variance);
   const MatrixXd of_b = (va.transpose() * now.weight).cwiseSqrt();  // [N×L]
-  MatrixXd alone = vb;  // errors that depend on nothing
+  MatrixXd alone = vb;                                              // errors that depend on nothing
   for (Index m = 0; m < alone.cols(); ++m) {
     if (has_part_errors(line, m)) alone.col(m).setZero();
   }
@@ -203,7 +207,8 @@ class WhitenedEquations {
     NormalSum out{{}, MatrixXd::Zero(unknowns_ + 1, unknowns_ + 1), MatrixXd::Zero(unknowns_ + 1, unknowns_ + 1)};
     each(theta, [&](std::size_t i, const LineResidual& now) {
       const MatrixXd normal = spread(normal_of(data_.lines[i], joints_[i], now), joints_[i].columns(), unknowns_);
-      const MatrixXd noise = noise_share * spread(noise_of(data_, data_.lines[i], joints_[i], now), joints_[i].columns(), unknowns_);
+      const MatrixXd noise =
+          noise_share * spread(noise_of(data_, data_.lines[i], joints_[i], now), joints_[i].columns(), unknowns_);
       out.normal += normal;
       out.noise += noise;
       out.by_line.push_back(normal - noise);
@@ -219,7 +224,8 @@ class WhitenedEquations {
       const MatrixXcd none = MatrixXcd::Zero(joints_[i].known().rows(), joints_[i].known().cols());
       const LineResidual now = residual_of(data_, data_.lines[i], none);
       const double used = (now.weight.array() > 0.0).cast<double>().sum();
-      if (used > 0.0) lines.push_back((now.weight.array() > 0.0).select(now.weight.cwiseProduct(now.r.cwiseAbs2()), 0.0).sum() / used);
+      if (used > 0.0)
+        lines.push_back((now.weight.array() > 0.0).select(now.weight.cwiseProduct(now.r.cwiseAbs2()), 0.0).sum() / used);
     }
     return middle(std::move(lines));
   }
@@ -347,8 +353,12 @@ std::optional<WhitenedFit> whitened_fit(const Plan& plan, const NoisyLines& data
     const MatrixXd corrected = sums.normal - sums.noise;
     bool moved = false;
     for (const bool with_noise : {false, true}) {
-      WhitenedFit next{.theta = solution_of(with_noise ? sums.normal : corrected), .covariance = {}, .jackknife = {}, .corrected = !with_noise,
-                       .row_misfit = {}, .column_misfit = {}};
+      WhitenedFit next{.theta = solution_of(with_noise ? sums.normal : corrected),
+                       .covariance = {},
+                       .jackknife = {},
+                       .corrected = !with_noise,
+                       .row_misfit = {},
+                       .column_misfit = {}};
       if (!finite(next.theta)) continue;
       equations.judge(next.theta, next);
       if (!(next.misfit <= (with_noise ? 1.0 / as_good : as_good) * best.misfit)) continue;

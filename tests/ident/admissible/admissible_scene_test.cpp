@@ -9,9 +9,9 @@
 #include "ident/equations/assemble.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "joint_eigenvalues.hpp"
-#include "tests/ident/likelihood_case.hpp"
 #include "minimise/linear/reduced_system.hpp"
 #include "study/trial_loop.hpp"
+#include "tests/ident/likelihood_case.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -79,7 +79,8 @@ TEST(AdmissibleLinear, EveryOneOfManyJointsIsDefinite) {
   EXPECT_GE(least_relative_eigenvalue(solve(*plan)), -1e-9);
 }
 
-/// The admissible joints are convex and the truth is one of them: in the metric of the projection it cannot come to lie further off.
+/// The admissible joints are convex and the truth is one of them: in the metric of the projection it cannot come to lie further
+/// off.
 TEST(AdmissibleLinear, TheProjectionIsNoFurtherFromTheTruth) {
   LinearCase a1("A1");
   a1.scene.joints[0].definite = both;
@@ -174,7 +175,7 @@ TEST(AdmissibleLikelihood, DefiniteMatricesAndWhatTheyCost) {
 TEST(AdmissibleLikelihood, ABoundAndAKnownElementAgree) {
   LikelihoodCase c2("C2", 0.01);
   const Solution free = solve(*c2.polluted());
-  const double value = free.unknowns[0].value - 4.0 * *free.unknowns[0].std_error;
+  const double value = free.unknowns[0].value - 2.0 * *free.unknowns[0].std_error;  // which chance may be
   LikelihoodCase bounded = c2, known = c2;
   bounded.scene.identify.bounds = {{"K(1,1)", 0.0, value}};
   known.scene.joints[0].matrices[Kind::stiffness] =
@@ -196,7 +197,8 @@ TEST(AdmissibleStudy, EveryTrialIsAdmissible) {
   LinearCase a1("A1");
   a1.scene.joints[0].definite = both;
   const auto plan = a1.polluted();
-  const std::vector<study::Trial> trials = study::run_trials(problems::trial_data(a1.scene, a1.problem), {.trials = 5, .threads = 1});
+  const std::vector<study::Trial> trials =
+      study::run_trials(problems::trial_data(a1.scene, a1.problem), {.trials = 5, .threads = 1});
   for (const study::Trial& trial : trials) {
     for (const Kind kind : both) EXPECT_GE(least_relative_eigenvalue(plan->restriction.matrix(kind, trial.values)), -1e-10);
   }
@@ -228,11 +230,13 @@ TEST(AdmissiblePlan, RefusesWhatCannotBe) {
   using restrictions::EntryMatrix;
   EXPECT_THAT(refused(definite(restrictions::Pattern::full)), HasSubstr("[joint.stiffness] definite: only a symmetric matrix"));
   // A zero on the diagonal.
-  EXPECT_THAT(refused(definite(EntryMatrix{{0.0, "a", 0.0, 0.0}, {"a", "b", 0.0, 0.0}, {0.0, 0.0, "c", 0.0}, {0.0, 0.0, 0.0, "d"}})),
-              HasSubstr("no joint has K positive semidefinite with room to spare"));
+  EXPECT_THAT(
+      refused(definite(EntryMatrix{{0.0, "a", 0.0, 0.0}, {"a", "b", 0.0, 0.0}, {0.0, 0.0, "c", 0.0}, {0.0, 0.0, 0.0, "d"}})),
+      HasSubstr("no joint has K positive semidefinite with room to spare"));
   // Known and negative.
-  EXPECT_THAT(refused(definite(EntryMatrix{{-5.0, 0.0, 0.0, 0.0}, {0.0, "b", 0.0, 0.0}, {0.0, 0.0, "c", 0.0}, {0.0, 0.0, 0.0, "d"}})),
-              HasSubstr("no joint has K positive semidefinite"));
+  EXPECT_THAT(
+      refused(definite(EntryMatrix{{-5.0, 0.0, 0.0, 0.0}, {0.0, "b", 0.0, 0.0}, {0.0, 0.0, "c", 0.0}, {0.0, 0.0, 0.0, "d"}})),
+      HasSubstr("no joint has K positive semidefinite"));
   EXPECT_EQ(
       refused(definite(EntryMatrix{{5e5, "b", 0.0, 0.0}, {"b", 4e3, 0.0, 0.0}, {0.0, 0.0, "c", 0.0}, {0.0, 0.0, 0.0, "d"}})),
       "no error");
@@ -241,7 +245,9 @@ TEST(AdmissiblePlan, RefusesWhatCannotBe) {
                 scene.identify.bounds = {{"K(2,2)", -std::numeric_limits<double>::infinity(), -10.0}};
               }),
               HasSubstr("no joint meets these together with room to spare: K positive semidefinite, K(2,2) <= -10 "));
-  EXPECT_THAT(refused([](Scene& scene) { scene.identify.bounds = {{"K(1,9)", 0.0, 1.0}}; }),
+  EXPECT_THAT(refused([](Scene& scene) {
+                scene.identify.bounds = {{"K(1,9)", 0.0, 1.0}};
+              }),
               HasSubstr("[identify] bounds: the joint has no unknown K(1,9); did you mean K(1,1)?"));
   EXPECT_THAT(refused([](Scene& scene) { scene.identify.ties = {"K(1,1) = K(1,9)"}; }),
               HasSubstr("[identify] ties: the tie 'K(1,1) = K(1,9)'"));

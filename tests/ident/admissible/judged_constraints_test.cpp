@@ -46,33 +46,35 @@ bool is_contradicted(const Solution& found) { return found.message.find(contradi
 
 /// 500 Hz is an eigenfrequency of the assembly of A1 at no joint like the true one.
 TEST(JudgedConstraints, AnEigenfrequencyThatTheAssemblyDoesNotHaveIsDoubtful) {
-  Constrained a1("A1", Method::one, 0.05);
-  a1.scene.identify.frequencies_hz = {500.0};
-  std::size_t told = 0;
-  Solution found;
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    Solution each = a1.solved(seed);
-    EXPECT_NE(each.status, Status::ok) << seed;
-    if (!is_contradicted(each)) continue;
-    ++told;
-    found = std::move(each);
+  for (const double level : {0.01, 0.05}) {
+    Constrained a1("A1", Method::one, level);
+    a1.scene.identify.frequencies_hz = {500.0};
+    std::size_t told = 0;
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      const Solution found = a1.solved(seed);
+      EXPECT_NE(found.status, Status::ok) << level << ", seed " << seed;
+      if (found.status == Status::not_converged) continue;
+      EXPECT_THAT(found.message, HasSubstr("[identify] frequencies")) << seed;
+      ++told;
+    }
+    EXPECT_GE(told, 3u) << level;
   }
-  ASSERT_GE(told, 3u);  // the others did not converge
-  EXPECT_THAT(found.message, HasSubstr("\"500 Hz is an eigenfrequency\""));
-  EXPECT_THAT(found.message, HasSubstr("[identify] frequencies"));
-  EXPECT_THAT(found.message, HasSubstr("the noise that files and scene state"));
 }
 
-TEST(JudgedConstraints, OneFalseFrequencyAmongTrueOnesIsNamed) {
-  Constrained a1("A1", Method::one, 0.01);
-  const auto& true_hz = a1.problem.assembly_modes.frequency_hz;
-  for (const double hz : true_hz) {
-    if (hz > 600.0 && hz < 1000.0) a1.scene.identify.frequencies_hz.push_back(hz);
+/// Exact equalities between noisy FRFs: what is `ok` is near the truth, seen by intervals of the estimate without them.
+TEST(JudgedConstraints, ATrueFrequencyThatNoiseSpoilsIsDoubtful) {
+  Constrained a1("A1", Method::one, 0.05);
+  a1.scene.identify.frequencies_hz = {537.1200253612756};
+  const double truth = a1.truth("K(1,1)");
+  std::size_t spoiled = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Solution found = a1.solved(seed);
+    const bool far = std::abs(found.unknowns[0].value - truth) > 0.3 * truth;
+    spoiled += far ? 1 : 0;
+    EXPECT_FALSE(far && found.status == Status::ok) << seed << ": " << found.unknowns[0].value;
+    EXPECT_FALSE(is_contradicted(found)) << seed << ": " << found.message;
   }
-  ASSERT_EQ(a1.scene.identify.frequencies_hz.size(), 2u);
-  EXPECT_FALSE(is_contradicted(a1.solved(1)));
-  a1.scene.identify.frequencies_hz.push_back(500.0);
-  EXPECT_THAT(a1.solved(1).message, HasSubstr("The constraint that costs most is \"500 Hz is an eigenfrequency\""));
+  EXPECT_GE(spoiled, 1u);
 }
 
 struct MethodOn {
@@ -92,7 +94,9 @@ TEST_P(EveryMethod, ConstraintsAreHeldAgainstTheData) {
   Constrained bounded = plain, tied = plain, right = plain;
   bounded.scene.identify.bounds = {{first, -2.0 * std::abs(one), 0.6 * one}};
   tied.scene.identify.ties = {first + " = " + std::to_string(2.0 * one / other) + "*" + second};
-  const auto around = [](double value) { return Bound{"", std::min(0.5 * value, 3.0 * value), std::max(0.5 * value, 3.0 * value)}; };
+  const auto around = [](double value) {
+    return Bound{"", std::min(0.5 * value, 3.0 * value), std::max(0.5 * value, 3.0 * value)};
+  };
   right.scene.identify.bounds = {{first, around(one).lower, around(one).upper}};
   right.scene.identify.ties = {first + " = " + std::to_string(one / other) + "*" + second};
   const Solution by_bound = bounded.solved(1), by_tie = tied.solved(1), by_right = right.solved(1);
