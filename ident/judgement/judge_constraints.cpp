@@ -203,14 +203,14 @@ std::optional<ConstraintCost> cost_of(const Plan& plan, const FreeEstimate& free
 /// the unknowns of the method without constraints; empty: not known.
 void judge_frequencies(const Plan& plan, const FreeEstimate& free, const std::vector<double>& own,
                        const std::vector<double>& theta, Solution& out) {
-  constexpr double most_deviations = 5.0, most_by_method = 0.5;
+  constexpr double most_deviations = 5.0;
   if (plan.scene.identify.frequencies_hz.empty()) return;
   const MatrixXd covariance = with_least_errors(plan, free);
   double worst = most_deviations;
   std::size_t of = theta.size();
   for (std::size_t c = 0; c < theta.size(); ++c) {
     const double moved = std::abs(theta[c] - free.theta[c]), deviations = moved / std::sqrt(covariance(at(c), at(c)));
-    const bool by_method = !own.empty() && std::abs(own[c] - free.theta[c]) > most_by_method * moved;
+    const bool by_method = !own.empty() && std::abs(own[c] - free.theta[c]) > moved;  // is as far off without
     if (!(deviations > worst) || by_method) continue;
     worst = deviations;
     of = c;

@@ -6,8 +6,8 @@
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "joint_eigenvalues.hpp"
-#include "tests/ident/likelihood_accuracy.hpp"
 #include "problems/problem.hpp"
+#include "tests/ident/likelihood_accuracy.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::ident {
@@ -99,8 +99,9 @@ TEST(AdmissibleRegenerated, CaseB5TellsTheConstraintAndItsCost) {
   scene.joints[0].definite = {Kind::stiffness, Kind::hysteretic_damping};
   const Solution found = solve(*make_plan(scene));
   ASSERT_EQ(found.status, Status::ok);
-  std::printf("least over largest eigenvalue %.3g without, %.3g with; cost %.4g by %zu equations\n", least_relative_eigenvalue(free),
-              least_relative_eigenvalue(found), found.admissibility->chi_square, found.admissibility->equations);
+  std::printf("least over largest eigenvalue %.3g without, %.3g with; cost %.4g by %zu equations\n",
+              least_relative_eigenvalue(free), least_relative_eigenvalue(found), found.admissibility->chi_square,
+              found.admissibility->equations);
   for (const ConstraintOutcome& each : found.admissibility->constraints) {
     std::printf("  %s: %zu of %zu at the limit, cost %.4g\n", each.text.c_str(), each.at_limit, each.size, each.chi_square);
   }

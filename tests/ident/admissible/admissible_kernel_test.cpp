@@ -23,7 +23,8 @@ SymmetricBlock whole_matrix(Index size) {
   for (Index i = 0; i < size; ++i) {
     for (Index j = i; j < size; ++j) {
       block.unknowns.push_back(static_cast<Index>(block.unknowns.size()));
-      block.coefficients.push_back(i == j ? std::vector<BlockEntry>{{i, i, 1.0}} : std::vector<BlockEntry>{{i, j, 1.0}, {j, i, 1.0}});
+      block.coefficients.push_back(i == j ? std::vector<BlockEntry>{{i, i, 1.0}}
+                                          : std::vector<BlockEntry>{{i, j, 1.0}, {j, i, 1.0}});
     }
   }
   return block;
@@ -52,7 +53,8 @@ struct Sample {
     const MatrixXd error = 0.2 * draw(n, n);
     matrix = half * half.transpose() + error + error.transpose();
     theta = upper(matrix);
-    root = MatrixXd::Identity(theta.size(), theta.size()) + 0.5 / std::sqrt(double(theta.size())) * draw(theta.size(), theta.size());
+    root =
+        MatrixXd::Identity(theta.size(), theta.size()) + 0.5 / std::sqrt(double(theta.size())) * draw(theta.size(), theta.size());
   }
 
   MatrixXd draw(Index rows, Index columns) {
@@ -138,7 +140,8 @@ TEST(TiedLeastSquares, AgreesWithLagrangeMultipliers) {
   // ‖R(θ + basis·x − θ̂)‖² is the least plus ‖x‖².
   const VectorXd x = sample.draw(4, 1);
   const double least = (sample.root * (tied.theta - sample.theta)).squaredNorm();
-  EXPECT_NEAR((sample.root * (tied.theta + tied.basis * x - sample.theta)).squaredNorm(), least + x.squaredNorm(), 1e-9 * (least + 1.0));
+  EXPECT_NEAR((sample.root * (tied.theta + tied.basis * x - sample.theta)).squaredNorm(), least + x.squaredNorm(),
+              1e-9 * (least + 1.0));
   EXPECT_EQ(tied.null_space.cols(), 0);
 }
 
@@ -179,7 +182,8 @@ TEST(Ties, EqualUnknownsBecomeOne) {
 
 TEST(DefiniteBlock, LeavesOutWhatThePatternMakesSingular) {
   // a at (1,1), −a at (1,2), a at (2,2): one spring, of rank 1.
-  restrictions::MatrixTerms spring{restrictions::Kind::stiffness, {{0, 0, 0, 1.0}, {0, 1, 0, -1.0}, {1, 0, 0, -1.0}, {1, 1, 0, 1.0}}, {}};
+  restrictions::MatrixTerms spring{
+      restrictions::Kind::stiffness, {{0, 0, 0, 1.0}, {0, 1, 0, -1.0}, {1, 0, 0, -1.0}, {1, 1, 0, 1.0}}, {}};
   const auto block = definite_block(spring, 0, 2, {{0, 0}}, 1.0);
   ASSERT_TRUE(block);
   ASSERT_EQ(block->size(), 1);
