@@ -40,12 +40,13 @@ frf::Dof dof_at(const ManyJoints& structure, const json& place) {
   return structure.parts[place[0].get<std::size_t>()].dofs()[place[1].get<std::size_t>()];
 }
 
-/// chain50_loose3: the share of K that each joint has left, from FRFs at six coordinates with the noise of the file; the other program's
-/// weights are those of the exact FRFs.
+/// chain50_loose3: the share of K that each joint has left, from FRFs at six coordinates with the noise of the file; the other
+/// program's weights are those of the exact FRFs.
 class LooseChain {
  public:
   /// `free`: joints whose share is unknown, the others as they should be.
-  LooseChain(const json& golden, const std::vector<std::size_t>& free) : golden_(golden), structure_(problems::many_joints("loose-3")) {
+  LooseChain(const json& golden, const std::vector<std::size_t>& free)
+      : golden_(golden), structure_(problems::many_joints("loose-3")) {
     structure_.references.clear();
     for (const json& each : golden["sensors"]) structure_.references.push_back(dof_at(structure_, each));
     structure_.frequency_hz = golden["lines_hz"].get<std::vector<double>>();
@@ -113,7 +114,9 @@ class LooseChain {
     for (std::size_t i = 0; i < structure_.frequency_hz.size(); ++i) {
       Eigen::MatrixXcd& h = out.emplace_back(at(golden_["sensors"].size()), at(golden_["references"].size()));
       for (Index r = 0; r < h.rows(); ++r) {
-        for (Index c = 0; c < h.cols(); ++c) h(r, c) = element(assembly, i, golden_["sensors"][r], golden_["references"][c]);
+        for (Index c = 0; c < h.cols(); ++c)
+          h(r, c) = element(assembly, i, golden_["sensors"][static_cast<std::size_t>(r)],
+                            golden_["references"][static_cast<std::size_t>(c)]);
       }
     }
     return out;
@@ -139,7 +142,8 @@ class LooseChain {
         return out;
       };
       const Dofs& joint = restriction_.dofs;
-      ReachableFrfs frfs{block(sensors, references), block(sensors, joint), block(joint, references), block(joint, joint), exact[i]};
+      ReachableFrfs frfs{block(sensors, references), block(sensors, joint), block(joint, references), block(joint, joint),
+                         exact[i]};
       Eigen::VectorXd weight(2 * exact[i].size());
       for (Index r = 0; r < exact[i].rows(); ++r) {
         for (Index c = 0; c < exact[i].cols(); ++c) {
@@ -153,7 +157,8 @@ class LooseChain {
       }
       if (i + 1 == exact.size()) last_ = frfs.nn;
       weight_.push_back(std::move(weight));
-      lines_.emplace_back(std::move(frfs), joint_at(restriction_, *columns_, 1.0, 2.0 * std::numbers::pi * structure_.frequency_hz[i]));
+      lines_.emplace_back(std::move(frfs),
+                          joint_at(restriction_, *columns_, 1.0, 2.0 * std::numbers::pi * structure_.frequency_hz[i]));
     }
   }
 
@@ -191,7 +196,8 @@ TEST(GoldenJoints, LooseJointsOfFewSensorsAreRefitted) {
   if (golden.is_null()) JOINTID_SKIP("no golden values; set JOINTID_EXTERNAL_DATA");
   const LooseChain chain(golden, {11, 26, 37});
   for (Index k = 0; k < 12; ++k) {
-    const Complex expected(golden["H_noisy_last_line"][k][0], golden["H_noisy_last_line"][k][1]);
+    const Complex expected(golden["H_noisy_last_line"][static_cast<std::size_t>(k)][0],
+                           golden["H_noisy_last_line"][static_cast<std::size_t>(k)][1]);
     EXPECT_LE(std::abs(chain.noisy_last_line()(k / 2, k % 2) - expected), 1e-8 * std::abs(expected)) << k;
   }
   std::vector<double> left = {0.3, 0.5, 0.2};
