@@ -1,10 +1,10 @@
 #include "tasks/joint_layout.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 
 #include "frf/text/direction_names.hpp"
+#include "frf/text/unit_names.hpp"
 
 namespace jointid::tasks {
 namespace {
@@ -13,9 +13,7 @@ using Springs = std::vector<std::string>;
 
 /// "x", "y", "z", "rx", "ry", "rz".
 std::string word(frf::Direction direction) {
-  std::string name(frf::direction_names[static_cast<std::size_t>(direction) - 1]);
-  std::ranges::transform(name, name.begin(), [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return name;
+  return frf::lower_case(frf::direction_names[static_cast<std::size_t>(direction) - 1]);
 }
 
 std::string spring(const NodePair& pair, frf::Direction direction) {

@@ -370,7 +370,7 @@ std::optional<WhitenedFit> whitened_fit(const Plan& plan, const NoisyLines& data
   best.free_misfit = equations.free_misfit();
   const NormalSum sums = equations.sum(best.theta, best.corrected ? std::min(1.0, best.misfit) : 0.0);
   best.covariance = sandwich(sums, best.theta);
-  best.jackknife = leave_one_out(sums, at(best.theta.size()));
+  if (plan.admissible) best.jackknife = leave_one_out(sums, at(best.theta.size()));
   return best;
 }
 

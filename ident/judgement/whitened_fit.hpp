@@ -19,7 +19,8 @@ namespace jointid::ident {
 struct WhitenedFit {
   std::vector<double> theta;   ///< scaled unknowns, as LinearSolution::y
   Eigen::MatrixXd covariance;  ///< of theta, from the scatter of the lines' gradients (sandwich)
-  Eigen::MatrixXd jackknife;   ///< the same by leaving out one line after the other, which lines that decide alone make larger
+  /// The same by leaving out one line after the other, which lines that decide alone make larger; empty without constraints.
+  Eigen::MatrixXd jackknife;
   bool corrected = false;      ///< false: noise hides so much of the coefficients that the bias could not be taken off
   /// |r|²/var r: the mean of a line's equations, the middle one of all lines. About 1, or less, when the data agree with a joint.
   double misfit = 0.0;
