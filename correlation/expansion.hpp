@@ -18,9 +18,10 @@ Eigen::MatrixXcd serep(const Eigen::MatrixXcd& shapes, const Places& b);
 ///   extended: all coordinates, by Y_p(b,:)⁺ and Y_p(:,b)⁺.
 enum class Semm { basic, extended };
 
-/// FRFs Y of all coordinates at one line, from a parent model Y_p [n × n] and an overlay Y_o measured at b.
-///   basic      Y = Y_p − Y_p(:,b) Y_p,bb⁻¹ (Y_p,bb − Y_o) Y_p,bb⁻¹ Y_p(b,:)
-///   extended   Y = Y_p − Y_p Y_p(b,:)⁺ (Y_p,bb − Y_o) Y_p(:,b)⁺ Y_p
+/// FRFs Y of all coordinates at one line, from a parent model Y_p [n × n] and an overlay Y_o measured at b. Basic:
+///   Y = Y_p − Y_p(:,b) Y_p,bb⁻¹ (Y_p,bb − Y_o) Y_p,bb⁻¹ Y_p(b,:).
+/// Extended:
+///   Y = Y_p − Y_p Y_p(b,:)⁺ (Y_p,bb − Y_o) Y_p(:,b)⁺ Y_p.
 /// Both give the overlay at b, and the parent where the overlay is that of the parent. NaN where Y_p,bb is singular.
 Eigen::MatrixXcd mixed(const Eigen::MatrixXcd& parent, const Eigen::MatrixXcd& overlay, const Places& b, Semm way);
 
