@@ -144,10 +144,14 @@ void LooseMethod::solve(const Plan& plan, const Control& control, Solution& out)
   LooseFit fit;
   {
     const Stopwatch watch(out.runtime_s.solve);
-    fit = fit_loose_joints(structure, frequencies, [&] {
-      stop_if(control.interrupted);
-      if (control.progress) control.progress("eigenfrequencies", ++solutions, 0);
-    });
+    try {
+      fit = fit_loose_joints(structure, frequencies, [&] {
+        stop_if(control.interrupted);
+        if (control.progress) control.progress("eigenfrequencies", ++solutions, 0);
+      });
+    } catch (const InputError& error) {
+      fail(plan.scene, frequencies_key, error.parts().problem, error.parts().remedy);
+    }
   }
   minimise::LinearSolution linear;
   for (std::size_t c = 0; c < plan.columns->size(); ++c) linear.y.push_back((1.0 - fit.lost[at(c)]) / plan.unscale(c));

@@ -156,13 +156,14 @@ ElasticModes elastic_modes(const SharedStiffness& of, const VectorXd& lost, Inde
     for (const auto& [row, column, value] : of.of_joint[j]) k(row, column) += (1.0 - lost[at(j)]) * value;
   }
   const dense::SymmetricEigen eigen = dense::symmetric_eigen(k, of.mass);
-  if (!eigen.values.allFinite()) refuse("the mass matrix of the parts is not positive definite");
+  if (!eigen.values.allFinite()) refuse("the mass matrix of the parts is not positive definite", "give every coordinate of the models a mass");
   const double rigid = rounding * static_cast<double>(eigen.values.size()) * eigen.values.cwiseAbs().maxCoeff();
   Index first = 0;
   while (first < eigen.values.size() && !(eigen.values[first] > rigid)) ++first;
   if (first + count > eigen.values.size()) {
     refuse("the structure has " + std::to_string(eigen.values.size() - first) + " elastic modes, and " + std::to_string(count) +
-           " frequencies are given");
+           " frequencies are given",
+           "leave the highest out");
   }
   ElasticModes out{eigen.values.segment(first, count).array().log(), MatrixXd::Zero(count, at(of.joints()))};
   for (Index r = 0; r < count; ++r) {
