@@ -237,8 +237,8 @@ void PartsMethod::solve(const Plan& plan, const Control& control, Solution& out)
                       .ratio = chi_square.value / std::max(1.0, chi_square.degrees_of_freedom)},
                      control, out);
     if (control.detail == Detail::full) tell_worst_part(plan, out, out);
-    if (control.detail == Detail::full) tell_relative_motions(plan, out);
   }
+  if (control.detail == Detail::full && control.judgement != Judgement::none) tell_relative_motions(plan, out);
   tell_and_predict(plan, control, out);
 }
 
