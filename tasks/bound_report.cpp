@@ -347,7 +347,7 @@ BoundReport predict_bound(const ident::Plan& plan, const ident::Dofs& candidates
   auto likelihood = likelihood_plan(plan, plan.scene, by_parts ? ident::Solver::by_parts : ident::Solver::automatic);
   if (likelihood->solver != ident::Solver::by_parts) return Predictor(std::move(likelihood), candidates, control, keep).run();
   if (!candidates.empty()) {
-    fail(plan.scene, "--candidates", "the likelihood goes by parts here, whose bound does not tell what coordinates are worth",
+    fail(plan.scene, "--candidates", "the bound of the likelihood by parts does not compare coordinates",
          "leave --candidates out, or set solver = \"gauss-helmert\" in [identify]");
   }
   return predict_by_parts(*likelihood, control);

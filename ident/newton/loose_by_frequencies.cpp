@@ -128,7 +128,7 @@ void require_shares(const Plan& plan) {
          "give hysteretic_damping of the joints by numbers, or leave frequencies out");
   }
   if (plan.scene.identify.frequencies_hz.size() < 3)
-    fail(plan.scene, frequencies_key, "fewer than three eigenfrequencies tell no loose joint", "give more of them");
+    fail(plan.scene, frequencies_key, "fewer than three eigenfrequencies do not determine a loose joint", "give more of them");
 }
 
 std::string statement(const LooseFit& fit) {
@@ -184,7 +184,7 @@ PlannedMethod plan_loose_by_frequencies(const Plan& plan) {
   out.solver = Solver::newton;
   out.cost.lines = plan.lines.size();
   out.cost.columns = plan.columns->size();
-  out.left_out.emplace_back("all FRFs: eigenfrequencies alone tell the loose joints");
+  out.left_out.emplace_back("all FRFs: the loose joints are determined by eigenfrequencies alone");
   out.method = std::move(own);
   return out;
 }
