@@ -11,6 +11,7 @@
 
 from __future__ import annotations
 
+from ._correlation import Correlation, correlate, expand
 from ._coupling import couple, decouple, virtual_points
 from ._joint import bound, check, compare, identify, identify_lines, plan, study
 from ._jointid import __version__
@@ -35,6 +36,7 @@ from .frf_set import FrfSet
 from .results import Finding, Result, Solution, Unknown
 
 __all__ = [
+    "Correlation",
     "DataWarning",
     "DecoupledResult",
     "Dof",
@@ -53,9 +55,11 @@ __all__ = [
     "bound",
     "check",
     "compare",
+    "correlate",
     "couple",
     "decouple",
     "equivalent",
+    "expand",
     "frf",
     "friction_laws",
     "identify",
