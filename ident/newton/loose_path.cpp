@@ -71,7 +71,6 @@ class LoosePath {
       if (keep(fitted(now, 0.0, loose), loose)) idle = 0;
     }
     best_.before = sound;
-    best_.choices = tried.size();
     best_.solutions = solutions_;
     return best_;
   }
@@ -156,7 +155,8 @@ ElasticModes elastic_modes(const SharedStiffness& of, const VectorXd& lost, Inde
     for (const auto& [row, column, value] : of.of_joint[j]) k(row, column) += (1.0 - lost[at(j)]) * value;
   }
   const dense::SymmetricEigen eigen = dense::symmetric_eigen(k, of.mass);
-  if (!eigen.values.allFinite()) refuse("the mass matrix of the parts is not positive definite", "give every coordinate of the models a mass");
+  if (!eigen.values.allFinite())
+    refuse("the mass matrix of the parts is not positive definite", "give every coordinate of the models a mass");
   const double rigid = rounding * static_cast<double>(eigen.values.size()) * eigen.values.cwiseAbs().maxCoeff();
   Index first = 0;
   while (first < eigen.values.size() && !(eigen.values[first] > rigid)) ++first;

@@ -34,7 +34,6 @@ struct LooseFit {
   Eigen::VectorXd std_error;  ///< of the loose ones, by the misfit; else 0
   double misfit = 0.0;        ///< rms of f/f_measured − 1 over the degrees of freedom
   double before = 0.0;        ///< the same with all joints sound
-  std::size_t choices = 0;    ///< sets of joints that were fitted
   std::size_t solutions = 0;  ///< of the eigenvalue problem
 };
 

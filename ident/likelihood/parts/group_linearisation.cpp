@@ -82,7 +82,8 @@ void GroupLinearisation::eliminate() {
       for (Index l = 0; l < references; ++l) weights[l] = blocks_[std::size_t(l)].inverse(m, other);
       const VectorXd its = deviations(other);
       product.block(first, begin, own.size(), its.size()) +=
-          own.asDiagonal() * (conditions_.by_frf()[s].conjugate() * (conditions_.by_frf()[t] * weights.asDiagonal()).transpose()) * its.asDiagonal();
+          own.asDiagonal() *
+          (conditions_.by_frf()[s].conjugate() * (conditions_.by_frf()[t] * weights.asDiagonal()).transpose()) * its.asDiagonal();
     }
   }
   for (const Block& block : blocks_) gram.noalias() += block.plain.adjoint() * block.right;

@@ -322,8 +322,9 @@ std::optional<WholeInformation> information_by_parts(const Plan& plan, const std
                                                      const Control& control) {
   if (dynamic_cast<const PartsMethod*>(plan.method.get()) == nullptr) return std::nullopt;
   if (theta.size() > most_of_dense) {
-    fail(plan.scene, "[joint]", "the bound of " + std::to_string(theta.size()) + " unknowns is not computed, of at most " +
-         std::to_string(most_of_dense), "leave joints or elements out, or take the standard errors of `jointid solve`");
+    fail(plan.scene, "[joint]",
+         "the bound of " + std::to_string(theta.size()) + " unknowns is not computed, only of at most " + std::to_string(most_of_dense),
+         "leave joints or elements out, or take the standard errors of `jointid solve`");
   }
   const PartGroups all = part_groups(plan, plan.equations, plan.substructures->source_count());
   PartsData data(plan, all);
@@ -344,7 +345,8 @@ std::optional<WholeInformation> information_by_parts(const Plan& plan, const std
         places.push_back(data.columns(g)[place]);
         own.push_back(theta[places.back()]);
       }
-      const Eigen::MatrixXd found = whole_information(all.groups[g], all, line, group_impedance(all.groups[g], own, line.omega, plan.omega0));
+      const GroupImpedance impedance = group_impedance(all.groups[g], own, line.omega, plan.omega0);
+      const Eigen::MatrixXd found = whole_information(all.groups[g], all, line, impedance);
       const std::scoped_lock lock(mutex);
       out.of_lines[i * pieces / lines](places, places) += found;
     }
