@@ -1,5 +1,6 @@
 // Likelihood by parts over many seeds of a chain of five joints, 1 and 5 % noise, and the full likelihood beside it on some of them:
-// cover of the 95 % intervals, rms of the errors over those stated, χ², time. docs/many-joints.md.
+// cover of the 95 % intervals, rms of the errors over those stated and over the Cramér–Rao bound, χ², time; loose joints by sensors at all
+// joints, and by eigenfrequencies alone. docs/many-joints.md, docs/admissible-joints.md.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -8,10 +9,15 @@
 #include <string>
 #include <vector>
 
+#include "base/complex.hpp"
+#include "base/random.hpp"
 #include "bench/bench.hpp"
 #include "ident/identify.hpp"
+#include "ident/newton/loose_path.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/case/many_joints_problem.hpp"
+#include "problems/structure/modes.hpp"
+#include "tasks/bound_report.hpp"
 
 namespace {
 
@@ -42,7 +48,7 @@ ident::Control quick() {
 
 struct Row {
   double covered = 0.0, count = 0.0, ratio = 0.0, seconds = 0.0;
-  std::vector<double> squares, stated;  ///< by unknown: Σ error², Σ stated error²
+  std::vector<double> squares, stated, bound;  ///< by unknown: Σ error², Σ stated error², the Cramér–Rao bound
   std::size_t usable = 0;
 
   double median_rms() const {
@@ -50,7 +56,22 @@ struct Row {
     for (std::size_t u = 0; u < squares.size(); ++u) shares.push_back(std::sqrt(squares[u] / stated[u]));
     return median(shares);
   }
+
+  double median_over_bound() const {
+    std::vector<double> shares;
+    for (std::size_t u = 0; u < squares.size(); ++u)
+      shares.push_back(std::sqrt(squares[u] / static_cast<double>(usable)) / bound[u]);
+    return median(shares);
+  }
 };
+
+/// That of the solver, at the truth: of the likelihood by parts each FRF has a true value of its own.
+std::vector<double> bounds(const problems::Problem& problem, const ident::Scene& scene) {
+  const auto plan = problems::plan(scene, {problem.substructures, problem.assembly});
+  std::vector<double> out;
+  for (const tasks::UnknownBound& each : tasks::predict_bound(*plan, {}, quick()).unknowns) out.push_back(each.bound);
+  return out;
+}
 
 Row measure(double level, ident::Solver solver, std::size_t seeds) {
   const problems::Problem problem = chain(level);
@@ -58,6 +79,7 @@ Row measure(double level, ident::Solver solver, std::size_t seeds) {
   Row row;
   row.squares.assign(problem.unknowns.size(), 0.0);
   row.stated = row.squares;
+  row.bound = bounds(problem, scene);
   const ident::Control control = quick();
   for (std::size_t seed = 1; seed <= seeds; ++seed) {
     const auto plan = problems::plan(scene, problems::polluted(problem, seed, 0));
@@ -109,9 +131,69 @@ void measure_loose(const bench::CommandLine& line, bench::Promises& promises) {
   }
 }
 
+/// loose-3 of one element a beam, its nominal joints as shares.
+struct UndampedChain {
+  problems::ManyJoints nominal = problems::chain_of_beams({.beam = {.elements = 1}});
+  ident::SharedStiffness shared;
+
+  UndampedChain() {
+    problems::Structure parts = nominal.parts.front();
+    for (std::size_t s = 1; s < nominal.parts.size(); ++s) parts = merged(parts, nominal.parts[s]);
+    const auto n = static_cast<Eigen::Index>(parts.size());
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    shared.mass = Eigen::Map<const Rows>(parts.matrix(problems::Kind::mass).data(), n, n);
+    shared.stiffness = Eigen::Map<const Rows>(parts.matrix(problems::Kind::stiffness).data(), n, n);
+    for (const problems::BeamJoint& joint : nominal.joints) {
+      const problems::Matrix k = joint.over_dofs(joint.relative_stiffness);
+      const auto place = [&](std::size_t i) { return static_cast<Eigen::Index>(parts.index(joint.dofs[i])); };
+      auto& elements = shared.of_joint.emplace_back();
+      for (std::size_t r = 0; r < k.size(); ++r) {
+        for (std::size_t c = 0; c < k.size(); ++c) elements.push_back({place(r), place(c), k[r][c]});
+      }
+    }
+  }
+};
+
+/// In how many seeds forty frequencies name the three loose joints first.
+void measure_loose_by_frequencies(const bench::CommandLine& line, bench::Promises& promises) {
+  const std::size_t seeds = line.count(3, 10, 1);
+  constexpr Eigen::Index frequencies = 40;
+  const UndampedChain chain;
+  Eigen::VectorXd lost = Eigen::VectorXd::Zero(50);
+  lost[11] = 0.7;
+  lost[26] = 0.5;
+  lost[37] = 0.8;
+  const auto hertz = [](double logarithm) { return std::exp(0.5 * logarithm) / angular(1.0); };
+  const Eigen::VectorXd exact = ident::elastic_modes(chain.shared, lost, frequencies).logarithm;
+  for (const double error : {1e-4, 1e-3}) {
+    std::size_t named = 0, solutions = 0;
+    double off = 0.0, sound = 0.0;
+    const double before = bench::processor_seconds();
+    for (std::size_t seed = 1; seed <= seeds; ++seed) {
+      std::vector<double> hz;
+      for (Eigen::Index r = 0; r < frequencies; ++r)
+        hz.push_back(hertz(exact[r]) * (1.0 + error * normal_numbers({.seed = seed}, static_cast<std::uint64_t>(r))[0]));
+      const ident::LooseFit fit = ident::fit_loose_joints(chain.shared, hz, [] {});
+      solutions += fit.solutions;
+      std::vector<double> others, loose;
+      for (Eigen::Index e = 0; e < 50; ++e) (lost[e] > 0.0 ? loose : others).push_back(fit.lost[e]);
+      const double largest = *std::ranges::max_element(others);
+      named += *std::ranges::min_element(loose) > largest;
+      sound = std::max(sound, largest);
+      for (const Eigen::Index e : {11, 26, 37}) off = std::max(off, std::abs(fit.lost[e] - lost[e]));
+    }
+    const auto count = static_cast<double>(seeds);
+    fmt::print("40 frequencies to {}: the three first in {} of {} seeds; shares at most {:.2g} off, largest of another {:.2g}; {:.0f} "
+               "solutions, {:.3g} s\n",
+               error, named, seeds, off, sound, static_cast<double>(solutions) / count, (bench::processor_seconds() - before) / count);
+    std::fflush(stdout);
+    promises.at_least(fmt::format("40 frequencies to {}: named first", error), static_cast<double>(named), 0.9 * count);
+  }
+}
+
 void measure_all(const bench::CommandLine& line, bench::Promises& promises) {
   const std::size_t seeds = line.count(0, 200, 4), beside = line.count(1, 20, 1);
-  fmt::print("| noise | solver | seeds | usable | coverage | median rms over stated | χ² over f | s |\n");
+  fmt::print("| noise | solver | seeds | usable | coverage | median rms over stated | over the bound | χ² over f | s |\n");
   for (const double level : {0.01, 0.05}) {
     for (const ident::Solver solver : {ident::Solver::by_parts, ident::Solver::gauss_helmert}) {
       const bool parts = solver == ident::Solver::by_parts;
@@ -119,8 +201,8 @@ void measure_all(const bench::CommandLine& line, bench::Promises& promises) {
       const Row row = measure(level, solver, count);
       const auto usable = static_cast<double>(row.usable);
       const double covered = row.covered / row.count, rms = row.median_rms();
-      fmt::print("| {} % | {} | {} | {} | {:.3f} | {:.3f} | {:.3f} | {:.3g} |\n", 100.0 * level, ident::name(solver), count, row.usable,
-                 covered, rms, row.ratio / usable, row.seconds / static_cast<double>(count));
+      fmt::print("| {} % | {} | {} | {} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.3g} |\n", 100.0 * level, ident::name(solver), count,
+                 row.usable, covered, rms, row.median_over_bound(), row.ratio / usable, row.seconds / static_cast<double>(count));
       std::fflush(stdout);
       if (!parts) continue;
       const std::string name = fmt::format("{} %", 100.0 * level);
@@ -128,13 +210,15 @@ void measure_all(const bench::CommandLine& line, bench::Promises& promises) {
       promises.at_least(name + ": coverage", covered, line.quick() ? 0.8 : 0.93);
       promises.at_most(name + ": coverage", covered, line.quick() ? 1.0 : 0.97);
       promises.at_most(name + ": median rms over stated", rms, line.quick() ? 2.0 : 1.25);
+      promises.at_most(name + ": median rms over the bound", row.median_over_bound(), line.quick() ? 2.0 : 1.25);
     }
   }
   measure_loose(line, promises);
+  measure_loose_by_frequencies(line, promises);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return jointid::bench::run(argc, argv, "[SEEDS [SEEDS-OF-THE-FULL-LIKELIHOOD [SEEDS-OF-LOOSE-3]]]", measure_all);
+  return jointid::bench::run(argc, argv, "[SEEDS [SEEDS-OF-THE-FULL-LIKELIHOOD [SEEDS-OF-LOOSE-3 [SEEDS-OF-FREQUENCIES]]]]", measure_all);
 }

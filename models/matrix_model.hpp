@@ -30,6 +30,7 @@ class MatrixModel final : public Model {
   /// Prepares a Reduction where the lines are so many that it costs less.
   void expect(const Request& request) override;
 
+  const StructureMatrices& matrices() const { return matrices_; }
   bool is_sparse() const { return sparse_; }
   const Reduction* reduction() const { return reduction_.get(); }
 

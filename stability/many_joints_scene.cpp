@@ -19,11 +19,12 @@ problems::ManyJoints structure_of(const ManyJointsScene& scene) {
   for (std::size_t e = 0; e < joints; ++e) {
     const double place = static_cast<double>(stride * e % joints) / static_cast<double>(last);
     const double factor = std::pow(scene.spread, 2.0 * place - 1.0);
+    const double loss = scene.definite && e % 2 == 1 ? 0.0 : 1.0;
     for (auto& row : out.joints[e].relative_stiffness) {
       for (double& element : row) element *= factor;
     }
     for (auto& row : out.joints[e].relative_damping) {
-      for (double& element : row) element *= factor;
+      for (double& element : row) element *= factor * loss;
     }
   }
   return out;
@@ -48,6 +49,9 @@ ExtremeProblem make(const ManyJointsScene& given) {
   problems::Problem problem = problems::many_joints_problem(structure_of(given), {given.frame ? "frame" : "chain", ""}, false);
   ExtremeProblem out;
   out.scene = problems::scene(problem);
+  for (restrictions::JointSpec& joint : out.scene.joints) {
+    if (given.definite) joint.definite = {restrictions::Kind::stiffness, restrictions::Kind::hysteretic_damping};
+  }
   for (const problems::ExactUnknown& unknown : problem.unknowns) out.truth.push_back(unknown.value);
   out.sets = {std::move(problem.substructures), {std::move(problem.assembly)}};
   out.group = groups_of(*out.plan(ident::Solver::automatic));

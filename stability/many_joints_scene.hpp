@@ -9,6 +9,7 @@ namespace jointid::stability {
 struct ManyJointsScene {
   bool frame = false;        ///< a plane frame of 12 beams on 9 nodes and 3 legs, else a row of 27 beams
   double spread = 1.0;
+  bool definite = false;     ///< K and D positive semidefinite, and every other joint without damping: its D is on the edge
 };
 
 ExtremeProblem make(const ManyJointsScene& scene);

@@ -119,11 +119,12 @@ void measure_rows(const std::string& sweep, double value, const Rows& rows, cons
   }
 }
 
-/// Sparse rows of many joints. No exact reference: digits are those of the truth.
+/// Sparse rows of many joints, free or constrained. No exact reference: digits are those of the truth.
 void measure_many_joints(const std::string& sweep, const Watch& watch, std::vector<Measured>& out) {
   for (const double spread : decades(0, 9)) {
     if (watch.progress) watch.progress(sweep);
-    const ExtremeProblem problem = make(ManyJointsScene{.frame = sweep == "frame", .spread = spread});
+    const ExtremeProblem problem =
+        make(ManyJointsScene{.frame = sweep.starts_with("frame"), .spread = spread, .definite = sweep.ends_with("-definite")});
     for (const Solver solver : {Solver::qr, Solver::spqr, Solver::cholmod, Solver::ldlt}) {
       if (!has(solver)) continue;
       stop_if_asked(watch);
@@ -150,7 +151,7 @@ void run(const std::string& sweep, const Watch& watch, std::vector<Measured>& ou
   if (sweep == "weights") {
     for (const double spread : decades(0, 14, 2)) measure_rows(sweep, spread, weighted(60, 5, spread), watch, out);
   }
-  if (sweep == "chain" || sweep == "frame") measure_many_joints(sweep, watch, out);
+  if (sweep.starts_with("chain") || sweep.starts_with("frame")) measure_many_joints(sweep, watch, out);
 }
 
 Honesty verdict_of(std::uint64_t seed, std::uint64_t index) {
@@ -177,6 +178,10 @@ const std::vector<Sweep>& sweeps() {
       {"chain", "27 beams on 26 joints, rows by parts, digits true",
        "stiffest joint over the structure, and the structure over the softest"},
       {"frame", "15 beams on 21 joints, rows by parts, digits true",
+       "stiffest joint over the structure, and the structure over the softest"},
+      {"chain-definite", "the chain with semidefinite K and D, every other D zero, digits true",
+       "stiffest joint over the structure, and the structure over the softest"},
+      {"frame-definite", "the frame with semidefinite K and D, every other D zero, digits true",
        "stiffest joint over the structure, and the structure over the softest"}};
   return all;
 }

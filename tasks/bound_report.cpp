@@ -15,8 +15,10 @@
 #include "ident/likelihood/findings/bound_of.hpp"
 #include "ident/likelihood/findings/identifiability.hpp"
 #include "ident/likelihood/findings/weak_combinations.hpp"
+#include "ident/likelihood/parts/likelihood_by_parts.hpp"
 #include "ident/plan/expected_time.hpp"
 #include "ident/plan/joint_guess.hpp"
+#include "ident/scene/scene_failure.hpp"
 #include "minimise/linear/covariance.hpp"
 
 namespace jointid::tasks {
@@ -67,11 +69,11 @@ class Baseline {
   std::vector<double> bound_, scales_;
 };
 
-/// The plan of a scene with method "likelihood", on files that are open.
-std::unique_ptr<ident::Plan> likelihood_plan(const ident::Plan& plan, ident::Scene scene) {
+/// The plan of a scene with method "likelihood" and a solver, on files that are open.
+std::unique_ptr<ident::Plan> likelihood_plan(const ident::Plan& plan, ident::Scene scene, ident::Solver solver) {
   scene.identify.method = ident::Method::likelihood;
   scene.identify.automatic = false;
-  scene.identify.solver = ident::Solver::automatic;
+  scene.identify.solver = solver;
   // A start that is not used saves planning a linear estimate.
   if (scene.identify.start.empty()) scene.identify.start = scene.truth;
   scene.couple_first = {};  // done already
@@ -103,18 +105,67 @@ std::size_t affordable_lines(const ident::Plan& plan, double seconds, std::size_
   return std::min(plan.lines.size(), std::max(least, static_cast<std::size_t>(std::min(lines, 1e9))));
 }
 
+/// The bound of each unknown, and what the data determine least.
+void tell_unknowns(const ident::Plan& plan, const std::vector<double>& guess, const Eigen::MatrixXd& information,
+                   const std::vector<ident::FileVariances>& origins, const Baseline& now, BoundReport& out) {
+  std::vector<std::size_t> determined;
+  std::vector<std::string> names;
+  for (std::size_t column = 0; column < guess.size(); ++column) {
+    const std::string name = plan.columns->name(column, plan.restriction);
+    out.unknowns.push_back({name, plan.restriction.unknowns[plan.columns->unknown_of(column)].unit, guess[column], now.bound(column),
+                            now.relative(column)});
+    if (std::isinf(now.bound(column))) continue;
+    determined.push_back(column);
+    names.push_back(name);
+  }
+  out.weakest =
+      ident::weak_combinations(relative_covariance(plan, minimise::covariance_of(information), guess, determined), names);
+  std::set<std::string> told;
+  for (const ident::FileVariances& file : origins) told.insert(phrase(file.origin));
+  out.variances.assign(told.begin(), told.end());
+}
+
+/// Without each of the pieces of the lines whose information is given.
+void leave_out_lines(const ident::Plan& plan, const Eigen::MatrixXd& information, const std::vector<Eigen::MatrixXd>& by_piece,
+                     const Baseline& now, BoundReport& out) {
+  const std::size_t lines = plan.lines.size(), count = by_piece.size();
+  for (std::size_t piece = 0; piece < count && count > 1; ++piece) {
+    const std::size_t first = piece * lines / count, last = (piece + 1) * lines / count;
+    out.without_lines.push_back(now.change(range_text(plan, first, last), bound_of(plan, information - by_piece[piece])));
+  }
+}
+
+/// Where the likelihood goes by parts: the bound of the same FRFs, each with a true value of its own.
+BoundReport predict_by_parts(const ident::Plan& plan, const ident::Control& control) {
+  BoundReport out;
+  out.lines = out.lines_looked_at = plan.lines.size();
+  const std::vector<double> guess = joint_guess(plan);
+  try {
+    const ident::WholeInformation found = *information_by_parts(plan, scaled(plan, guess), parts, control);
+    Eigen::MatrixXd information = found.of_lines.front();
+    for (std::size_t piece = 1; piece < found.of_lines.size(); ++piece) information += found.of_lines[piece];
+    const Baseline now(bound_of(plan, information), relative_scales(plan, guess));
+    tell_unknowns(plan, guess, information, found.origins, now, out);
+    leave_out_lines(plan, information, found.of_lines, now, out);
+  } catch (const Interrupted&) {
+    out.interrupted = true;
+  }
+  return out;
+}
+
 /// Everything that is asked of the data of one plan.
 class Predictor {
  public:
-  Predictor(const ident::Plan& plan, const ident::Dofs& candidates, const ident::Control& control,
+  /// `plan`: of the whole likelihood.
+  Predictor(std::unique_ptr<ident::Plan> plan, const ident::Dofs& candidates, const ident::Control& control,
             const std::function<void(const BoundReport&)>& keep)
-      : plan_(likelihood_plan(plan, plan.scene)),
+      : plan_(std::move(plan)),
         guess_(joint_guess(*plan_)),
         control_(control),
         keep_(keep),
         all_lines_(plan_->lines.size()) {
     const ident::Dofs& coordinates = likelihood_plan(*plan_)->observations->layout().coordinates;
-    for (const frf::Dof& dof : candidates) absent_.push_back(find_candidate(plan.scene, coordinates, dof));
+    for (const frf::Dof& dof : candidates) absent_.push_back(find_candidate(plan_->scene, coordinates, dof));
     left_out_ = coordinates_of_assembly();
     changes_ = left_out_.size() + absent_.size() + (absent_.size() > 1 ? 1 : 0) + 2;
     plan_->lines = spread_lines(plan_->lines, affordable_lines(*plan_, most_seconds, 1));
@@ -161,8 +212,8 @@ class Predictor {
     scales_ = relative_scales(*plan_, guess_);
     const Baseline now(bound_of(*plan_, information_), scales_);
     out.lines_looked_at = plan_->lines.size();
-    tell_unknowns(now, out);
-    leave_out_lines(now, out);
+    tell_unknowns(*plan_, guess_, information_, likelihood_plan(*plan_)->observations->origins(), now, out);
+    leave_out_lines(*plan_, information_, by_part_, now, out);
   }
 
   /// What other data would do, by so many lines that it takes two minutes: factors do not change with the number of lines.
@@ -207,32 +258,6 @@ class Predictor {
 
   std::vector<double> bound_without(const std::vector<std::size_t>& coordinates) {
     return bound_of(*plan_, of_all(information_without(coordinates)));
-  }
-
-  void tell_unknowns(const Baseline& now, BoundReport& out) const {
-    std::vector<std::size_t> determined;
-    std::vector<std::string> names;
-    for (std::size_t column = 0; column < guess_.size(); ++column) {
-      const std::string name = plan_->columns->name(column, plan_->restriction);
-      out.unknowns.push_back({name, plan_->restriction.unknowns[plan_->columns->unknown_of(column)].unit, guess_[column],
-                              now.bound(column), now.relative(column)});
-      if (std::isinf(now.bound(column))) continue;
-      determined.push_back(column);
-      names.push_back(name);
-    }
-    out.weakest =
-        ident::weak_combinations(relative_covariance(*plan_, minimise::covariance_of(information_), guess_, determined), names);
-    std::set<std::string> told;
-    for (const ident::FileVariances& file : likelihood_plan(*plan_)->observations->origins()) told.insert(phrase(file.origin));
-    out.variances.assign(told.begin(), told.end());
-  }
-
-  void leave_out_lines(const Baseline& now, BoundReport& out) const {
-    const std::size_t lines = plan_->lines.size(), count = by_part_.size();
-    for (std::size_t part = 0; part < count && count > 1; ++part) {
-      const std::size_t first = part * lines / count, last = (part + 1) * lines / count;
-      out.without_lines.push_back(now.change(range_text(*plan_, first, last), bound_of(*plan_, information_ - by_part_[part])));
-    }
   }
 
   /// Those whose absence is looked at.
@@ -284,7 +309,7 @@ class Predictor {
   void add_lines(const Baseline& now, BoundReport& out) {
     ident::Scene wide = plan_->scene;
     wide.frequency = {};
-    auto other = likelihood_plan(*plan_, wide);
+    auto other = likelihood_plan(*plan_, wide, ident::Solver::gauss_helmert);
     if (other->lines.size() == all_lines_) return;
     const std::string what =
         "all " + std::to_string(other->lines.size()) + " lines of the files, " + range_text(*other, 0, other->lines.size());
@@ -294,7 +319,7 @@ class Predictor {
   void add_equations(const Baseline& now, BoundReport& out) {
     ident::Scene all = plan_->scene;
     all.identify.equations.clear();
-    auto other = likelihood_plan(*plan_, all);
+    auto other = likelihood_plan(*plan_, all, ident::Solver::gauss_helmert);
     std::string added;
     for (const ident::Equation equation : other->equations) {
       if (std::ranges::find(plan_->equations, equation) == plan_->equations.end()) added += " " + name(equation);
@@ -318,7 +343,14 @@ class Predictor {
 
 BoundReport predict_bound(const ident::Plan& plan, const ident::Dofs& candidates, const ident::Control& control,
                           const std::function<void(const BoundReport&)>& keep) {
-  return Predictor(plan, candidates, control, keep).run();
+  const bool by_parts = plan.scene.identify.solver == ident::Solver::by_parts;
+  auto likelihood = likelihood_plan(plan, plan.scene, by_parts ? ident::Solver::by_parts : ident::Solver::automatic);
+  if (likelihood->solver != ident::Solver::by_parts) return Predictor(std::move(likelihood), candidates, control, keep).run();
+  if (!candidates.empty()) {
+    fail(plan.scene, "--candidates", "the bound of the likelihood by parts does not compare coordinates",
+         "leave --candidates out, or set solver = \"gauss-helmert\" in [identify]");
+  }
+  return predict_by_parts(*likelihood, control);
 }
 
 std::string suspect_note(const ident::Plan& plan, const ident::Control& control) {

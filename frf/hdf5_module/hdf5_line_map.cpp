@@ -1,11 +1,16 @@
 #include "frf/hdf5_module/hdf5_line_map.hpp"
 
+#include <fcntl.h>
 #include <hdf5.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <string>
+
+#include "base/error.hpp"
 
 namespace jointid::frf::hdf5 {
 namespace {
@@ -50,6 +55,39 @@ std::optional<LineMap> LineMap::of(const Object& file, const Dataset& dataset, c
   map.line_bytes_ = dataset.dims[1] * dataset.dims[2] * H5Tget_size(type.get());
   map.addresses_.assign(chunks, 0);
   return map;
+}
+
+LineMap::Descriptor::~Descriptor() {
+  if (number_ >= 0) ::close(number_);
+}
+
+namespace {
+
+/// The same file opened anew, with a shared lock of its own, or -1.
+int opened_again(int descriptor) {
+  const int own = ::open(("/proc/self/fd/" + std::to_string(descriptor)).c_str(), O_RDONLY | O_CLOEXEC);
+  if (own >= 0 && ::flock(own, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    ::close(own);
+    return -1;
+  }
+  return own;
+}
+
+}  // namespace
+
+bool LineMap::stand_alone(const Dataset& dataset) {
+  constexpr std::size_t most = 64;  // chunks: their look-up takes less than the file took to open
+  if (addresses_.size() > most) return false;
+  try {
+    for (std::size_t chunk = 0; chunk < addresses_.size(); ++chunk) chunk_address(dataset, chunk);
+  } catch (const InputError&) {
+    return false;  // told when that line is read
+  }
+  Descriptor own(opened_again(descriptor_));
+  if (own.number() < 0) return false;
+  descriptor_ = own.number();
+  own_ = std::move(own);
+  return true;
 }
 
 std::uint64_t LineMap::chunk_address(const Dataset& dataset, std::size_t chunk) {

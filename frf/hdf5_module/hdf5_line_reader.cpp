@@ -150,6 +150,11 @@ LineReader<T>::LineReader(const Object& file, const std::string& name, const std
 }
 
 template <class T>
+bool LineReader<T>::stand_alone() {
+  return map_ && map_->stand_alone(dataset_) && dataset_.id.close();
+}
+
+template <class T>
 void LineReader<T>::read(const Block& block, std::span<T> out) {
   const Silence silence;
   if (map_) {

@@ -24,6 +24,9 @@ class LineReader {
   /// The same of [F,rows,columns].
   LineReader(const Object& file, const std::string& name, const std::array<std::size_t, 3>& dims);
 
+  /// Whether reads need no HDF5 from now on; then the dataset is closed.
+  bool stand_alone();
+
   /// Values as stored, in the order [line, response, reference] of the block.
   void read(const Block& block, std::span<T> out);
 

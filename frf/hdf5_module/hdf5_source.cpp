@@ -121,9 +121,16 @@ class Hdf5Source final : public FrfSource {
     validate(header_);
     open_frf();
     open_noise();
+    close_early();
   }
 
  private:
+  /// A file of FRFs and variances alone that are read past HDF5 is closed there.
+  void close_early() {
+    if (coherence_ || covariance_ || factor_ || !frf_->stand_alone()) return;
+    if (!variance_ || variance_->stand_alone()) file_.id.close();
+  }
+
   void open_frf() {
     frf_.emplace(file_, "frf", header_);
     const Dataset dataset = open_dataset(file_, "frf");

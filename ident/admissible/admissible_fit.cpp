@@ -1,6 +1,8 @@
 #include "ident/admissible/admissible_fit.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include "ident/admissible/semidefinite_least_squares.hpp"
 #include "ident/admissible/sparse_semidefinite.hpp"
@@ -18,13 +20,49 @@ bool inside(const std::vector<SymmetricBlock>& blocks, const VectorXd& theta) {
   });
 }
 
+/// Of each unknown the first of those that blocks connect it with.
+std::vector<Eigen::Index> first_connected(const AdmissibleSet& set, Eigen::Index unknowns) {
+  std::vector<Eigen::Index> first(static_cast<std::size_t>(unknowns));
+  std::iota(first.begin(), first.end(), Eigen::Index{0});
+  for (bool changes = true; changes;) {
+    changes = false;
+    for (const Inequality& inequality : set.inequalities) {
+      Eigen::Index least = unknowns;
+      for (const Eigen::Index u : inequality.block.unknowns) least = std::min(least, first[static_cast<std::size_t>(u)]);
+      for (const Eigen::Index u : inequality.block.unknowns) {
+        Eigen::Index& own = first[static_cast<std::size_t>(u)];
+        changes = changes || own != least;
+        own = least;
+      }
+    }
+  }
+  return first;
+}
+
+/// How large a point inside a cone has to be to be beside an estimate: of each unknown, as large as those that blocks connect it with. A
+/// soft joint is not moved by what is rounding of a stiff one.
+VectorXd sizes_inside(const AdmissibleSet& set, const VectorXd& estimate) {
+  const std::vector<Eigen::Index> first = first_connected(set, estimate.size());
+  VectorXd own = VectorXd::Zero(estimate.size()), inside = own, out = own;
+  for (Eigen::Index u = 0; u < estimate.size(); ++u) {
+    const Eigen::Index of = first[static_cast<std::size_t>(u)];
+    own[of] = std::max(own[of], std::abs(estimate[u]));
+    inside[of] = std::max(inside[of], std::abs(set.inside[u]));
+  }
+  for (Eigen::Index u = 0; u < estimate.size(); ++u) {
+    const Eigen::Index of = first[static_cast<std::size_t>(u)];
+    out[u] = inside[of] > 0.0 ? own[of] / inside[of] : 0.0;
+  }
+  return out;
+}
+
 /// Away from the limits by what rounding may have crossed them: a matrix that vanishes has no largest eigenvalue to compare with.
 VectorXd pushed_inside(const AdmissibleSet& set, const VectorXd& theta, const VectorXd& estimate) {
   constexpr double length = 1e-13;
   const bool cone =
       set.ties.empty() && std::ranges::all_of(set.inequalities, [](const auto& each) { return each.block.constant.isZero(0.0); });
-  const double size = cone ? estimate.cwiseAbs().maxCoeff() / set.inside.cwiseAbs().maxCoeff() : 1.0;
-  return theta + length * (size * set.inside - theta);
+  const VectorXd size = cone ? sizes_inside(set, estimate) : VectorXd(VectorXd::Ones(theta.size()));
+  return theta + length * (size.cwiseProduct(set.inside) - theta);
 }
 
 AdmissibleFit untouched(const AdmissibleSet& set, const VectorXd& theta) {

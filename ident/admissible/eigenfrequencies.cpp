@@ -77,14 +77,19 @@ MatrixXd symmetric_sum(const std::vector<double>& weights, const std::vector<Mat
 
 }  // namespace
 
+bool frequencies_are_data(const Scene& scene) {
+  const MethodTraits& method = traits(scene.identify.method);
+  return scene.identify.loose && !scene.identify.frequencies_hz.empty() && method.iterates && !method.joint_on_assembly;
+}
+
 void require_frequencies(const Plan& plan) {
   const std::vector<double>& stated = plan.scene.identify.frequencies_hz;
-  if (stated.empty()) return;
+  if (stated.empty() || frequencies_are_data(plan.scene)) return;
   if (traits(plan.scene.identify.method).iterates) {
     fail(plan.scene, frequencies_key,
          "eigenfrequencies of the assembly are conditions of the linear methods, not of " +
              traits(plan.scene.identify.method).phrase,
-         "use method \"one\", \"two\" or \"direct\", or leave frequencies out");
+         "use method \"one\", \"two\" or \"direct\", \"newton\" with loose = true, or leave frequencies out");
   }
   const std::vector<double>& axis = plan.substructures->frequency_hz();
   for (const double hz : stated) {

@@ -52,6 +52,10 @@ class Eigenfrequencies {
   std::vector<Mode> modes_;
 };
 
+/// Whether the frequencies of a scene are its data in place of FRFs: it asks which joints are loose, by a method that reads no FRFs at the
+/// joints of the assembly.
+bool frequencies_are_data(const Scene& scene);
+
 /// Throws InputError for a scene whose frequencies cannot be conditions: outside the lines of the substructures, of a method that
 /// is not linear, or without H_bb.
 void require_frequencies(const Plan& plan);

@@ -145,7 +145,8 @@ void require_room(const Scene& scene, Index unknowns, AdmissibleSet& set) {
 
 bool asks(const Scene& scene) {
   const IdentifySection& of = scene.identify;
-  return !of.bounds.empty() || !of.ties.empty() || !of.inequalities.empty() || of.passive_hz || !of.frequencies_hz.empty() ||
+  return !of.bounds.empty() || !of.ties.empty() || !of.inequalities.empty() || of.passive_hz ||
+         (!of.frequencies_hz.empty() && !frequencies_are_data(scene)) ||
          std::ranges::any_of(scene.joints, [](const restrictions::JointSpec& joint) { return !joint.definite.empty(); });
 }
 

@@ -63,9 +63,19 @@ SubProduct LineAssembler::sub_product(const Group& group) const {
           .column_weight = group.column_weight};
 }
 
+/// False for a line in no band of some joint. Of the columns of all unknowns, which may be many, those of the supports stay.
+bool LineAssembler::find_columns(double frequency_hz) {
+  const std::vector<std::size_t> all = spec_.columns->at(frequency_hz);
+  columns_.resize(spec_.supports.size());
+  for (std::size_t s = 0; s < columns_.size() && !all.empty(); ++s) {
+    columns_[s].clear();
+    for (const std::size_t unknown : spec_.supports[s].unknowns) columns_[s].push_back(all[unknown]);
+  }
+  return !all.empty();
+}
+
 void LineAssembler::add(const minimise::LineProduct& line, minimise::Accumulator& accumulator) {
-  line_columns_ = spec_.columns->at(line.frequency_hz);
-  if (line_columns_.empty()) return;
+  if (!find_columns(line.frequency_hz)) return;
   measure(line);
   const std::size_t used_before = count_.used;
   const bool regular = mask(line);
@@ -204,18 +214,15 @@ void LineAssembler::compress(const minimise::LineProduct& line, const Group& gro
 
 /// Room for rows of a group, real or complex.
 LineAssembler::Rows LineAssembler::append(const Group& group, std::size_t equations, minimise::Accumulator& accumulator) {
-  group_columns_.clear();
-  for (const std::size_t unknown : spec_.supports[group.support].unknowns) {
-    group_columns_.push_back(line_columns_[unknown]);
-  }
+  const minimise::Accumulator::Columns& columns = columns_[group.support];
   const RowExpander& expander = expanders_[group.support];
   count_.rows += 2 * equations;
   if (is_complex(group, accumulator)) {
     minimise::ComplexTriangle& triangle =
-        accumulator.complex_triangle(group_columns_, expander.pair()->stiffness, expander.pair()->damping);
+        accumulator.complex_triangle(columns, expander.pair()->stiffness, expander.pair()->damping);
     return {triangle.append(equations), triangle.stride(), equations};
   }
-  minimise::Triangle& triangle = accumulator.triangle(group_columns_);
+  minimise::Triangle& triangle = accumulator.triangle(columns);
   return {triangle.append(2 * equations), triangle.stride(), 2 * equations};
 }
 

@@ -75,6 +75,7 @@ class LineAssembler {
     std::size_t stride, count;
   };
 
+  bool find_columns(double frequency_hz);
   void measure(const minimise::LineProduct& line);
   bool mask(const minimise::LineProduct& line);
   void weigh(const minimise::LineProduct& line, bool regular);
@@ -104,8 +105,7 @@ class LineAssembler {
   std::size_t group_count_ = 0;
   const Group* factored_ = nullptr;  ///< whose A the compressor last factored at this line
   std::vector<double> line_rows_, norm2_, group_norm2_;
-  std::vector<std::size_t> line_columns_;  ///< of all unknowns at this line
-  minimise::Accumulator::Columns group_columns_;
+  std::vector<minimise::Accumulator::Columns> columns_;  ///< of each support's unknowns at this line
   EquationCount count_;
   std::size_t lines_used_ = 0;
 };

@@ -14,6 +14,7 @@
 #include "ident/judgement/line_jackknife.hpp"
 #include "ident/judgement/passivity.hpp"
 #include "ident/judgement/predicted_fit.hpp"
+#include "ident/judgement/relative_motion.hpp"
 #include "ident/judgement/tell_errors.hpp"
 #include "ident/judgement/whitened_fit.hpp"
 #include "ident/scene/method_traits.hpp"
@@ -127,6 +128,7 @@ void judge_errors(const Plan& plan, const std::vector<double>& theta, const Eige
 
 /// Rows by parts: the scatter of groups of lines, whose covariance of all pairs of unknowns is not formed.
 void judge_parts(const Plan& plan, const std::vector<double>& theta, const Control& control, Solution& out) {
+  if (control.detail == Detail::full) tell_relative_motions(plan, out);
   const std::optional<Eigen::VectorXd> scatter = line_scatter(plan, jackknife_lines, control);
   if (!scatter) return;
   fill_errors(plan, theta, *scatter, std::nullopt, out);

@@ -9,10 +9,12 @@
 #include "base/random.hpp"
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
+#include "ident/admissible/eigenfrequencies.hpp"
 #include "ident/admissible/outcome.hpp"
 #include "ident/judgement/judge.hpp"
 #include "ident/newton/constrained_iteration.hpp"
 #include "ident/newton/iteration.hpp"
+#include "ident/newton/loose_by_frequencies.hpp"
 #include "ident/newton/newton_plan.hpp"
 #include "ident/plan/interpret.hpp"
 #include "ident/plan/joint_guess.hpp"
@@ -342,6 +344,7 @@ class NewtonMethod final : public NewtonPlan {
 }  // namespace
 
 PlannedMethod plan_newton(const Plan& plan, const StartPlanner& plan_start) {
+  if (frequencies_are_data(plan.scene)) return plan_loose_by_frequencies(plan);
   return plan_responses(plan, plan_start, std::make_unique<NewtonMethod>());
 }
 

@@ -2,7 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <fstream>
+#include <memory>
 #include <numeric>
+#include <string>
 
 #include "file_fixture.hpp"
 #include "frf/hdf5/hdf5_writer.hpp"
@@ -206,6 +209,42 @@ TEST_F(Hdf5File, ReadsTheGoldenFiles) {
       EXPECT_TRUE(near(set.values[set.index(3, r, c)], set.values[set.index(3, c, r)], 1e-6));
     }
   }
+}
+
+double resident_megabytes() {
+  std::ifstream file("/proc/self/status");
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("VmRSS:")) return std::stod(line.substr(6)) / 1024.0;
+  }
+  return 0.0;
+}
+
+/// HDF5 takes half a megabyte for a file that is open: those of FRFs alone are closed there, and read on.
+TEST_F(Hdf5File, ManyOpenFilesTakeLittleMemory) {
+  constexpr std::size_t files = 120;
+  std::mt19937 random(5);
+  const FrfSet set = random_set(random, Quantity::receptance, NoiseRecord::variance);
+  for (std::size_t f = 0; f < files; ++f) write_hdf5(set, path("part" + std::to_string(f) + ".h5"));
+  std::vector<std::unique_ptr<FrfSource>> sources = {};
+  sources.push_back(open_hdf5(path("part0.h5")));
+  const double before = resident_megabytes();
+  for (std::size_t f = 1; f < files; ++f) sources.push_back(open_hdf5(path("part" + std::to_string(f) + ".h5")));
+#ifndef __SANITIZE_ADDRESS__  // which keeps what is freed
+  EXPECT_LT(resident_megabytes() - before, 0.25 * static_cast<double>(files));
+#else
+  EXPECT_GT(before, 0.0);
+#endif
+  for (std::size_t f = 0; f < files; f += 17) expect_blocks_of(set, *sources[f], random);
+}
+
+/// Of a file that another took the place of, what was opened is read.
+TEST_F(Hdf5File, IsReadOnWhenAnotherTakesItsPlace) {
+  std::mt19937 random(6);
+  const FrfSet set = random_set(random, Quantity::receptance, NoiseRecord::none);
+  write_hdf5(set, path("a.h5"));
+  const auto source = open_hdf5(path("a.h5"));
+  write_hdf5(random_set(random, Quantity::receptance, NoiseRecord::none), path("a.h5"));
+  expect_blocks_of(set, *source, random);
 }
 
 }  // namespace

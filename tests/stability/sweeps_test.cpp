@@ -153,6 +153,19 @@ TEST(Stability, SparseWaysKeepWhatTheDenseOneKeeps) {
   }
 }
 
+/// Half of the D are zero, the edge of what is allowed: the constrained joint is the truth, as the free one is.
+TEST(Stability, ConstrainedJointsOnTheEdgeKeepTheirDigits) {
+  for (const bool frame : {false, true}) {
+    for (const double spread : {1.0, 1e3}) {
+      const Measured free = measure(make(ManyJointsScene{.frame = frame, .spread = spread}), Solver::automatic, std::nullopt);
+      const Measured held =
+          measure(make(ManyJointsScene{.frame = frame, .spread = spread, .definite = true}), Solver::automatic, std::nullopt);
+      EXPECT_GE(held.digits_true, std::min(6.0, free.digits_true - 2.0)) << frame << ' ' << spread << ' ' << free.digits_true;
+      EXPECT_NE(held.verdict, Honesty::silent_wrong) << frame << ' ' << spread;
+    }
+  }
+}
+
 TEST(Stability, AnUnknownSweepIsAnError) {
   try {
     run_sweeps({"stifness"});

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <mutex>
 #include <tuple>
 
 #include "base/eigen.hpp"
@@ -14,9 +15,11 @@
 #include "ident/equations/linear_plan.hpp"
 #include "ident/equations/part_rows.hpp"
 #include "ident/judgement/judge.hpp"
+#include "ident/judgement/relative_motion.hpp"
 #include "ident/likelihood/data/systematic_plan.hpp"
 #include "ident/likelihood/errors/chi_square_law.hpp"
 #include "ident/likelihood/parts/parts_covariance.hpp"
+#include "ident/likelihood/parts/whole_information.hpp"
 #include "ident/plan/expected_time.hpp"
 #include "ident/plan/interpret.hpp"
 #include "ident/plan/joint_guess.hpp"
@@ -235,6 +238,7 @@ void PartsMethod::solve(const Plan& plan, const Control& control, Solution& out)
                      control, out);
     if (control.detail == Detail::full) tell_worst_part(plan, out, out);
   }
+  if (control.detail == Detail::full && control.judgement != Judgement::none) tell_relative_motions(plan, out);
   tell_and_predict(plan, control, out);
 }
 
@@ -311,6 +315,44 @@ PlannedMethod plan_by_parts(const Plan& plan, const StartPlanner& plan_start) {
                       (widest > 1 ? ", or " + std::to_string(widest) + " that are joined," : std::string()) +
                       " has its own estimate of the motions at its joints. Standard errors hold what this costs (docs/many-joints.md).");
   out.method = std::move(own);
+  return out;
+}
+
+std::optional<WholeInformation> information_by_parts(const Plan& plan, const std::vector<double>& theta, std::size_t pieces,
+                                                     const Control& control) {
+  if (dynamic_cast<const PartsMethod*>(plan.method.get()) == nullptr) return std::nullopt;
+  if (theta.size() > most_of_dense) {
+    fail(plan.scene, "[joint]",
+         "the bound of " + std::to_string(theta.size()) + " unknowns is not computed, only of at most " + std::to_string(most_of_dense),
+         "leave joints or elements out, or take the standard errors of `jointid solve`");
+  }
+  const PartGroups all = part_groups(plan, plan.equations, plan.substructures->source_count());
+  PartsData data(plan, all);
+  data.read(control);
+  const std::size_t lines = data.lines();
+  pieces = std::min(pieces, lines);
+  WholeInformation out{.of_lines = std::vector<Eigen::MatrixXd>(pieces, Eigen::MatrixXd::Zero(at(theta.size()), at(theta.size()))),
+                       .origins = data.origins()};
+  std::size_t done = 0;
+  std::mutex mutex;
+  for_each_index(lines, threads_or_cores(control.threads), [&](std::size_t i) {
+    stop_if(control.interrupted);
+    for (std::size_t g = 0; g < all.groups.size(); ++g) {
+      const GroupLine& line = data.groups()[g][i];
+      std::vector<std::size_t> places;
+      std::vector<double> own;
+      for (const std::size_t place : line.columns) {
+        places.push_back(data.columns(g)[place]);
+        own.push_back(theta[places.back()]);
+      }
+      const GroupImpedance impedance = group_impedance(all.groups[g], own, line.omega, plan.omega0);
+      const Eigen::MatrixXd found = whole_information(all.groups[g], all, line, impedance);
+      const std::scoped_lock lock(mutex);
+      out.of_lines[i * pieces / lines](places, places) += found;
+    }
+    const std::scoped_lock lock(mutex);
+    if (control.progress) control.progress("predicting errors", ++done, lines);
+  });
   return out;
 }
 

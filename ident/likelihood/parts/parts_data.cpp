@@ -18,9 +18,11 @@ bool is_measured(const Complex& value, const Complex& variance) {
 /// The variance of an FRF that is not measured.
 constexpr double missing = -1.0;
 
+/// Of the square of a value: the variance of what is said to be exact.
+constexpr double of_exact = 1e-14;
+
 double variance_of(const Complex& value, const Complex& parts) {
-  constexpr double least = 1e-14;  // of its square: what is said to be exact
-  return is_measured(value, parts) ? std::max(parts.real() + parts.imag(), least * std::norm(value)) : missing;
+  return is_measured(value, parts) ? std::max(parts.real() + parts.imag(), of_exact * std::norm(value)) : missing;
 }
 
 bool depends_on_values(const Variances& variances) {
@@ -69,12 +71,16 @@ void clear_missing(Eigen::MatrixXcd& values, Eigen::MatrixXd& variances) {
   }
 }
 
-/// No motion is more exact than arithmetic.
+/// A motion that is said to be exact is no more so than arithmetic with those beside it. Small motions far from a shaker keep their errors
+/// that are stated.
 void limit_exactness(GroupLine& to) {
   constexpr double least = 1e-20, smallest = 1e-300;  // of the mean square of the motions beside
   for (Eigen::Index l = 0; l < to.measured.motion.cols(); ++l) {
     const double floor = least * to.measured.motion.col(l).squaredNorm() / static_cast<double>(to.measured.motion.rows());
-    to.variance.motion.col(l) = to.variance.motion.col(l).cwiseMax(std::max(floor, smallest));
+    for (Eigen::Index m = 0; m < to.measured.motion.rows(); ++m) {
+      double& variance = to.variance.motion(m, l);
+      if (variance <= of_exact * std::norm(to.measured.motion(m, l))) variance = std::max({variance, floor, smallest});
+    }
   }
 }
 

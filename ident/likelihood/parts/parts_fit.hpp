@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "ident/likelihood/parts/group_linearisation.hpp"
 #include "ident/likelihood/parts/parts_data.hpp"
 #include "minimise/linear/sparse_qr.hpp"
 
