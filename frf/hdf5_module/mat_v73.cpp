@@ -245,6 +245,11 @@ class MatV73 final : public MatFile {
     return all;
   }
 
+  std::vector<std::string> scales(const MatInfo& info) override {
+    const hdf5::Silence silence;
+    return by_rows_ ? hdf5::names_of_scales(open(info.name, place_of_.at(info.name))) : std::vector<std::string>();
+  }
+
   bool reads_samples() const override { return true; }
 
   std::vector<double> read_samples(const MatInfo& info, std::size_t first, std::size_t count) override {

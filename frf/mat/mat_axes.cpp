@@ -53,6 +53,26 @@ std::optional<std::string> order_of_axes(std::string_view text) {
   return sorted == "CFR" ? std::optional(order) : std::nullopt;
 }
 
+std::optional<std::string> order_of_axes(const std::vector<std::string>& names) {
+  std::string order;
+  for (const std::string& name : names) {
+    std::string letters;
+    for (const std::string& word : words_in_order(name)) {
+      const char letter = letter_of(word);
+      if (letter != '?' && letters.find(letter) == std::string::npos) letters += letter;
+    }
+    order += letters.size() == 1 ? letters[0] : '?';
+  }
+  if (order.size() == 3 && std::ranges::count(order, '?') == 1) {
+    for (const char letter : {'F', 'R', 'C'}) {
+      if (order.find(letter) == std::string::npos) std::ranges::replace(order, '?', letter);
+    }
+  }
+  std::string sorted = order;
+  std::ranges::sort(sorted);
+  return sorted == "CFR" ? std::optional(order) : std::nullopt;
+}
+
 std::array<std::size_t, 3> strides(std::string_view order, const std::array<std::size_t, 3>& extents, bool last_fastest) {
   constexpr std::string_view letters = "FRC";
   std::array<std::size_t, 3> out{};

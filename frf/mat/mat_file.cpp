@@ -26,6 +26,8 @@ std::string MatFile::note(const MatInfo*, std::string_view) { return {}; }
 
 std::vector<std::pair<std::string, std::string>> MatFile::notes(const MatInfo&) { return {}; }
 
+std::vector<std::string> MatFile::scales(const MatInfo&) { return {}; }
+
 std::vector<double> MatFile::read_samples(const MatInfo& info, std::size_t, std::size_t) {
   fail(info.name, "cannot be read in parts");
 }
