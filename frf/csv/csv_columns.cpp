@@ -89,8 +89,11 @@ class HeaderRow {
 
   void add(std::size_t column) {
     const std::string& name = table_.columns[column];
-    const auto [label, word] = title_of(name);
-    const bool named = !label.empty() && (options_.response.empty() || !is_foreign(label));
+    const auto [own, word] = title_of(name);
+    const std::string dofs = dofs_in(own);
+    const std::string_view label = dofs.empty() ? own : dofs;
+    const bool one = options_.response.size() == 1 && options_.reference.size() < 2 && dofs.empty() && !says_direction(label);
+    const bool named = !label.empty() && (options_.response.empty() || !(one || is_foreign(label)));
     require_frf_itself(column, label);
     const CsvPart part = parse_part(column, word);
     if (column > 1 && named != named_) fail(column, "columns with and without DOFs", "name all of them or none");
@@ -104,6 +107,10 @@ class HeaderRow {
   /// Not its conjugate or inverse, "Im(conj(H11))".
   void require_frf_itself(std::size_t column, std::string_view label) const {
     const std::string_view other = other_function(label);
+    const std::string_view quantity = other_quantity(label);
+    if (!quantity.empty())
+      fail(column, "'" + table_.columns[column] + "' is " + std::string(quantity) + " by its title, and no FRF of motion over force",
+           "export motion over force; if it is, rename the column");
     if (!other.empty())
       fail(column, "'" + table_.columns[column] + "' is of " + std::string(other) + " of an FRF",
            "export the FRF itself, motion over force");
