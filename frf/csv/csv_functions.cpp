@@ -229,7 +229,7 @@ std::string_view other_function(std::string_view label) {
   if (has("conj") || plain.ends_with('*')) return "the conjugate";
   const bool over = plain.starts_with("1/") && plain.size() > 2 && (plain[2] < '0' || plain[2] > '9');
   if (over || has("inv(") || has("^-1") || has("⁻¹")) return "the inverse";
-  const bool minus = plain == "neg" || plain == "neg." || plain == "negative" || plain == "minus" || plain == "-";
+  const bool minus = plain == "neg" || plain == "neg." || plain == "negative" || plain == "minus" || plain == "-" || has("invert");
   if (plain == "lag" || plain == "delay" || has("phaselag") || minus) return "the negative";
   if (has("normali") || has("normiert")) return "the normalised value";
   if (has("log")) return "the logarithm";

@@ -50,11 +50,19 @@ bool is_function(std::string_view title, std::size_t open) {
   return !parse_unit(inside) && unit_hint(inside).empty();
 }
 
+/// "H(2,1) Re", whose brackets are of the name of an FRF before its part.
+bool is_name_before_part(std::string_view title, std::size_t open) {
+  const std::size_t close = title.rfind(')'), last = title.rfind(' ');
+  if (close == std::string_view::npos || last == std::string_view::npos || last < close || close < open) return false;
+  const std::string_view inside = title.substr(open + 1, close - open - 1);
+  return is_csv_part(title.substr(last + 1)) && inside.find_first_not_of("0123456789,;:| ") == std::string_view::npos;
+}
+
 /// By the brackets of a title: "4:+Y/1:+Y re (g/N)".
 CsvTitle bracketed_title(std::string_view cell) {
   if (function_as_part(cell, false) != cell) return {std::string(cell), {}};
   const std::size_t open = begin_of_unit(cell);
-  if (open == std::string_view::npos || is_function(cell, open)) return {std::string(cell), {}};
+  if (open == std::string_view::npos || is_function(cell, open) || is_name_before_part(cell, open)) return {std::string(cell), {}};
   std::string_view unit = cell.substr(open);
   const char close = unit.front() == '[' ? ']' : ')';
   if (unit.find(close) == unit.size() - 1) unit = unit.substr(1, unit.size() - 2);

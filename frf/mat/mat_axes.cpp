@@ -10,14 +10,17 @@
 namespace jointid::frf {
 namespace {
 
-using AxisWords = std::array<std::string_view, 22>;
+using AxisWords = std::array<std::string_view, 32>;
 
 constexpr std::array<std::pair<char, AxisWords>, 3> words_of_axes = {
-    {{'F', {"f", "freq", "freqs", "frequency", "frequencies", "line", "lines", "hz", "omega", "w", "nf", "bin", "bins", "spectral"}},
+    {{'F', {"f", "freq", "freqs", "frequency", "frequencies", "line", "lines", "hz", "omega", "w", "nf", "bin", "bins", "spectral", "frequenz",
+            "frequencia", "frecuencia", "frequence", "frequenza", "kreisfrequenz"}},
      {'R', {"r", "resp", "response", "responses", "rsp", "out", "output", "outputs", "o", "y", "row", "rows", "no", "nr", "sensor",
-            "sensors", "channel", "channels", "acc", "ny", "nout"}},
+            "sensors", "channel", "channels", "acc", "ny", "nout", "accel", "motion",
+            "antwort", "ausgang", "reponse", "sortie", "respuesta", "salida", "risposta", "uscita"}},
      {'C', {"c", "ref", "reference", "references", "in", "input", "inputs", "i", "u", "col", "column", "columns", "ni", "nc", "force",
-            "forces", "exc", "excitation", "excitations", "impact", "impacts", "nin"}}}};
+            "forces", "exc", "excitation", "excitations", "impact", "impacts", "nin", "hammer",
+            "anregung", "eingang", "kraft", "entree", "entrada", "ingresso"}}}};
 
 char letter_of(std::string_view word) {
   for (const auto& [letter, words] : words_of_axes) {

@@ -32,12 +32,12 @@ std::vector<double> MatFile::read_samples(const MatInfo& info, std::size_t, std:
   fail(info.name, "cannot be read in parts");
 }
 
-void MatFile::fail(const std::string& variable, std::string problem) const {
+void MatFile::fail(const std::string& variable, std::string problem, std::string remedy) const {
   throw InputError({.kind = ErrorKind::data,
                     .file = file_,
                     .place = variable.empty() ? std::string() : place_of(variable),
                     .problem = std::move(problem),
-                    .remedy = {}});
+                    .remedy = std::move(remedy)});
 }
 
 std::unique_ptr<FrfSource> open_mat_v5(const std::filesystem::path& path, const OpenOptions& options) {

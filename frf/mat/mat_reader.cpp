@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "frf/mat/mat_arrays.hpp"
 #include "frf/mat/mat_axes.hpp"
 #include "frf/mat/mat_beside.hpp"
@@ -238,11 +239,24 @@ class Reader {
                    "shape it [F,R,C]");
     }
     if (known) return *stated;
+    require_known_labels(info, stated);
     require_order_of_name(info);
     if (first && last && header.lines() > 1 && header.entries() > 1) {
       lookup_.fail(place_of(info.name), "[" + shown + "] may be [F,R,C] or [R,C,F]", "add a text axes = 'FRC' or 'RCF'");
     }
     return last ? "RCF" : "FRC";
+  }
+
+  /// Labels of axes say which is which, and nobody understood them, where responses and references are as many.
+  void require_known_labels(const MatInfo& info, const std::optional<std::string>& stated) const {
+    const FrfHeader& header = set_.header;
+    const std::vector<std::string> names = names_of_axes();
+    const bool labelled = std::ranges::any_of(names, [](const std::string& name) { return !name.empty(); });
+    if (stated || !labelled || names.size() != 3 || header.response.size() != header.reference.size() || header.response.size() < 2)
+      return;
+    lookup_.fail(place_of(info.name),
+                 "has axes named " + comma_list(names) + ", which do not state where responses and references are",
+                 "name them frequency, response and reference, or add a text axes = 'FRC', in the order of the array");
   }
 
   /// "H_in_out" of as many responses as references, without a word on its axes.

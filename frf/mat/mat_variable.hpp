@@ -71,7 +71,7 @@ class MatFile {
 
  protected:
   explicit MatFile(std::string file) : file_(std::move(file)) {}
-  [[noreturn]] void fail(const std::string& variable, std::string problem) const;
+  [[noreturn]] void fail(const std::string& variable, std::string problem, std::string remedy = {}) const;
 
   std::string file_;
   std::vector<MatInfo> variables_;

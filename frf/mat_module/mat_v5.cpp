@@ -227,7 +227,8 @@ class MatV5 final : public MatFile {
     for (std::size_t i = 0; i < size(variable); ++i) {
       const matvar_t* cell = Mat_VarGetCell(&variable, static_cast<int>(i));
       if (cell == nullptr || cell->class_type != MAT_C_CHAR) {
-        fail(info.name, "cell " + std::to_string(i + 1) + " is not text");
+        fail(info.name, "cell " + std::to_string(i + 1) + " is not text",
+             "store texts in cells, such as {'4:+Y'; '5:+Y'}, and FRFs as arrays or arrays of structs");
       }
       texts.push_back(characters(*cell).front());
     }
