@@ -82,7 +82,8 @@ bool says_frequencies(std::string_view name) {
   for (const std::string_view stem : {"omega", "w"}) {
     if (plain.starts_with(stem)) return is(std::string_view(plain).substr(stem.size()), angular);
   }
-  return plain.size() > 1 && plain.front() == 'f' && is(std::string_view(plain).substr(1), endings);
+  const bool force = name.starts_with('F') && !plain.ends_with("hz");
+  return plain.size() > 1 && plain.front() == 'f' && !force && is(std::string_view(plain).substr(1), endings);
 }
 
 /// Of "freq_khz", "w_rad", "rpm"; 1 where a name says no unit.

@@ -200,6 +200,13 @@ TEST(NamedArrays, DamagedArchivesAreOneErrorOrTheFrfs) {
   }
 }
 
+TEST(NamedArrays, LettersBeyondAscii) {
+  expect_stored(read("letters.npz"), 1.0, 1e-12, 1, 1);
+  if (!has_matio()) JOINTID_SKIP("this build lacks matio");
+  const FrfSet set = read("letters.mat");
+  EXPECT_LE(std::abs(set.values[0] - 1e-6 * stored(0, 0, 0)), 1e-18);
+}
+
 /// Variables attached to the axes (dimension scales) or labels; the FRFs are square, so that a wrong order looks right.
 TEST(NamedArrays, AxesInTheOrderThatHdf5States) {
   for (const char* group : {"FCR", "RFC", "CRF", "named_FCR", "named_RFC", "named_CRF", "German"}) {

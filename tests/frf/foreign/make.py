@@ -101,3 +101,7 @@ with h5py.File("axes.h5", "w", libver="latest") as file:
         with_axes(file, "named_" + order, order, {"F": "frequency", "R": "response_dof", "C": "reference_dof"}, False)
     with_axes(file, "German", "FCR", {"F": "Frequenz", "R": "Antwort", "C": "Anregung"}, False)
     with_axes(file, "unknown", "FCR", {"F": "dim_0", "R": "dim_1", "C": "dim_2"}, False)
+
+np.savez("letters.npz", frf=H[:, :1, :1], frequency=f, unit="m·s⁻²·N⁻¹", response_dof=responses[:1], reference_dof=references[:1])
+scipy.io.savemat("letters.mat", {"frf": H[:, :1, :1], "frequency": f, "unit": "µm/N", "response_dof": responses[:1].astype(object),
+                                 "reference_dof": references[:1].astype(object)})

@@ -46,7 +46,7 @@ TEST_F(WordsOfArrays, ForFrequencies) {
             {"frecuencia", 10.0}, {"fkHz", 1e4}, {"freq_khz", 1e4}, {"freq_rad_s", 10.0 * turns}, {"w_rad", 10.0 * turns},
             {"omega_rad_s", 10.0 * turns}, {"freq_rpm", 10.0 / 60.0}, {"w", 10.0 * turns}, {"omega", 10.0 * turns}}))
     EXPECT_NEAR(read(range(name) + frf("H")).header.frequency_hz[0], hz, 1e-12 * hz) << name;
-  for (const char* name : {"fn", "freq_index", "freq_no", "wvec", "W", "F", "forces", "fHz2", "omegas"})
+  for (const char* name : {"fn", "freq_index", "freq_no", "wvec", "W", "F", "Fvec", "F_data", "forces", "fHz2", "omegas"})
     EXPECT_THAT(error(range(name) + frf("H")), AllOf(HasSubstr("has no vector of frequencies"), HasSubstr(name))) << name;
   EXPECT_THAT(error(range("f_Hz") + range("freq_khz") + frf("H")), HasSubstr("has no vector of frequencies"));
 }
