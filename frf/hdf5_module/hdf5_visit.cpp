@@ -144,7 +144,8 @@ class Visit {
       return;
     }
     note(read(memory.get(), values.get()));
-    if (H5Tis_variable_str(memory.get()) > 0 || H5Tget_class(memory.get()) == H5T_VLEN) H5Dvlen_reclaim(memory.get(), space.get(), H5P_DEFAULT, values.get());
+    if (H5Tis_variable_str(memory.get()) > 0 || H5Tget_class(memory.get()) == H5T_VLEN)
+      H5Dvlen_reclaim(memory.get(), space.get(), H5P_DEFAULT, values.get());
   }
 
   std::set<haddr_t> seen_;  ///< each object once

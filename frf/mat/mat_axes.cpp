@@ -13,8 +13,8 @@ namespace {
 using AxisWords = std::array<std::string_view, 32>;
 
 constexpr std::array<std::pair<char, AxisWords>, 3> words_of_axes = {
-    {{'F', {"f", "freq", "freqs", "frequency", "frequencies", "line", "lines", "hz", "omega", "w", "nf", "bin", "bins", "spectral", "frequenz",
-            "frequencia", "frecuencia", "frequence", "frequenza", "kreisfrequenz"}},
+    {{'F', {"f", "freq", "freqs", "frequency", "frequencies", "line", "lines", "hz", "omega", "w", "nf", "bin", "bins", "spectral",
+            "frequenz", "frequencia", "frecuencia", "frequence", "frequenza", "kreisfrequenz"}},
      {'R', {"r", "resp", "response", "responses", "rsp", "out", "output", "outputs", "o", "y", "row", "rows", "no", "nr", "sensor",
             "sensors", "channel", "channels", "acc", "ny", "nout", "accel", "motion",
             "antwort", "ausgang", "reponse", "sortie", "respuesta", "salida", "risposta", "uscita"}},

@@ -15,7 +15,9 @@ using ::testing::HasSubstr;
 /// Files as GNU Octave's `save -text` writes them: 2 − 1i and 3 + 4i at 10 and 20.
 class WordsOfArrays : public FileTest {
  protected:
-  static std::string range(const std::string& name) { return "# name: " + name + "\n# type: range\n# base, limit, increment\n10 20 10\n\n\n"; }
+  static std::string range(const std::string& name) {
+    return "# name: " + name + "\n# type: range\n# base, limit, increment\n10 20 10\n\n\n";
+  }
   static std::string frf(const std::string& name) {
     return "# name: " + name + "\n# type: complex matrix\n# rows: 2\n# columns: 1\n (2,-1)\n (3,4)\n\n\n";
   }
