@@ -48,7 +48,8 @@ TEST_F(CsvWords, OfFrequencies) {
   constexpr double turn = 2.0 * std::numbers::pi;
   for (const auto& [title, step] : std::to_array<std::pair<const char*, double>>(
            {{"f", 1.0}, {"fHz", 1.0}, {"f_Hz", 1.0}, {"FreqHz", 1.0}, {"fkHz", 1e-3}, {"kHz", 1e-3}, {"rad/s", turn},
-            {"Frequency - Hz", 1.0}, {"Frequency_Hz_", 1.0}, {"周波数［Hz］", 1.0}, {"频率（kHz）", 1e-3}, {"omega_rad_s", turn}, {"w_rad_per_s", turn},
+            {"Frequency - Hz", 1.0}, {"Frequency_Hz_", 1.0}, {"周波数［Hz］", 1.0}, {"频率（kHz）", 1e-3}, {"omega_rad_s", turn},
+            {"w_rad_per_s", turn},
             {"Kreisfrequenz [1/s]", turn}, {"Pulsation [s^-1]", turn}, {"omega", turn}, {"Omega [Hz]", 1.0}}))
     expect_right(std::string(title) + ",Re,Im\n" + numbers(step));
   for (const char* title : {"w", "W", "F", "om", "f/fn", "log f [Hz]", "Frequency ratio", "Frequency [1/s]", "omega_hz"})
@@ -88,7 +89,8 @@ TEST_F(CsvWords, RowsOfTypes) {
 
 TEST_F(CsvWords, OfWhatIsNoMotionOverForce) {
   for (const char* title : {"Dynamic stiffness Re,Dynamic stiffness Im", "Impedance real,Impedance imag",
-                            "Apparent mass Re,Apparent mass Im", "Impedanz Re,Impedanz Im", "Transmissibility Re,Transmissibility Im", "Cross spectrum Re,Cross spectrum Im"})
+                            "Apparent mass Re,Apparent mass Im", "Impedanz Re,Impedanz Im", "Transmissibility Re,Transmissibility Im",
+                            "Cross spectrum Re,Cross spectrum Im"})
     EXPECT_THAT(error("f [Hz]," + std::string(title) + "\n" + numbers(1.0)),
                 AllOf(HasSubstr("line 1, column 2"), HasSubstr("no FRF of motion over force"), HasSubstr("rename the column")))
         << title;
