@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <vector>
 
+#include "base/text.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/open_options.hpp"
 #include "cli/options/output.hpp"
@@ -49,6 +50,7 @@ ExitCode execute(const ConvertArguments& arguments, std::ostream& out) {
   if (frf::any_own_axes(header.nodes) && !tasks::is_hdf5(arguments.out))
     out << ", without the axes of its nodes, which HDF5 alone holds";
   out << '\n';
+  for (const std::string& doubt : header.doubts) out << "  note: " << printable(doubt) << '\n';
   return ExitCode::done;
 }
 

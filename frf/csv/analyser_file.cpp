@@ -165,6 +165,7 @@ class AnalyserText {
       ++line_;
       if (without_padding(line).empty()) continue;  // an end-of-file byte of DOS, too
       const std::vector<std::string_view> cells = split(line, '\t');
+      if (set_.header.frequency_hz.empty() && are_types(cells)) continue;
       if (set_.header.frequency_hz.empty() && is_label(cells)) {
         read_units(cells);
       } else if (is_footer(cells, 2 * frfs_ + 1)) {

@@ -35,10 +35,11 @@ Title title_of(std::string_view name) {
   return leads ? Title{trimmed(name.substr(first)), name.substr(0, first)} : Title{name.substr(0, last), name.substr(last + 1)};
 }
 
-/// "H1", "AI 1/AI 2": a name of another program, of which the options say what it is; "2X/1X" is a slip of the pen.
-bool is_foreign(std::string_view label) {
+/// "H1", "AI 1/AI 2": a name of another program, of which the options say what it is; "2X/1X" is a slip of the pen. "1Z:1Z" where they
+/// say that of one FRF.
+bool is_foreign(std::string_view label, bool one) {
   const bool pair = label.find('/') != std::string_view::npos && !label.empty() && label.front() >= '0' && label.front() <= '9';
-  return label.find(':') == std::string_view::npos && !pair;
+  return (label.find(':') == std::string_view::npos || (one && !says_direction(label))) && !pair;
 }
 
 constexpr std::size_t most_csv_columns = 100'000;
@@ -89,8 +90,11 @@ class HeaderRow {
 
   void add(std::size_t column) {
     const std::string& name = table_.columns[column];
-    const auto [label, word] = title_of(name);
-    const bool named = !label.empty() && (options_.response.empty() || !is_foreign(label));
+    const auto [own, word] = title_of(name);
+    const std::string dofs = dofs_in(own);
+    const std::string_view label = dofs.empty() ? own : dofs;
+    const bool one = options_.response.size() == 1 && options_.reference.size() < 2;
+    const bool named = !label.empty() && (options_.response.empty() || !is_foreign(label, one));
     require_frf_itself(column, label);
     const CsvPart part = parse_part(column, word);
     if (column > 1 && named != named_) fail(column, "columns with and without DOFs", "name all of them or none");
@@ -104,6 +108,10 @@ class HeaderRow {
   /// Not its conjugate or inverse, "Im(conj(H11))".
   void require_frf_itself(std::size_t column, std::string_view label) const {
     const std::string_view other = other_function(label);
+    const std::string_view quantity = other_quantity(label);
+    if (!quantity.empty())
+      fail(column, "'" + table_.columns[column] + "' is " + std::string(quantity) + " by its title, and no FRF of motion over force",
+           "export motion over force; if it is, rename the column");
     if (!other.empty())
       fail(column, "'" + table_.columns[column] + "' is of " + std::string(other) + " of an FRF",
            "export the FRF itself, motion over force");

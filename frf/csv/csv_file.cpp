@@ -42,13 +42,18 @@ constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
                     .remedy = std::move(remedy)});
 }
 
-/// The unit that the file gives its FRFs first; empty where it gives none.
-std::string first_unit(const CsvTable& table, const CsvColumns& columns) {
+/// The unit that the file gives its FRFs first, and where; empty where it gives none.
+struct StatedUnit {
+  std::string label, place;
+};
+
+StatedUnit first_unit(const CsvTable& table, const CsvColumns& columns) {
   const auto key = table.keys.find("unit");
-  if (key != table.keys.end()) return key->second;
+  if (key != table.keys.end()) return {key->second, "# unit"};
   for (const auto& [pair, of_pair] : columns.pairs()) {
     std::size_t column = 0;
-    if (const std::string& unit = columns.unit(of_pair, column); !unit.empty()) return unit;
+    if (const std::string& unit = columns.unit(of_pair, column); !unit.empty())
+      return {unit, table.place(table.units_line, column)};
   }
   return {};
 }
@@ -105,10 +110,10 @@ Quantity read_quantity(const CsvTable& table, const CsvColumns& columns, const O
   if (key != table.keys.end())
     return located(table.file, "# quantity", [&] { return parse_quantity(key->second, options.quantity); });
   if (options.quantity) return *options.quantity;
-  const std::string unit = first_unit(table, columns);
-  if (const auto quantity = quantity_of_unit(unit)) return *quantity;
-  if (!states_no_unit(unit))
-    fail(table, {}, unknown_unit(unit), "correct it, or give the unit of the numbers: --unit g/N, in a scene unit");
+  const StatedUnit unit = first_unit(table, columns);
+  if (const auto quantity = quantity_of_unit(unit.label)) return *quantity;
+  if (!states_no_unit(unit.label))
+    fail(table, unit.place, unknown_unit(unit.label), "correct it, or give the unit of the numbers: --unit g/N, in a scene unit");
   fail(table, {}, "does not state which quantity it holds", "begin it with e.g. # quantity = accelerance");
 }
 

@@ -57,7 +57,11 @@ constexpr std::array titles = std::to_array<Words>({{"modulus", "mag"},
                                                     {"parte reale", "re"},
                                                     {"parte immaginaria", "im"},
                                                     {"parte real", "re"},
-                                                    {"parte imaginaria", "im"}});
+                                                    {"parte imaginaria", "im"},
+                                                    {"parte imaginária", "im"},
+                                                    {"angle", "phase"},
+                                                    {"位相", "phase"},
+                                                    {"相位", "phase"}});
 
 bool may_be_unit(std::string_view text) { return parse_unit(text) || !unit_hint(text).empty(); }
 
@@ -147,6 +151,69 @@ std::string joined_part(std::string_view title) {
   return std::string(title);
 }
 
+namespace {
+
+/// The name of the FRF of a title that begins or ends with a word for its part; empty where it does not, or has no other letters.
+std::string without_word(const std::string& title, std::string_view word, bool at_end) {
+  const std::string plain = lower_case(title);
+  if (plain.size() <= word.size() || !(at_end ? plain.ends_with(word) : plain.starts_with(word))) return {};
+  return at_end ? title.substr(0, title.size() - word.size()) : title.substr(word.size());
+}
+
+/// "H", "FRF" and "H11", behind which r and i alone are parts.
+bool is_short_name(std::string_view name) {
+  const std::string plain = lower_case(name.substr(0, name.find_first_of("0123456789")));
+  return plain.size() == 1 || plain == "frf";
+}
+
+}  // namespace
+
+void pair_parts(std::vector<std::string>& titles) {
+  struct PartWords {
+    std::string_view re, im;
+    bool at_end;
+  };
+  constexpr std::array words = std::to_array<PartWords>(
+      {{"_r", "_i", true}, {".r", ".i", true}, {"real", "imag", true}, {"real", "imaginary", true}, {"re", "im", true},
+       {"real", "imag", false}, {"real", "imaginary", false}, {"re", "im", false}, {"r", "i", true}});
+  const auto is_open = [](const std::string& title) {
+    return title.find_first_of(" (:/") == std::string::npos && !is_csv_part(title);
+  };
+  for (std::string& real : titles) {
+    for (const PartWords& each : words) {
+      const std::string name = is_open(real) ? without_word(real, each.re, each.at_end) : std::string();
+      if (name.empty() || (each.re == "r" && !is_short_name(name))) continue;
+      const auto imaginary = std::ranges::find_if(titles, [&](const std::string& title) {
+        return is_open(title) && without_word(title, each.im, each.at_end) == name;
+      });
+      if (imaginary == titles.end()) continue;
+      real = with_part(name, "re"), *imaginary = with_part(name, "im");
+      break;
+    }
+  }
+}
+
+std::string_view other_quantity(std::string_view label) {
+  constexpr std::array others = std::to_array<Words>({{"stiffness", "a dynamic stiffness"},
+                                                      {"steifigkeit", "a dynamic stiffness"},
+                                                      {"impedan", "an impedance"},
+                                                      {"impédance", "an impedance"},
+                                                      {"apparentmass", "an apparent mass"},
+                                                      {"dynamicmass", "an apparent mass"},
+                                                      {"effectivemass", "an apparent mass"},
+                                                      {"transmissib", "a transmissibility"},
+                                                      {"autospec", "a spectrum"},
+                                                      {"autopower", "a spectrum"},
+                                                      {"crossspec", "a spectrum"},
+                                                      {"crosspower", "a spectrum"},
+                                                      {"powerspec", "a spectrum"},
+                                                      {"leistungsspek", "a spectrum"}});
+  std::string plain = lower_case(label);
+  std::erase_if(plain, [](char c) { return c == ' ' || c == '_' || c == '-'; });
+  const auto found = std::ranges::find_if(others, [&](const Words& each) { return plain.find(each.first) != std::string::npos; });
+  return found != others.end() ? found->second : std::string_view();
+}
+
 bool says_complex(std::string_view text) {
   std::string plain = lower_case(text);
   std::erase(plain, ' ');
@@ -162,7 +229,7 @@ std::string_view other_function(std::string_view label) {
   if (has("conj") || plain.ends_with('*')) return "the conjugate";
   const bool over = plain.starts_with("1/") && plain.size() > 2 && (plain[2] < '0' || plain[2] > '9');
   if (over || has("inv(") || has("^-1") || has("⁻¹")) return "the inverse";
-  const bool minus = plain == "neg" || plain == "neg." || plain == "negative" || plain == "minus" || plain == "-";
+  const bool minus = plain == "neg" || plain == "neg." || plain == "negative" || plain == "minus" || plain == "-" || has("invert");
   if (plain == "lag" || plain == "delay" || has("phaselag") || minus) return "the negative";
   if (has("normali") || has("normiert")) return "the normalised value";
   if (has("log")) return "the logarithm";

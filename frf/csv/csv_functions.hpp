@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "frf/csv/csv_parts.hpp"
 
@@ -19,8 +20,15 @@ std::string function_as_part(std::string_view title, bool unit_known);
 /// "H_real", "H11.im", "H_phase_deg", "re_H11" as "H11 re" …; any other title, and a part beside a unit, as it is.
 std::string joined_part(std::string_view title);
 
+/// Titles that only together say that they are parts, "H_r" and "H_i", "ReH11" and "ImH11", "HReal" and "HImag", as "H re" and
+/// "H im" …; all others stay as they are.
+void pair_parts(std::vector<std::string>& titles);
+
 /// "mag∠phase", "polar", "re+j*im": what cells of complex numbers look like, in a title.
 bool says_complex(std::string_view text);
+
+/// What a label says that a column is where it is no motion over force: "dynamic stiffness", "a spectrum"; else empty.
+std::string_view other_quantity(std::string_view label);
 
 /// Of what a label is where it is no FRF itself, "the conjugate" of "conj(H11)" and "H11*", "the inverse" of "1/H11"; else empty.
 std::string_view other_function(std::string_view label);

@@ -7,6 +7,7 @@
 #include <set>
 #include <string_view>
 
+#include "frf/text/number_text.hpp"
 #include "frf/text/unit_names.hpp"
 
 namespace jointid::frf {
@@ -107,7 +108,50 @@ std::size_t rank(const std::vector<Numbers>& numbers, std::int64_t Numbers::*whi
   return below.size();
 }
 
+/// The length of the DOF that begins at a place of a label, "12:+RX"; 0 where there is none.
+std::size_t length_of_dof(std::string_view label, std::size_t begin) {
+  std::size_t at = begin;
+  while (at < label.size() && is_digit(label[at])) ++at;
+  if (at == begin || at + 2 >= label.size() || label[at] != ':' || (label[at + 1] != '+' && label[at + 1] != '-')) return 0;
+  at += label[at + 2] == 'R' ? 3 : 2;
+  const bool direction = at < label.size() && label[at] >= 'X' && label[at] <= 'Z';
+  const bool ends = at + 1 >= label.size() || std::isalnum(static_cast<unsigned char>(label[at + 1])) == 0;
+  return direction && ends ? at + 1 - begin : 0;
+}
+
+/// Letters, digits behind them and brackets: the name of an FRF, of a point, or nothing.
+bool is_name(std::string_view text) {
+  return text.empty() || (std::isalpha(static_cast<unsigned char>(text.front())) != 0 &&
+                          lower_case(text).find("ref") == std::string::npos && text.find_first_of(":/,;|>") == std::string_view::npos);
+}
+
 }  // namespace
+
+std::string dofs_in(std::string_view label) {
+  std::vector<std::pair<std::size_t, std::size_t>> found;  // begin, length
+  for (std::size_t at = 0; at < label.size(); ++at) {
+    const bool begins = at == 0 || !is_digit(label[at - 1]);
+    const std::size_t length = begins ? length_of_dof(label, at) : 0;
+    if (length > 0) found.emplace_back(at, length);
+  }
+  if (found.size() != 2) return {};
+  const auto [first, first_length] = found[0];
+  const auto [second, second_length] = found[1];
+  const std::string_view before = label.substr(0, first), after = label.substr(second + second_length);
+  const std::string_view between = label.substr(first + first_length, second - first - first_length);
+  const bool parted = !between.empty() && (between.front() == '/' || between.front() == ',') && is_name(trimmed(between.substr(1)));
+  const bool closed = after.find_first_not_of(" )]}") == std::string_view::npos;
+  if (!parted || !closed || !is_name(before)) return {};
+  return std::string(label.substr(first, first_length)) + "/" + std::string(label.substr(second, second_length));
+}
+
+bool says_direction(std::string_view label) {
+  for (std::size_t at = label.find(':'); at != std::string_view::npos; at = label.find(':', at + 1)) {
+    if (at == 0 || !is_digit(label[at - 1]) || at + 1 >= label.size()) continue;
+    if (std::string_view("+-xyzXYZ").find(label[at + 1]) != std::string_view::npos) return true;
+  }
+  return false;
+}
 
 Places places_of_labels(const std::vector<std::string>& labels, const std::vector<Dof>& response,
                         const std::vector<Dof>& reference) {

@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/stop_scope.hpp"
+#include "frf/csv/csv_functions.hpp"
 #include "frf/csv/csv_remarks.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/set/units.hpp"
@@ -73,7 +74,7 @@ class CsvReader {
       read_header(line);
     } else if (table_.lines.empty() && table_.units_line == table_.header_line && is_parts(line)) {
       read_parts(line);
-    } else if (table_.lines.empty() && is_heading_of_units(line)) {
+    } else if (table_.lines.empty() && (is_heading_of_units(line) || are_types(csv_cells(line, separator_)))) {
       return;
     } else if (table_.lines.empty() && table_.units_line == table_.header_line && is_units(line)) {
       read_units(line);
@@ -161,6 +162,7 @@ class CsvReader {
       table_.units.push_back(std::move(title.unit));
       table_.places.push_back(i);
     }
+    pair_parts(table_.columns);
     take_frequency_title(cells[index]);
     read_units_above();
   }

@@ -50,11 +50,19 @@ bool is_function(std::string_view title, std::size_t open) {
   return !parse_unit(inside) && unit_hint(inside).empty();
 }
 
+/// "H(2,1) Re", whose brackets are of the name of an FRF before its part.
+bool is_name_before_part(std::string_view title, std::size_t open) {
+  const std::size_t close = title.rfind(')'), last = title.rfind(' ');
+  if (close == std::string_view::npos || last == std::string_view::npos || last < close || close < open) return false;
+  const std::string_view inside = title.substr(open + 1, close - open - 1);
+  return is_csv_part(title.substr(last + 1)) && inside.find_first_not_of("0123456789,;:| ") == std::string_view::npos;
+}
+
 /// By the brackets of a title: "4:+Y/1:+Y re (g/N)".
 CsvTitle bracketed_title(std::string_view cell) {
   if (function_as_part(cell, false) != cell) return {std::string(cell), {}};
   const std::size_t open = begin_of_unit(cell);
-  if (open == std::string_view::npos || is_function(cell, open)) return {std::string(cell), {}};
+  if (open == std::string_view::npos || is_function(cell, open) || is_name_before_part(cell, open)) return {std::string(cell), {}};
   std::string_view unit = cell.substr(open);
   const char close = unit.front() == '[' ? ']' : ')';
   if (unit.find(close) == unit.size() - 1) unit = unit.substr(1, unit.size() - 2);
@@ -97,10 +105,15 @@ bool is_frequency_by_unit(const std::string& name, const std::string& unit) {
 }
 
 /// What parts the name of an axis and its unit.
-constexpr std::string_view before_unit = " _,/.:";
+constexpr std::string_view before_unit = " _,/.:-";
 
-/// "in Hz" as "Hz".
-std::string_view without_in(std::string_view unit) { return unit.starts_with("in ") ? trimmed(unit.substr(3)) : unit; }
+/// "in Hz" and "Hz_" as "Hz"; "rad_s" and "rad_per_s" as "rad/s".
+std::string_view written_out(std::string_view unit) {
+  if (unit.starts_with("in ") || unit.starts_with("in_")) unit = trimmed(unit.substr(3));
+  while (unit.ends_with('_')) unit.remove_suffix(1);
+  constexpr std::array<std::string_view, 6> angular = {"rad_s", "rad_per_s", "rad_sec", "rad_per_sec", "radps", "rads"};
+  return std::ranges::find(angular, lower_case(unit)) != angular.end() ? "rad/s" : unit;
+}
 
 /// "freq_khz" into "freq" and "khz", as the cell writes them; "f / Hz", "f in Hz" and "ω/(rad/s)" likewise.
 void split_unit(CsvTitle& title) {
@@ -109,8 +122,14 @@ void split_unit(CsvTitle& title) {
     const bool longer = plain.size() > name.size() + 1 && plain.starts_with(name);
     if (!longer || before_unit.find(plain[name.size()]) == std::string_view::npos) return {};
     const std::size_t begin = plain.find_first_not_of(before_unit, name.size());
-    return begin == std::string::npos ? std::string_view() : without_in(std::string_view(title.title).substr(begin));
+    return begin == std::string::npos ? std::string_view() : written_out(std::string_view(title.title).substr(begin));
   };
+  for (const std::string_view known : {"frequency", "freq", "f"}) {  // "fHz"
+    const std::string_view rest = plain.starts_with(known) ? std::string_view(plain).substr(known.size()) : std::string_view();
+    if (rest != "hz" && rest != "khz") continue;
+    title = {std::string(known), title.title.substr(known.size())};
+    return;
+  }
   for (const std::string_view known : frequency_titles) {
     const std::string_view rest = rest_behind(known);
     if (rest.empty()) continue;
@@ -125,6 +144,23 @@ void split_unit(CsvTitle& title) {
     title = {angular ? "omega" : "f", std::string(rest)};
     return;
   }
+}
+
+/// The wide brackets of Japanese and Chinese texts as those of ASCII.
+std::string with_plain_brackets(std::string_view cell) {
+  constexpr std::array wide = std::to_array<std::pair<std::string_view, std::string_view>>(
+      {{"［", "["}, {"］", "]"}, {"（", "("}, {"）", ")"}, {"【", "["}, {"】", "]"}, {"／", "/"}});
+  std::string text(cell);
+  for (const auto& [from, to] : wide) {
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from)) text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+/// A unit that stands where the title of the frequencies should.
+bool is_unit_alone(std::string_view plain) {
+  constexpr std::array<std::string_view, 6> units = {"hz", "hertz", "khz", "rad/s", "rad/sec", "rad s^-1"};
+  return std::ranges::find(units, plain) != units.end();
 }
 
 bool is_number_of_table(std::string_view cell, char separator) {
@@ -158,7 +194,7 @@ class HeaderSearch {
     if (cells.size() < 2 + index || (index == 1 && !is_index(cells[0]))) return;
     const auto title = frequency_title(cells[index]);
     if (!title || std::ranges::any_of(cells, [&](std::string_view cell) { return is_number_of_table(cell, separator); })) return;
-    const bool units = latest_ && cells.size() == cells_ && lower_case(title->title) == "hz";
+    const bool units = latest_ && cells.size() == cells_ && is_unit_alone(lower_case(title->title));
     if (units || (latest_ && !commented_ && comment)) return;
     latest_ = CsvHeaderPlace{number, separator, index};
     cells_ = cells.size(), commented_ = comment;
@@ -210,7 +246,22 @@ std::vector<std::string_view> csv_cells(std::string_view line, char separator) {
   return cells;
 }
 
+bool are_types(const std::vector<std::string_view>& cells) {
+  constexpr std::array types = std::to_array<std::string_view>(
+      {"double", "float", "single", "dbl", "sgl", "float64", "float32", "real8", "real*8", "real4", "real*4", "real64", "real32",
+       "number", "numeric", "decimal", "f8", "f4", "<f8", "<f4", "r8", "r4", "complex", "complex128", "complex64"});
+  bool any = false;
+  for (const std::string_view cell : cells) {
+    const std::string plain = lower_case(without_brackets(cell));
+    const bool type = plain.starts_with("dt_") || std::ranges::find(types, plain) != types.end();
+    if (!type && !plain.empty()) return false;
+    any = any || type;
+  }
+  return any;
+}
+
 CsvTitle csv_title(std::string_view cell) {
+  if (const std::string plain = with_plain_brackets(cell); plain != cell) return csv_title(plain);
   if (const std::size_t comma = cell.rfind(", "); comma != std::string_view::npos && comma > 0) {
     const std::string_view unit = trimmed(cell.substr(comma + 2));  // "H1,2 Real, g/lbf" in quotes
     if (quantity_of_unit(unit) || is_degrees(unit) || is_radians(unit)) {
@@ -227,19 +278,22 @@ CsvTitle csv_title(std::string_view cell) {
 }
 
 std::optional<CsvTitle> frequency_title(std::string_view cell) {
+  if (const std::string plain = with_plain_brackets(cell); plain != cell) return frequency_title(plain);
   CsvTitle title = bracketed_title(cell);
   if (!title.unit.empty()) title.title = without_stroke(title.title);
   if (title.unit.empty()) split_unit(title);
   const std::string plain = lower_case(title.title);
   constexpr std::array angular_names = std::to_array<std::string_view>(
       {"omega", "ω", "angular frequency", "circular frequency", "kreisfrequenz", "pulsation", "pulsazione"});
-  const bool angular = std::ranges::find(angular_names, plain) != angular_names.end(), alone = plain == "hz" || plain == "hertz";
+  const bool angular = std::ranges::find(angular_names, plain) != angular_names.end(), alone = is_unit_alone(plain);
+  const std::string unit = lower_case(plain_label(title.unit));
+  if (angular && (unit == "1/s" || unit == "s^-1" || unit == "s-1")) title.unit = "rad/s";
   if (title.unit.empty()) {
     if (angular) title.unit = "rad/s";
     if (alone) title.unit = title.title;
   }
   if (is_frequency_by_unit(plain, title.unit)) return title;
-  const bool symbol = (plain == "f" || plain == "ν") && !title.unit.empty();
+  const bool symbol = title.title == "f" || ((plain == "f" || plain == "ν") && !title.unit.empty());
   if (angular || alone || symbol || is_known_frequency(lower_case(title.title))) return title;
   return std::nullopt;
 }

@@ -22,6 +22,9 @@ std::string as_ratio(std::string unit);
 /// The cells of a line, of which some may stand in quotes with separators inside; views into the line.
 std::vector<std::string_view> csv_cells(std::string_view line, char separator);
 
+/// Whether all cells name types of numbers, "DT_DOUBLE", "float64": a row that LabVIEW, Testlab and databases write under the titles.
+bool are_types(const std::vector<std::string_view>& cells);
+
 /// A cell of the row of titles as one.
 CsvTitle csv_title(std::string_view cell);
 

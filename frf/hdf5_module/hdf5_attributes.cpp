@@ -52,7 +52,38 @@ std::optional<std::string> labels_of_axes(const Object& object, const char* name
   return joined;
 }
 
+/// "group.frequency" of what a reference leads to; empty where it leads nowhere.
+std::string name_of(const Object& object, const hobj_ref_t& reference) {
+  constexpr std::size_t longest = 1024;
+  const Handle id(H5Rdereference2(object.id.get(), H5P_DEFAULT, H5R_OBJECT, &reference));
+  if (!id.is_open() || H5Iget_type(id.get()) != H5I_DATASET) return {};
+  std::string path(longest, '\0');
+  const ssize_t size = H5Iget_name(id.get(), path.data(), path.size());
+  if (size < 2 || static_cast<std::size_t>(size) >= longest) return {};
+  path = path.substr(1, static_cast<std::size_t>(size) - 1);
+  std::ranges::replace(path, '/', '.');
+  return path;
+}
+
 }  // namespace
+
+std::vector<std::string> names_of_scales(const Object& object) {
+  constexpr hssize_t most = 8;
+  if (H5Aexists(object.id.get(), "DIMENSION_LIST") <= 0) return {};
+  const Handle id(H5Aopen(object.id.get(), "DIMENSION_LIST", H5P_DEFAULT));
+  if (!id.is_open()) return {};
+  const Handle type(H5Aget_type(id.get())), space(H5Aget_space(id.get())), memory(H5Tvlen_create(H5T_STD_REF_OBJ));
+  const hssize_t count = H5Sget_simple_extent_npoints(space.get());
+  if (H5Tequal(type.get(), memory.get()) <= 0 || count < 1 || count > most) return {};
+  std::vector<hvl_t> scales(static_cast<std::size_t>(count));
+  if (H5Aread(id.get(), memory.get(), scales.data()) < 0) return {};
+  std::vector<std::string> names;
+  for (const hvl_t& of_axis : scales)
+    names.push_back(of_axis.len > 0 ? name_of(object, *static_cast<const hobj_ref_t*>(of_axis.p)) : std::string());
+  H5Dvlen_reclaim(memory.get(), space.get(), H5P_DEFAULT, scales.data());
+  const bool any = std::ranges::any_of(names, [](const std::string& name) { return !name.empty(); });
+  return any ? names : std::vector<std::string>();
+}
 
 std::vector<std::pair<std::string, std::string>> attributes_as_texts(const Object& object) {
   std::vector<std::pair<std::string, std::string>> all;

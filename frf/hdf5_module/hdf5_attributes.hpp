@@ -12,4 +12,8 @@ namespace jointid::frf::hdf5 {
 /// stands for all of them.
 std::vector<std::pair<std::string, std::string>> attributes_as_texts(const Object& object);
 
+/// The names of the datasets that are attached to the axes of a dataset (DIMENSION_LIST), "group.frequency"; empty where an axis has
+/// none, nothing where no axis has one.
+std::vector<std::string> names_of_scales(const Object& object);
+
 }  // namespace jointid::frf::hdf5

@@ -124,6 +124,8 @@ class Visit {
     if (kind == H5T_FLOAT || kind == H5T_INTEGER) return read_as(Handle(H5Tcopy(H5T_NATIVE_DOUBLE)), space, read);
     if (kind == H5T_COMPOUND && H5Tget_member_index(type.get(), "r") >= 0) read_as(pair_of("r", "i"), space, read);
     if (kind == H5T_COMPOUND && H5Tget_member_index(type.get(), "real") >= 0) read_as(pair_of("real", "imag"), space, read);
+    if (kind == H5T_VLEN && H5Tget_class(Handle(H5Tget_super(type.get())).get()) == H5T_REFERENCE)
+      read_as(Handle(H5Tcopy(type.get())), space, read);
     if (kind == H5T_STRING || kind == H5T_REFERENCE) read_as(Handle(H5Tcopy(type.get())), space, read);
   }
 
@@ -142,7 +144,8 @@ class Visit {
       return;
     }
     note(read(memory.get(), values.get()));
-    if (H5Tis_variable_str(memory.get()) > 0) H5Dvlen_reclaim(memory.get(), space.get(), H5P_DEFAULT, values.get());
+    if (H5Tis_variable_str(memory.get()) > 0 || H5Tget_class(memory.get()) == H5T_VLEN)
+      H5Dvlen_reclaim(memory.get(), space.get(), H5P_DEFAULT, values.get());
   }
 
   std::set<haddr_t> seen_;  ///< each object once

@@ -12,6 +12,7 @@
 #include "frf/hdf5_module/files.hpp"
 #include "frf/hdf5_module/hdf5_attributes.hpp"
 #include "frf/hdf5_module/hdf5_object.hpp"
+#include "frf/text/label_text.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -149,14 +150,13 @@ std::vector<Complex> read_values(const Dataset& dataset, MatKind kind) {
   return values;
 }
 
-/// Rows of a MATLAB character array [rows, columns], which HDF5 sees as [columns, rows]; codes beyond ASCII
-/// become '?'.
+/// Rows of a MATLAB character array [rows, columns], which HDF5 sees as [columns, rows], in UTF-8; without NULs, which fill some.
 std::vector<std::string> read_characters(const Dataset& dataset) {
   const std::vector<double> codes = hdf5::read_doubles(dataset);
   const std::size_t rows = dataset.dims.size() == 2 ? dataset.dims[1] : 1;
   std::vector<std::string> texts(rows);
   for (std::size_t i = 0; i < codes.size(); ++i) {
-    texts[i % rows] += codes[i] > 0.0 && codes[i] < 128.0 ? static_cast<char>(codes[i]) : '?';
+    if (codes[i] > 0.0 && codes[i] < 65536.0) append_utf8(texts[i % rows], static_cast<std::uint32_t>(codes[i]));
   }
   return texts;
 }
@@ -243,6 +243,11 @@ class MatV73 final : public MatFile {
     }
     add(hdf5_, "");
     return all;
+  }
+
+  std::vector<std::string> scales(const MatInfo& info) override {
+    const hdf5::Silence silence;
+    return by_rows_ ? hdf5::names_of_scales(open(info.name, place_of_.at(info.name))) : std::vector<std::string>();
   }
 
   bool reads_samples() const override { return true; }

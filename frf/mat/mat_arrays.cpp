@@ -1,8 +1,11 @@
 #include "frf/mat/mat_arrays.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 
 #include "frf/mat/mat_lookup.hpp"
 #include "frf/text/remarks.hpp"
@@ -13,9 +16,11 @@ namespace {
 
 using Arrays = std::vector<ComplexArray>;
 
-/// Endings of the real and of the imaginary part.
-constexpr std::array<std::array<std::string_view, 2>, 6> part_endings = {
-    {{"_real", "_imag"}, {"_re", "_im"}, {".real", ".imag"}, {".re", ".im"}, {"Real", "Imag"}, {"Re", "Im"}}};
+/// Endings of the real and of the imaginary part, and what both may begin with.
+constexpr std::array<std::array<std::string_view, 2>, 7> part_endings = {
+    {{"_real", "_imag"}, {"_re", "_im"}, {".real", ".imag"}, {".re", ".im"}, {"Real", "Imag"}, {"Re", "Im"}, {"_r", "_i"}}};
+constexpr std::array<std::array<std::string_view, 2>, 4> part_beginnings = {
+    {{"real_", "imag_"}, {"re_", "im_"}, {"Real", "Imag"}, {"Re", "Im"}}};
 constexpr std::array<std::string_view, 3> no_frfs = {"variance", "coherence", "covariance"};
 
 /// "run.H" of run(3).H.
@@ -64,8 +69,21 @@ class FrfFinder {
     const Arrays variables = fitting(those([](const ComplexArray& array) { return !is_field(array); }));
     if (!variables.empty()) return motion_over_force(only(variables, {}));
     const Arrays fields = fitting(those(is_field));
-    if (!fields.empty()) return motion_over_force(only(fields, {}));
+    const Arrays frfs = frfs_of(fields);
+    if (!fields.empty()) return motion_over_force(only(frfs.empty() ? fields : frfs, {}));
     fail_none();
+  }
+
+  /// By the function type of UFF 58 that pyuff and others store beside the numbers.
+  void require_frf(const ComplexArray& array) const {
+    constexpr double frf = 4.0;
+    const MatLookup beside(file_, scope_of(*array.values));
+    for (const char* name : {"func_type", "function_type"}) {
+      const double type = beside.number(name);
+      if (!std::isnan(type) && type != frf)
+        lookup_.fail(place_of(scope_of(*array.values) + name), fmt::format("is {:g}, and an FRF is of type 4", type),
+                     "export frequency response functions; auto and cross spectra, coherences and transmissibilities are none");
+    }
   }
 
   /// Analysers store integers with a scale that stands elsewhere.
@@ -77,6 +95,17 @@ class FrfFinder {
   }
 
  private:
+  /// Those that no function type beside them says to be something else.
+  Arrays frfs_of(const Arrays& arrays) const {
+    Arrays out;
+    for (const ComplexArray& array : arrays) {
+      const MatLookup beside(file_, scope_of(*array.values));
+      const double pyuff = beside.number("func_type"), other = beside.number("function_type");
+      if ((std::isnan(pyuff) || pyuff == 4.0) && (std::isnan(other) || other == 4.0)) out.push_back(array);
+    }
+    return out;
+  }
+
   /// What nobody named must not be of something else by its own name: a stiffness, a logarithm, a transpose, an error.
   Arrays motion_over_force(const Arrays& arrays) const {
     if (is_of_something_else(last_part(*arrays.front().values)))
@@ -85,8 +114,29 @@ class FrfFinder {
     return arrays;
   }
 
-  /// `info` as the real part of an array whose imaginary part is there, too.
+  /// `info` as the real part of an array whose imaginary part is there, too: "H_real", "ReH", "Hr".
   void add_parts(const MatInfo& info) {
+    const std::string scope = scope_of(info);
+    const std::string_view own = last_part(info);
+    if (add_parts_at_end(info)) return;
+    for (const auto& [re, im] : part_beginnings) {
+      if (own.size() <= re.size() || !same_name(own.substr(0, re.size()), re)) continue;
+      const std::string base(own.substr(re.size()));
+      if (add_pair(info, scope + base, scope + std::string(im) + base)) return;
+    }
+    const std::string base(own.substr(0, own.size() - 1));
+    if (own.ends_with('r') && (base.size() == 1 || lower_case(base) == "frf")) add_pair(info, scope + base, scope + base + "i");
+  }
+
+  bool add_pair(const MatInfo& real, const std::string& name, const std::string& partner) {
+    const auto [begin, end] = file_.by_lower_name().equal_range(lower_case(partner));
+    const auto found = std::find_if(begin, end, [&](const auto& other) { return same_name(other.second->name, partner); });
+    if (found == end || found->second->kind != MatKind::real || found->second->dims != real.dims) return false;
+    arrays_.push_back({name, &real, found->second});
+    return true;
+  }
+
+  bool add_parts_at_end(const MatInfo& info) {
     for (const auto& [re, im] : part_endings) {
       const std::string& name = info.name;
       const bool whole = same_name(name, re.substr(re.find_first_not_of("_.")));
@@ -94,12 +144,9 @@ class FrfFinder {
         continue;
       const std::string base = whole ? std::string() : name.substr(0, name.size() - re.size());
       const std::string partner = base + std::string(whole ? im.substr(im.find_first_not_of("_.")) : im);
-      const auto [begin, end] = file_.by_lower_name().equal_range(lower_case(partner));
-      const auto found = std::find_if(begin, end, [&](const auto& other) { return same_name(other.second->name, partner); });
-      if (found == end || found->second->kind != MatKind::real || found->second->dims != info.dims) continue;
-      arrays_.push_back({base.empty() ? name : base, &info, found->second});
-      return;
+      if (add_pair(info, base.empty() ? name : base, partner)) return true;
     }
+    return false;
   }
 
   static bool begins(const std::string& name, const std::string& structure) {
@@ -164,9 +211,15 @@ class FrfFinder {
       return info.kind == MatKind::real && size(info) > lines && std::ranges::find(info.dims, lines) != info.dims.end();
     });
     if (real != file_.variables().end() && file_.variables().size() <= 4) fail_real(*real);
+    const bool phases = std::ranges::any_of(file_.variables(), [&](const MatInfo& info) {
+      const std::string own = lower_case(last_part(info));
+      const bool phase = own.find("phase") != std::string::npos || own.find("angle") != std::string::npos;
+      return phase && info.kind == MatKind::real && std::ranges::find(info.dims, lines) != info.dims.end();
+    });
     lookup_.fail(
         {}, "has no complex array with an axis of " + std::to_string(lines) + " lines; its variables are " + listed(file_, all()),
-        "add one named frf");
+        phases ? "store magnitudes and phases as complex numbers, magnitude · exp(i · phase), the phase in rad, under the name frf"
+               : "add one named frf");
   }
 
   MatFile& file_;
@@ -180,7 +233,7 @@ class FrfFinder {
 std::vector<ComplexArray> find_frfs(MatFile& file, const std::string& variable, const std::string& axis) {
   const FrfFinder finder(file, axis);
   std::vector<ComplexArray> found = variable.empty() ? finder.by_itself() : finder.named(variable);
-  for (const ComplexArray& array : found) finder.require_fractions(array);
+  for (const ComplexArray& array : found) finder.require_frf(array), finder.require_fractions(array);
   return found;
 }
 

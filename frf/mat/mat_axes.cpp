@@ -10,14 +10,17 @@
 namespace jointid::frf {
 namespace {
 
-using AxisWords = std::array<std::string_view, 22>;
+using AxisWords = std::array<std::string_view, 32>;
 
 constexpr std::array<std::pair<char, AxisWords>, 3> words_of_axes = {
-    {{'F', {"f", "freq", "freqs", "frequency", "frequencies", "line", "lines", "hz", "omega", "w", "nf", "bin", "bins", "spectral"}},
+    {{'F', {"f", "freq", "freqs", "frequency", "frequencies", "line", "lines", "hz", "omega", "w", "nf", "bin", "bins", "spectral",
+            "frequenz", "frequencia", "frecuencia", "frequence", "frequenza", "kreisfrequenz"}},
      {'R', {"r", "resp", "response", "responses", "rsp", "out", "output", "outputs", "o", "y", "row", "rows", "no", "nr", "sensor",
-            "sensors", "channel", "channels", "acc", "ny", "nout"}},
+            "sensors", "channel", "channels", "acc", "ny", "nout", "accel", "motion",
+            "antwort", "ausgang", "reponse", "sortie", "respuesta", "salida", "risposta", "uscita"}},
      {'C', {"c", "ref", "reference", "references", "in", "input", "inputs", "i", "u", "col", "column", "columns", "ni", "nc", "force",
-            "forces", "exc", "excitation", "excitations", "impact", "impacts", "nin"}}}};
+            "forces", "exc", "excitation", "excitations", "impact", "impacts", "nin", "hammer",
+            "anregung", "eingang", "kraft", "entree", "entrada", "ingresso"}}}};
 
 char letter_of(std::string_view word) {
   for (const auto& [letter, words] : words_of_axes) {
@@ -48,6 +51,26 @@ std::optional<std::string> order_of_axes(std::string_view text) {
   }
   std::string order;
   for (const std::string& word : words) order += letter_of(word);
+  std::string sorted = order;
+  std::ranges::sort(sorted);
+  return sorted == "CFR" ? std::optional(order) : std::nullopt;
+}
+
+std::optional<std::string> order_of_axes(const std::vector<std::string>& names) {
+  std::string order;
+  for (const std::string& name : names) {
+    std::string letters;
+    for (const std::string& word : words_in_order(name)) {
+      const char letter = letter_of(word);
+      if (letter != '?' && letters.find(letter) == std::string::npos) letters += letter;
+    }
+    order += letters.size() == 1 ? letters[0] : '?';
+  }
+  if (order.size() == 3 && std::ranges::count(order, '?') == 1) {
+    for (const char letter : {'F', 'R', 'C'}) {
+      if (order.find(letter) == std::string::npos) std::ranges::replace(order, '?', letter);
+    }
+  }
   std::string sorted = order;
   std::ranges::sort(sorted);
   return sorted == "CFR" ? std::optional(order) : std::nullopt;

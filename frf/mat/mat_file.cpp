@@ -26,16 +26,18 @@ std::string MatFile::note(const MatInfo*, std::string_view) { return {}; }
 
 std::vector<std::pair<std::string, std::string>> MatFile::notes(const MatInfo&) { return {}; }
 
+std::vector<std::string> MatFile::scales(const MatInfo&) { return {}; }
+
 std::vector<double> MatFile::read_samples(const MatInfo& info, std::size_t, std::size_t) {
   fail(info.name, "cannot be read in parts");
 }
 
-void MatFile::fail(const std::string& variable, std::string problem) const {
+void MatFile::fail(const std::string& variable, std::string problem, std::string remedy) const {
   throw InputError({.kind = ErrorKind::data,
                     .file = file_,
                     .place = variable.empty() ? std::string() : place_of(variable),
                     .problem = std::move(problem),
-                    .remedy = {}});
+                    .remedy = std::move(remedy)});
 }
 
 std::unique_ptr<FrfSource> open_mat_v5(const std::filesystem::path& path, const OpenOptions& options) {

@@ -66,6 +66,26 @@ bool is_vector(const MatInfo& info) {
 
 char lower_letter(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
+/// "fHz", "freq_khz", "FreqVec", "Frequenz", "omega_rad_s": words for an axis that axis_names do not list.
+bool says_frequencies(std::string_view name) {
+  constexpr std::array<std::string_view, 9> stems = {"frequencies", "frequency", "frequenzen", "frequenz", "frecuencia",
+                                                     "frequence",   "frequenza", "freqs",      "freq"};
+  constexpr std::array<std::string_view, 14> endings = {"",     "hz",   "khz",  "vec",   "vector", "axis",  "rads",
+                                                        "rad",  "rpm",  "inhz", "inkhz", "values", "data",  "list"};
+  constexpr std::array<std::string_view, 4> angular = {"rads", "rad", "radps", "radpers"};
+  std::string plain = lower_case(name);
+  std::erase(plain, '_');
+  const auto is = [](std::string_view word, const auto& words) { return std::ranges::find(words, word) != words.end(); };
+  for (const std::string_view stem : stems) {
+    if (plain.starts_with(stem)) return is(std::string_view(plain).substr(stem.size()), endings);
+  }
+  for (const std::string_view stem : {"omega", "w"}) {
+    if (plain.starts_with(stem)) return is(std::string_view(plain).substr(stem.size()), angular);
+  }
+  const bool force = name.starts_with('F') && !plain.ends_with("hz");
+  return plain.size() > 1 && plain.front() == 'f' && !force && is(std::string_view(plain).substr(1), endings);
+}
+
 /// Of "freq_khz", "w_rad", "rpm"; 1 where a name says no unit.
 double hz_of_name(std::string_view name) {
   const std::string plain = lower_case(name);
@@ -175,7 +195,31 @@ const MatInfo* MatLookup::axis_by_name() const {
       if (found != nullptr && is_vector(*found)) return found;
     }
   }
+  return axis_by_words();
+}
+
+/// The only one of the innermost struct that has one.
+const MatInfo* MatLookup::axis_by_words() const {
+  for (const std::string& scope : scopes_) {
+    std::vector<const MatInfo*> found;
+    for (const MatInfo& info : file_.variables()) {
+      if (scope_of(info) == scope && is_vector(info) && size(info) > 1 && says_frequencies(info.name.substr(scope.size())))
+        found.push_back(&info);
+    }
+    if (!found.empty()) return found.size() == 1 ? found.front() : nullptr;
+  }
   return nullptr;
+}
+
+bool MatLookup::is_axis(const std::string& variable) const {
+  const MatInfo* info = variable.empty() ? nullptr : find(variable);
+  if (info == nullptr || !is_vector(*info)) return false;
+  const std::string_view own = std::string_view(info->name).substr(scope_of(*info).size());
+  const bool known = std::ranges::any_of(axis_names, [&](std::string_view name) { return name != "x" && same_name(own, name); });
+  if (known || says_frequencies(own)) return true;
+  const std::string unit = file_.note(info, "unit"), units = file_.note(info, "units");
+  const std::string& label = unit.empty() ? units : unit;
+  return !states_no_unit(label) && is_other(label, 0.0);
 }
 
 const MatInfo& MatLookup::named_axis(const std::string& variable) const {
@@ -302,6 +346,10 @@ std::string MatLookup::text(Names names) const {
   if (info->kind != MatKind::text) fail(place_of(info->name), "is not text", "write a text, or remove it");
   const std::vector<std::string> found = texts(*info);
   const std::string first = found.empty() ? std::string() : found.front();
+  const auto other = std::ranges::find_if(found, [&](const std::string& each) { return each != first; });
+  if (other != found.end())
+    fail(place_of(info->name), "states '" + shown_label(first) + "' and '" + shown_label(*other) + "', and one text is for all FRFs",
+         "store all FRFs alike, with one text");
   return first == "-" || first == "NONE" || first == "none" ? std::string() : first;
 }
 
@@ -345,13 +393,14 @@ std::vector<std::string> MatLookup::nodes_and_directions(bool response) const {
   return out;
 }
 
-std::vector<Dof> MatLookup::dofs(bool response, const std::vector<Dof>& given) const {
+std::vector<Dof> MatLookup::dofs(bool response, const std::vector<Dof>& given, const std::string& scale) const {
   const Names names = response ? Names(response_names) : Names(reference_names);
   const MatInfo* info = find(names.first(1));
   if (info != nullptr && info->kind != MatKind::text)
     fail(place_of(info->name), "is not text", "write a cell array such as {'4:+Y'; '5:+Y'}");
   const bool ours = info != nullptr;
   if (!ours) info = find(names);
+  if (info == nullptr && !scale.empty()) info = find(scale);
   const bool text = info != nullptr && info->kind == MatKind::text;
   const std::vector<std::string> words = text ? texts(*info) : nodes_and_directions(response);
   std::vector<Dof> dofs;

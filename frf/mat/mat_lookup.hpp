@@ -39,6 +39,9 @@ class MatLookup {
   /// none.
   std::vector<double> axis(const std::string& variable, const std::string& unit, const MatInfo& frf) const;
 
+  /// Whether a variable is a vector of frequencies by its name, or by a unit beside it.
+  bool is_axis(const std::string& variable) const;
+
   /// How many there are, or 0 where they are not found.
   std::size_t axis_length(const std::string& variable) const;
 
@@ -53,7 +56,8 @@ class MatLookup {
 
   /// DOFs of a variable with one of these names, or of two with numbers of nodes and directions. `given` are those of the user:
   /// they are taken where the file has none. Throws InputError where the file names others.
-  std::vector<Dof> dofs(bool response, const std::vector<Dof>& given) const;
+  /// `scale`: the variable along the axis of the array (MatFile::scales()), which is taken where no other is.
+  std::vector<Dof> dofs(bool response, const std::vector<Dof>& given, const std::string& scale) const;
 
   /// Throws InputError (data) about the file.
   [[noreturn]] void fail(std::string place, std::string problem, std::string remedy) const;
@@ -62,6 +66,7 @@ class MatLookup {
   const MatInfo* of_scope(const std::string& scope, std::string_view name) const;
   std::vector<double> numbers(const MatInfo& info) const;
   const MatInfo* axis_by_name() const;
+  const MatInfo* axis_by_words() const;
   const MatInfo& named_axis(const std::string& variable) const;
   double hz_per_unit(const MatInfo& axis) const;
   void require_no_other_label(const MatInfo& axis, double by_name) const;

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "frf/mat/mat_arrays.hpp"
 #include "frf/mat/mat_axes.hpp"
 #include "frf/mat/mat_beside.hpp"
@@ -18,6 +19,7 @@
 #include "frf/set/unit_label.hpp"
 #include "frf/set/units.hpp"
 #include "frf/text/located.hpp"
+#include "frf/text/number_text.hpp"
 #include "frf/text/unit_names.hpp"
 
 namespace jointid::frf {
@@ -40,7 +42,7 @@ class Reader {
   FrfSet read() {
     FrfHeader& header = set_.header;
     header.file = file_.file();
-    header.frequency_hz = lookup_.axis(options_.frequency_variable, options_.frequency_unit, *frf_.values);
+    header.frequency_hz = lookup_.axis(axis_name(), options_.frequency_unit, *frf_.values);
     read_dofs();
     header.quantity = read_quantity();
     if (header.response.empty()) {
@@ -59,6 +61,41 @@ class Reader {
   }
 
  private:
+  /// The labels of the axes, as the program that wrote the array shows them, else the names of their scales; empty where it states
+  /// neither.
+  std::vector<std::string> names_of_axes() const {
+    std::vector<std::string> names(dims(*frf_.values).size());
+    for (const auto& [name, labels] : file_.notes(*frf_.values)) {
+      if (name != frf_.values->name + "@DIMENSION_LABELS") continue;
+      std::string_view rest = labels;
+      for (std::string& each : names) each = take_until(rest, ',');
+    }
+    const std::vector<std::string> scales = file_.scales(*frf_.values);
+    for (std::size_t k = 0; k < std::min(names.size(), scales.size()); ++k) {
+      if (names[k].empty()) names[k] = scales[k];
+    }
+    return names;
+  }
+
+  /// The variable along the axis of lines (F), responses (R) or references (C); empty where the file states none.
+  std::string scale_of(char axis) const {
+    const std::vector<std::string> scales = file_.scales(*frf_.values);
+    if (scales.empty()) return {};
+    const auto order = order_of_axes(names_of_axes());
+    const std::size_t k = order ? order->find(axis) : scales.size();
+    return k < scales.size() ? scales[k] : std::string();
+  }
+
+  /// Given, or along the axis of lines, where its name or its unit says frequencies; empty where names have to find it.
+  std::string axis_name() const {
+    if (!options_.frequency_variable.empty()) return options_.frequency_variable;
+    std::string scale = scale_of('F');
+    for (const std::string& each : file_.scales(*frf_.values)) {
+      if (scale.empty() && lookup_.is_axis(each)) scale = each;
+    }
+    return lookup_.is_axis(scale) ? scale : std::string();
+  }
+
   /// Of one element, or one each of all elements.
   std::vector<Dof> given(const std::vector<Dof>& dofs, std::size_t needed) const {
     if (elements_ > 1 && dofs.size() == elements_ && needed != dofs.size()) return {dofs[element_]};
@@ -68,9 +105,9 @@ class Reader {
   void read_dofs() {
     FrfHeader& header = set_.header;
     const std::size_t columns = size(*frf_.values) / std::max<std::size_t>(1, header.lines());
-    header.reference = lookup_.dofs(false, given(options_.reference, columns));
+    header.reference = lookup_.dofs(false, given(options_.reference, columns), scale_of('C'));
     const std::size_t references = std::max<std::size_t>(1, header.reference.size());
-    header.response = lookup_.dofs(true, given(options_.response, columns / references));
+    header.response = lookup_.dofs(true, given(options_.response, columns / references), scale_of('R'));
     if (header.reference.empty()) header.reference = header.response;
   }
 
@@ -108,6 +145,19 @@ class Reader {
     return above == 12.0 ? std::optional(Quantity::accelerance) : std::nullopt;
   }
 
+  /// Of an array named receptance, "Y_mobility" or "accelerance.H".
+  std::optional<Quantity> quantity_of_name() const {
+    const std::string plain = lower_case(frf_.name);
+    std::optional<Quantity> found;
+    for (const auto& [word, quantity] : {std::pair{"receptance", Quantity::receptance}, {"mobility", Quantity::mobility},
+                                         {"accelerance", Quantity::accelerance}, {"inertance", Quantity::accelerance}}) {
+      if (plain.find(word) == std::string::npos) continue;
+      if (found && *found != quantity) return std::nullopt;
+      found = quantity;
+    }
+    return found;
+  }
+
   std::string text_of(std::string_view name) const { return lookup_.text(std::span(&name, 1)); }
 
   Quantity read_quantity() {
@@ -119,6 +169,14 @@ class Reader {
     if (options_.quantity) return *options_.quantity;
     if (const auto quantity = quantity_of_unit(unit_label())) return *quantity;
     if (const auto quantity = pyuff_quantity()) return *quantity;
+    if (const auto quantity = quantity_of_name()) return *quantity;
+    const std::string label = unit_label();
+    if (!states_no_unit(label)) {
+      const std::string hint = unit_hint(label);
+      lookup_.fail(place_of("unit"),
+                   "'" + shown_label(label) + "' is no unit of motion over force that is known" + (hint.empty() ? "" : " (" + hint + ")"),
+                   "store FRFs of motion over force, with a unit such as 'm/(s^2*N)', 'g/N' or 'mm/N'");
+    }
     lookup_.fail({}, "does not state which quantity it holds", "give the quantity, or add a text quantity = 'accelerance'");
   }
 
@@ -153,11 +211,7 @@ class Reader {
     constexpr std::array<std::string_view, 6> names = {"axes", "dims", "dimensions", "dim_order", "axis_order", "dimord"};
     std::string text = lookup_.joined_text(names);
     for (std::size_t k = 0; k < names.size() && text.empty(); ++k) text = file_.note(frf_.values, names[k]);
-    for (const auto& [name, labels] : file_.notes(*frf_.values)) {
-      const bool own = name == frf_.values->name + "@DIMENSION_LABELS";
-      if (own && text.empty() && order_of_axes(labels)) text = labels;
-    }
-    if (text.empty()) return std::nullopt;
+    if (text.empty()) return order_of_axes(names_of_axes());
     const auto order = order_of_axes(text);
     if (!order && dims(*frf_.values).size() > 2)
       lookup_.fail(place_of("axes"), "the order of the axes '" + shown_label(text) + "' is not understood",
@@ -185,10 +239,32 @@ class Reader {
                    "shape it [F,R,C]");
     }
     if (known) return *stated;
+    require_known_labels(info, stated);
+    require_order_of_name(info);
     if (first && last && header.lines() > 1 && header.entries() > 1) {
       lookup_.fail(place_of(info.name), "[" + shown + "] may be [F,R,C] or [R,C,F]", "add a text axes = 'FRC' or 'RCF'");
     }
     return last ? "RCF" : "FRC";
+  }
+
+  /// Labels of axes say which is which, and nobody understood them, where responses and references are as many.
+  void require_known_labels(const MatInfo& info, const std::optional<std::string>& stated) const {
+    const FrfHeader& header = set_.header;
+    const std::vector<std::string> names = names_of_axes();
+    const bool labelled = std::ranges::any_of(names, [](const std::string& name) { return !name.empty(); });
+    if (stated || !labelled || names.size() != 3 || header.response.size() != header.reference.size() || header.response.size() < 2)
+      return;
+    lookup_.fail(place_of(info.name),
+                 "has axes named " + comma_list(names) + ", which do not state where responses and references are",
+                 "name them frequency, response and reference, or add a text axes = 'FRC', in the order of the array");
+  }
+
+  /// "H_in_out" of as many responses as references, without a word on its axes.
+  void require_order_of_name(const MatInfo& info) const {
+    if (set_.header.response.size() != set_.header.reference.size() || set_.header.response.size() < 2) return;
+    if (order_of_axes("f_" + info.name.substr(std::min(info.name.find('_') + 1, info.name.size()))) == "FCR")
+      lookup_.fail(place_of(info.name), "names references before responses, and the file does not state the order of its axes",
+                   "add a text axes = 'FCR' or 'FRC', in the order of the array");
   }
 
   /// The values of an array in the order [line, response, reference].

@@ -59,6 +59,10 @@ class MatFile {
   /// All such texts of a variable, of the groups it is in and of the file, by their names behind the place and an @.
   virtual std::vector<std::pair<std::string, std::string>> notes(const MatInfo& info);
 
+  /// The variables along the axes of an array (dimension scales of HDF5), in the order of its axes as the program that wrote it
+  /// shows them; an empty name where an axis has none, nothing where no axis has one.
+  virtual std::vector<std::string> scales(const MatInfo& info);
+
   /// Whether read_samples() reads parts of a variable from the file.
   virtual bool reads_samples() const { return false; }
   /// Samples [first, first + count) of a real vector or matrix, whose longer axis (the first of equal ones) counts the samples:
@@ -67,7 +71,7 @@ class MatFile {
 
  protected:
   explicit MatFile(std::string file) : file_(std::move(file)) {}
-  [[noreturn]] void fail(const std::string& variable, std::string problem) const;
+  [[noreturn]] void fail(const std::string& variable, std::string problem, std::string remedy = {}) const;
 
   std::string file_;
   std::vector<MatInfo> variables_;

@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "frf/mat_module/files.hpp"
 #include "frf/mat_module/mat_v5_check.hpp"
+#include "frf/text/label_text.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -104,7 +105,7 @@ std::vector<Complex> numbers(const matvar_t& variable) {
   }
 }
 
-/// Rows of a character array; codes beyond ASCII become '?'.
+/// Rows of a character array in UTF-8; without NULs, which fill some.
 std::vector<std::string> characters(const matvar_t& variable) {
   const std::vector<std::size_t> dims = dims_of(variable);
   const auto width = static_cast<std::size_t>(variable.data_size);
@@ -114,10 +115,15 @@ std::vector<std::string> characters(const matvar_t& variable) {
   if (rows == 0 || rows > count) return {""};
   const auto* bytes = static_cast<const unsigned char*>(variable.data);
   std::vector<std::string> texts(rows);
+  if (rows == 1 && variable.data_type == MAT_T_UTF8) {
+    texts[0].assign(reinterpret_cast<const char*>(bytes), variable.nbytes);
+    std::erase(texts[0], '\0');
+    return texts;
+  }
   for (std::size_t i = 0; i < count; ++i) {
-    unsigned code = bytes[i * width];
+    std::uint32_t code = bytes[i * width];
     if (width > 1) code += 256u * bytes[i * width + 1];
-    texts[i % rows] += code > 0 && code < 128 ? static_cast<char>(code) : '?';
+    if (code > 0) append_utf8(texts[i % rows], code);
   }
   return texts;
 }
@@ -227,7 +233,8 @@ class MatV5 final : public MatFile {
     for (std::size_t i = 0; i < size(variable); ++i) {
       const matvar_t* cell = Mat_VarGetCell(&variable, static_cast<int>(i));
       if (cell == nullptr || cell->class_type != MAT_C_CHAR) {
-        fail(info.name, "cell " + std::to_string(i + 1) + " is not text");
+        fail(info.name, "cell " + std::to_string(i + 1) + " is not text",
+             "store texts in cells, such as {'4:+Y'; '5:+Y'}, and FRFs as arrays or arrays of structs");
       }
       texts.push_back(characters(*cell).front());
     }

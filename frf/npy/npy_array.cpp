@@ -8,6 +8,8 @@
 #include <limits>
 #include <numeric>
 
+#include "frf/text/label_text.hpp"
+
 namespace jointid::frf {
 namespace {
 
@@ -54,13 +56,10 @@ std::string text_of(const NpyHeader& header, const char* from, bool swap) {
   for (std::size_t at = 0; at + step <= header.width; at += step) {
     const std::uint32_t code = step == 4 ? element<std::uint32_t>(from + at, swap) : static_cast<unsigned char>(from[at]);
     if (code == 0) break;
-    const bool ascii = step == 1 || code < 0x80;
-    if (ascii)
+    if (step == 1)
       text += static_cast<char>(code);
-    else if (code < 0x800)
-      text += {static_cast<char>(0xC0U | (code >> 6U)), static_cast<char>(0x80U | (code & 0x3FU))};
     else
-      text += '?';
+      append_utf8(text, code);
   }
   return text;
 }

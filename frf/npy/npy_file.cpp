@@ -10,6 +10,7 @@
 #include "frf/npy/npy_array.hpp"
 #include "frf/npy/npz_archive.hpp"
 #include "frf/text/number_text.hpp"
+#include "frf/text/unit_names.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -97,7 +98,7 @@ class NpyFile final : public NumpyFile {
   }
 
   MatVariable read(const MatInfo& info) override {
-    const auto& [header, bytes] = arrays_[info.name == "frf" ? 0 : 1];
+    const auto& [header, bytes] = arrays_[info.name == variables_.front().name ? 0 : 1];
     return npy_variable(header, info, std::string_view(bytes).substr(header.begin));
   }
 
@@ -140,9 +141,10 @@ std::unique_ptr<FrfSource> open_npy(const fs::path& path, const OpenOptions& opt
   }
   const fs::path axis = beside(path, options.frequency_variable);
   if (!fs::is_regular_file(axis)) fail_file(axis.string(), "there is no such file of frequencies", "check its path");
-  file.add("frequency", axis);
+  const std::string stem = axis.stem().string();  // may state the unit, as "omega" and "freq_khz" do
   OpenOptions own = options;
-  own.frequency_variable.clear();
+  own.frequency_variable = stem.empty() || lower_case(stem) == "frf" ? "frequency" : stem;
+  file.add(own.frequency_variable, axis);
   return from_memory(read_mat_frfs(file, own));
 }
 

@@ -84,7 +84,10 @@ class HeaderText {
 
   void type(NpyHeader& header) {
     blanks();
-    if (rest_.starts_with('[')) fail_npy(file_, "holds records with named fields", "save one plain array of real numbers");
+    if (rest_.starts_with('[')) {
+      fail_npy(file_, "holds records with named fields",
+               "save each field as an array of its own, numpy.savez(FILE, frf=…, frequency=…), or export a universal file");
+    }
     const std::string descr = quoted();
     const char order = descr.empty() ? ' ' : descr[0], kind = descr.size() > 1 ? descr[1] : ' ';
     std::uint64_t width = 0;

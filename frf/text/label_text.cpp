@@ -122,6 +122,23 @@ std::vector<std::string_view> ratios_in(std::string_view text) {
   return ratios;
 }
 
+void append_utf8(std::string& out, std::uint32_t code) {
+  constexpr std::uint32_t last_character = 0x10FFFF;
+  const auto add = [&](std::uint32_t byte) { out += static_cast<char>(byte); };
+  const auto follow = [&](std::uint32_t shift) { add(0x80U | ((code >> shift) & 0x3FU)); };
+  if ((code >= 0xD800 && code < 0xE000) || code > last_character) {
+    add('?');
+  } else if (code < 0x80) {
+    add(code);
+  } else if (code < 0x800) {
+    add(0xC0U | (code >> 6U)), follow(0);
+  } else if (code < 0x10000) {
+    add(0xE0U | (code >> 12U)), follow(6), follow(0);
+  } else {
+    add(0xF0U | (code >> 18U)), follow(12), follow(6), follow(0);
+  }
+}
+
 std::string utf8_label(std::string_view label) {
   if (is_utf8(label)) return std::string(label);
   std::string text;

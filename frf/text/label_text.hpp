@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,9 @@ std::vector<std::string_view> labels_in(std::string_view text);
 /// Words of a sentence that hold a stroke, "g/N" of "FRF in g/N (test 3)", without the signs around them, and what stands behind
 /// the last "in", "g per N".
 std::vector<std::string_view> ratios_in(std::string_view text);
+
+/// Appends a character; half of a surrogate pair, and what is no character, as "?".
+void append_utf8(std::string& out, std::uint32_t code);
 
 /// The label in UTF-8: what is no valid UTF-8 is taken for Latin-1.
 std::string utf8_label(std::string_view label);

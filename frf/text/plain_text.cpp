@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "frf/text/label_text.hpp"
 #include "frf/text/number_text.hpp"
 
 namespace jointid::frf {
@@ -45,20 +46,6 @@ std::size_t place_of_zeros(std::string_view text) {
   const std::size_t half = (last + 1) / 2;
   if (zeros[0] == 0 && 10 * zeros[1] > 8 * half) return 1;
   return zeros[1] == 0 && 10 * zeros[0] > 8 * half ? 0 : 2;
-}
-
-void append_utf8(std::string& out, unsigned code) {
-  const auto add = [&](unsigned byte) { out += static_cast<char>(byte); };
-  if (code < 0x80) {
-    add(code);
-  } else if (code < 0x800) {
-    add(0xC0U | (code >> 6U));
-    add(0x80U | (code & 0x3FU));
-  } else {
-    add(0xE0U | (code >> 12U));
-    add(0x80U | ((code >> 6U) & 0x3FU));
-    add(0x80U | (code & 0x3FU));
-  }
 }
 
 bool has_utf16_mark(std::string_view text) { return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"); }

@@ -48,6 +48,16 @@ constexpr std::array<const char*, 29> function_names = {"general or unknown func
                                                         "order function",
                                                         "phase compensation"};
 
+bool is_of_type(const Unit& unit, int type) {
+  const auto is = [&](int length, int time, int force) { return unit.same_dimension({1.0, length, time, force}); };
+  const bool motion = is(1, 0, 0) || is(1, -1, 0) || is(1, -2, 0);
+  if (type == type_displacement || type == type_velocity || type == type_acceleration)
+    return motion || (unit.force == -1 && unit.length <= 1);
+  if (is_force_type(type)) return is(0, 0, 1) || is(1, 0, 1);
+  if (type == type_frequency) return unit.length == 0 && unit.time == -1 && unit.force == 0 && unit.angle == 1;
+  return type < 2 && (motion || is(0, 0, 1) || unit.force == -1);
+}
+
 /// One header line, read by columns; errors name the record.
 class RecordLine {
  public:
@@ -95,13 +105,12 @@ class RecordLine {
   }
 
   /// The unit of an axis, in columns 48 to 67; the whole word where a program put it a few columns to the left or to the right.
-  std::string unit() const {
-    constexpr std::size_t name = 26, begin = 47, end = 67;
+  std::string unit(int type) const {
     if (has_wide_characters(raw_)) return text_behind_name(begin, end - begin);
     std::size_t from = begin, to = end;
     while (from > name && from <= line_.size() && !is_blank(line_[from - 1])) --from;
     const bool apart = from > name && parse_unit(column(line_, from, end - from));
-    if (!apart) from = begin;
+    if (!apart) from = begin_behind_name(from, type);
     if (to < line_.size() && !is_blank(line_[to - 1]))
       while (to < line_.size() && !is_blank(line_[to])) ++to;
     return text(from, to - from);
@@ -116,6 +125,21 @@ class RecordLine {
   }
 
  private:
+  static constexpr std::size_t name = 26, begin = 47, end = 67;  // columns of the name and the unit of an axis
+
+  bool is_unit_from(std::size_t from, int type) const {
+    const auto unit = parse_unit(column(line_, from, end - from));
+    return unit && is_of_type(*unit, type);
+  }
+
+  /// Where the unit begins behind a name that fills its field and the blank behind it: there, or one column to the left where only that
+  /// is a unit. From the beginning of the word `word`, which is no unit and will be refused, where both may be.
+  std::size_t begin_behind_name(std::size_t word, int type) const {
+    if (word == begin || !is_unit_from(begin - 1, type)) return begin;
+    const bool alone = column(line_, begin, end - begin).empty();
+    return alone || is_unit_from(begin, type) ? word : begin - 1;
+  }
+
   static bool is_blank(char c) { return static_cast<unsigned char>(c) <= ' '; }
 
   std::string raw_;
@@ -161,16 +185,6 @@ void parse_data_form(Header58& header, const std::string& line, const Place& pla
   header.abscissa_step = record.real(30 + wide, wide, "abscissa increment");
 }
 
-bool is_of_type(const Unit& unit, int type) {
-  const auto is = [&](int length, int time, int force) { return unit.same_dimension({1.0, length, time, force}); };
-  const bool motion = is(1, 0, 0) || is(1, -1, 0) || is(1, -2, 0);
-  if (type == type_displacement || type == type_velocity || type == type_acceleration)
-    return motion || (unit.force == -1 && unit.length <= 1);
-  if (is_force_type(type)) return is(0, 0, 1) || is(1, 0, 1);
-  if (type == type_frequency) return unit.length == 0 && unit.time == -1 && unit.force == 0 && unit.angle == 1;
-  return type < 2 && (motion || is(0, 0, 1) || unit.force == -1);
-}
-
 /// The unit in the name of an axis, "Acceleration [g]", "NONE g" or "g", where the field of units is blank; empty where it has none.
 std::string unit_in_name(std::string_view name, int type) {
   if (name.starts_with("NONE ")) name.remove_prefix(5);
@@ -184,12 +198,21 @@ std::string unit_in_name(std::string_view name, int type) {
   return {};
 }
 
+/// Frequencies times 2π, by the name of their axis.
+bool is_angular(std::string_view name) {
+  constexpr std::array<std::string_view, 8> names = {"omega",         "w",         "\u03C9",     "angular frequency", "circular frequency",
+                                                     "kreisfrequenz", "pulsation", "pulsazione"};
+  return std::ranges::find(names, lower_case(name)) != names.end();
+}
+
 AxisRecord parse_axis(const std::string& line, int number, const Place& place) {
   const RecordLine record(line, number, place);
   AxisRecord axis;
   axis.data_type = record.code(0, 10, "specific data type", 0, 999);
-  axis.unit = record.unit();
-  if (axis.unit.empty()) axis.unit = unit_in_name(record.text(26, 20), axis.data_type);
+  axis.unit = record.unit(axis.data_type);
+  const std::string name = record.text(26, 20);
+  if (axis.unit.empty()) axis.unit = unit_in_name(name, axis.data_type);
+  if (number == 8 && axis.unit.empty() && is_angular(name)) axis.unit = "rad/s";
   return axis;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "frf/text/label_text.hpp"
 #include "frf/text/unit_names.hpp"
 #include "frf/uff/uff_text.hpp"
 
@@ -74,7 +75,7 @@ std::optional<Unit> stated_unit(const std::string& label, const char* record, co
 
 /// Rms over peak, and capitals alone above a unit that depends on them.
 void require_together(const AxisRecord& above, const AxisRecord& below, const Place& place) {
-  const std::string ratio = "(" + above.unit + ")/(" + below.unit + ")";
+  const std::string ratio = "(" + plain_label(above.unit) + ")/(" + plain_label(below.unit) + ")";
   if (parse_unit(above.unit) && parse_unit(below.unit) && !parse_unit(ratio)) {
     refuse("records 9 and 10", "units '" + shown_label(above.unit) + "' and '" + shown_label(below.unit) + "' do not go together",
            unit_hint(ratio), place);

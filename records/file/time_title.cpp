@@ -13,7 +13,8 @@
 namespace jointid::records {
 namespace {
 
-constexpr std::array<std::string_view, 7> time_words = {"time", "t", "zeit", "temps", "tiempo", "tempo", "timestamp"};
+constexpr std::array<std::string_view, 10> time_words = {"time",  "t",         "zeit", "temps", "tiempo",
+                                                         "tempo", "timestamp", "tijd", "時間",  "时间"};
 /// Of times that are no seconds, whatever their unit.
 constexpr std::array<std::string_view, 16> no_seconds = {"sample",   "samples", "index",  "tick",  "ticks",  "count",
                                                          "counts",   "frame",   "frames", "point", "points", "date",

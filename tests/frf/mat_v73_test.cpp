@@ -89,6 +89,16 @@ TEST_F(MatV73File, ReadsWhatMatlabSaves) {
   for (int i = 0; i < 6; ++i) EXPECT_EQ(set.values[static_cast<std::size_t>(i)], Complex(i, -i));
 }
 
+/// UTF-16, NULs behind a text that was shorter.
+TEST_F(MatV73File, ReadsLettersBeyondAscii) {
+  make([](hid_t file) {
+    add_set(file);
+    const std::vector<std::uint16_t> unit = {0xB5, 'm', '/', 'N', 0, 0};
+    add(file, "unit", "char", H5T_NATIVE_UINT16, {1, unit.size()}, unit.data());
+  });
+  EXPECT_LE(std::abs(load(*open(path("a.mat"))).values[1] - Complex(1e-6, -1e-6)), 1e-18);
+}
+
 /// A field of an array of structs: references to its elements, of which MATLAB says no class.
 void add_field(hid_t file, const std::string& name, const std::vector<std::string>& elements) {
   std::vector<hobj_ref_t> references(elements.size());

@@ -6,6 +6,7 @@
 #include "file_fixture.hpp"
 #include "frf/mat/mat_module.hpp"
 #include "tests/require.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -196,6 +197,40 @@ TEST(NamedArrays, DamagedArchivesAreOneErrorOrTheFrfs) {
       try_bytes(damaged);
       if (at % 7 == 0) try_bytes(whole.substr(0, at));
     }
+  }
+}
+
+TEST(NamedArrays, LettersBeyondAscii) {
+  expect_stored(read("letters.npz"), 1.0, 1e-12, 1, 1);
+  if (!has_matio()) JOINTID_SKIP("this build lacks matio");
+  const FrfSet set = read("letters.mat");
+  EXPECT_LE(std::abs(set.values[0] - 1e-6 * stored(0, 0, 0)), 1e-18);
+}
+
+/// Variables attached to the axes (dimension scales) or labels; the FRFs are square, so that a wrong order looks right.
+TEST(NamedArrays, AxesInTheOrderThatHdf5States) {
+  for (const char* group : {"FCR", "RFC", "CRF", "named_FCR", "named_RFC", "named_CRF", "German"}) {
+    OpenOptions options = given(Quantity::receptance);
+    options.variable = std::string(group) + ".H";
+    const FrfSet set = read("axes.h5", options);
+    expect_stored(set, 0.0, 0.0, 2);
+    EXPECT_EQ(set.header.response, dofs({"1:+Z", "2:+Z"})) << group;
+    EXPECT_EQ(set.header.reference, dofs({"1:+Z", "2:+Z"})) << group;
+  }
+  OpenOptions options = given(Quantity::receptance);
+  options.variable = "unknown.H";
+  EXPECT_THAT(error("axes.h5", options), HasSubstr("has axes named dim_0, dim_2, dim_1, which do not state where"));
+}
+
+TEST(NamedArrays, TheNameOfAFileOfFrequenciesStatesTheirUnit) {
+  const TestFolder folder;
+  std::filesystem::copy_file(foreign("frf.npy"), folder / "frf.npy");
+  for (const auto& [name, hz] : {std::pair{"f.npy", 10.0}, {"omega.npy", 10.0 / (2.0 * std::numbers::pi)},
+                                 {"w.npy", 10.0 / (2.0 * std::numbers::pi)}, {"freq_khz.npy", 1e4}}) {
+    std::filesystem::copy_file(foreign("frequency.npy"), folder / name);
+    OpenOptions options = given(Quantity::receptance, {"1:+Z", "2:+Z"}, {"1:+Z", "2:+Z", "3:-X"});
+    options.frequency_variable = name;
+    EXPECT_NEAR(load(*open(folder / "frf.npy", options)).header.frequency_hz[0], hz, 1e-12 * hz) << name;
   }
 }
 

@@ -110,6 +110,7 @@ TEST_F(StatedUnits, TimesInAnyUnitGiveTheSameLines) {
                              {"t/us", 1e6},
                              {"time, msec", 1e3},
                              {"Zeit [ms]", 1e3},
+                             {"時間 [ms]", 1e3},
                              {"msec", 1e3},
                              {"time [sec]", 1.0},
                              {"time (s)", 1.0},

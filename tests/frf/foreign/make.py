@@ -75,3 +75,33 @@ for k in range(6):
 scipy.io.savemat("each.mat", {"sets": each})
 scipy.io.savemat("cells.mat", {"test": {"freq": f, "FRF": H, "unit": "(m/s^2)/N", "resp": responses.astype(object),
                                         "ref": references.astype(object), "Coh": np.full(H.shape, 0.5), "navg": 5}})
+
+
+def with_axes(file, name, order, labels, scales):
+    """A group whose H has its axes in this order of F, R and C, named by labels, or by the variables along them."""
+    group = file.create_group(name)
+    group["H"] = np.transpose(H[:, :, :2], ["FRC".index(letter) for letter in order])
+    axes = {"F": "band", "R": "out_dof", "C": "in_dof"} if scales else {"F": "frequency", "R": "response_dof", "C": "reference_dof"}
+    group[axes["F"]] = 2 * np.pi * f if scales else f
+    if scales:
+        group[axes["F"]].attrs["units"] = "rad/s"
+    texts = h5py.string_dtype()
+    group[axes["R"]], group[axes["C"]] = np.array(responses, dtype=texts), np.array(references[:2], dtype=texts)
+    for place, letter in enumerate(order):
+        if scales:
+            group[axes[letter]].make_scale(axes[letter])
+            group["H"].dims[place].attach_scale(group[axes[letter]])
+        else:
+            group["H"].dims[place].label = labels[letter]
+
+
+with h5py.File("axes.h5", "w", libver="latest") as file:
+    for order in ("FCR", "RFC", "CRF"):
+        with_axes(file, order, order, {}, True)
+        with_axes(file, "named_" + order, order, {"F": "frequency", "R": "response_dof", "C": "reference_dof"}, False)
+    with_axes(file, "German", "FCR", {"F": "Frequenz", "R": "Antwort", "C": "Anregung"}, False)
+    with_axes(file, "unknown", "FCR", {"F": "dim_0", "R": "dim_1", "C": "dim_2"}, False)
+
+np.savez("letters.npz", frf=H[:, :1, :1], frequency=f, unit="m·s⁻²·N⁻¹", response_dof=responses[:1], reference_dof=references[:1])
+scipy.io.savemat("letters.mat", {"frf": H[:, :1, :1], "frequency": f, "unit": "µm/N", "response_dof": responses[:1].astype(object),
+                                 "reference_dof": references[:1].astype(object)})

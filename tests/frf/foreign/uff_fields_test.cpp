@@ -36,5 +36,39 @@ TEST(UffFields, FactorsPartedByBlanks) {
   EXPECT_DOUBLE_EQ(load(*open(file.path())).values[0].real(), 1e-3 * load(*open(metres.path())).values[0].real());
 }
 
+/// A name of 20 letters leaves no blank before the unit: a unit that only begins one column to the left is there; where both may be, or
+/// it is the last letter of the name, nobody knows.
+TEST(UffFields, UnitsGluedToANameThatFillsItsField) {
+  const std::string types = "        13    0    0    0 ";
+  EXPECT_NEAR(over_newton(types + "ExcitationForceInputlbf"), 1.0 / 4.4482216152605, 1e-12);
+  EXPECT_DOUBLE_EQ(over_newton(types + "ExcitationForceInputdaN"), 0.1);
+  EXPECT_DOUBLE_EQ(over_newton(types + "ExcitationForceInputskN"), 1e-3);
+  EXPECT_DOUBLE_EQ(over_newton(types + "Excitation at the foot"), 1.0);
+  for (const char* glued : {"ExcitationForceInputN", "ExcitationForceInputkN"})
+    EXPECT_THROW(over_newton(types + glued), InputError) << glued;
+}
+
+TEST(UffFields, QuotesAroundUnits) {
+  Record quoted = simple_record();
+  quoted.numerator_unit = "\"mm\"", quoted.denominator_unit = "\"N\"";
+  const TemporaryUff file(quoted.str()), metres(simple_record().str());
+  EXPECT_DOUBLE_EQ(load(*open(file.path())).values[0].real(), 1e-3 * load(*open(metres.path())).values[0].real());
+}
+
+/// Where the field of units is blank.
+TEST(UffFields, AnAxisThatIsAngularByItsName) {
+  const auto first_hz = [](const std::string& name) {
+    std::string record = simple_record().str();
+    const std::size_t begin = record.find("\n        18 ") + 1;
+    record.replace(begin, record.find('\n', begin) - begin, "        18    0    0    0 " + name);
+    const TemporaryUff file(record);
+    return open(file.path())->header().frequency_hz[0];
+  };
+  const double turns = first_hz("Frequency") / 6.283185307179586;
+  for (const char* name : {"Omega", "Angular frequency", "Kreisfrequenz", "w", "Circular Frequency"})
+    EXPECT_NEAR(first_hz(name), turns, 1e-12) << name;
+  EXPECT_NEAR(first_hz("Omega                Hz"), 6.283185307179586 * turns, 1e-12);
+}
+
 }  // namespace
 }  // namespace jointid::frf
