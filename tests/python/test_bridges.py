@@ -55,6 +55,7 @@ def test_sdynpy_array_and_npz(tmp_path):
     made = sample()
     array = sdynpy.structured(made)
     assert array.shape == (3, 2) and array["coordinate"][1, 0]["direction"].tolist() == [-2, 1]
+    assert array.dtype.names == ("abscissa", "ordinate", "comment1", "comment2", "comment3", "comment4", "comment5", "coordinate")
     as_object = types.SimpleNamespace(**{key: array[key] for key in ("abscissa", "ordinate", "coordinate")})
     assert sdynpy.from_sdynpy(as_object, quantity="accelerance") == made
     sdynpy.save_sdynpy(tmp_path / "a.npz", made)
@@ -78,6 +79,17 @@ def test_pyfbs():
     assert "virtual_points" in caught.value.remedy
     named = pyfbs.from_pyfbs(frequency, frfs, channels, impacts, responses=made.responses)
     assert named.responses == made.responses
+
+
+def test_pyfbs_rotations():
+    """Channels of angular acceleration and impacts that are moments; one tuple of DOFs may be responses and references."""
+    made = sample(rows=("1:+Z", "1:-RX"), columns=("1:+Z", "1:-RX"))
+    made = made._like(references=made.responses)
+    frequency, frfs, channels, impacts = pyfbs.to_pyfbs(made)
+    assert channels["Quantity"] == ["Acceleration", "Angular Acceleration"] and impacts["Quantity"] == ["Force", "Moment"]
+    assert channels["Direction_1"] == [0.0, -1.0]
+    back = pyfbs.from_pyfbs(frequency, frfs, channels, impacts)
+    assert back.responses == back.references == ("1:+Z", "1:-RX")
 
 
 def test_pyfbs_tables_of_pandas():
@@ -108,10 +120,27 @@ def test_pyema_and_pyfrf():
     assert pyema.from_pyema(frequency, frf, made.responses, "9:+Z") == made
     with pytest.raises(jointid.InputError, match="name one"):
         pyema.to_pyema(sample())
-    imitation = types.SimpleNamespace(get_H1=lambda: frf[0], get_coherence=lambda: np.full(5, 0.9), get_f_axis=lambda: frequency,
-                                      curr_meas=4)
-    one = pyema.from_pyfrf(imitation, "1:+X", "9:+Z")
-    assert np.array_equal(one.frfs[:, 0, 0], frf[0]) and one.averages == 4 and one.coherence[0, 0, 0] == 0.9
+
+
+def pyfrf(h1, coherence, count):
+    """As pyFRF's objects are: H1 is a receptance [response, excitation, line], whatever was measured."""
+    return types.SimpleNamespace(get_H1=lambda: h1, get_coherence=lambda: coherence, get_f_axis=lambda: np.arange(5.0), total_meas=count)
+
+
+def test_pyfrf():
+    frfs = sample("receptance").frfs
+    h1 = np.moveaxis(frfs, 0, -1).copy()
+    h1[:, :, 0] = np.inf  # 0 Hz of an acceleration
+    one = pyema.from_pyfrf(pyfrf(h1[:, :1], np.full((3, 5), 0.9), 4), ["1:+X", "2:-Y", "3:+Z"], "9:+Z")
+    assert one.quantity == "receptance" and one.averages == 4 and one.coherence.shape == (5, 3, 1) and one.coherence[2, 1, 0] == 0.9
+    assert np.isnan(one.frfs[0]).all() and np.array_equal(one.frfs[1:, :, 0], frfs[1:, :, 0])
+    both = pyema.from_pyfrf(pyfrf(h1, np.full((3, 5), 0.9), 4), one.responses, ["9:+Z", "9:+X"])
+    assert both.coherence is None and np.array_equal(both.frfs[1:], frfs[1:])
+    old = pyema.from_pyfrf(types.SimpleNamespace(get_H1=lambda: h1[0, 0], get_coherence=lambda: np.full(5, 0.9),
+                                                 get_f_axis=lambda: np.arange(5.0), curr_meas=2), "1:+X", "9:+Z")
+    assert old.averages == 2 and np.array_equal(old.frfs[1:, 0, 0], frfs[1:, 0, 0])
+    with pytest.raises(jointid.InputError, match="6 FRFs for 3 × 1 DOFs"):
+        pyema.from_pyfrf(pyfrf(h1, None, 4), one.responses, "9:+Z")
 
 
 def test_xarray():
@@ -151,6 +180,25 @@ def test_sep005():
         sep005.frf_of_sep005(channels, {"hammer": "1:+Z", "acx": "4:+Z"})
     with pytest.raises(jointid.InputError, match="sampled together"):
         sep005.pod_of_sep005([channels[0], {**channels[1], "fs": 500.0}])
+    timed = [{**{key: each[key] for key in each if key != "fs"}, "time": t + 3.0} for each in channels]
+    again = sep005.frf_of_sep005(timed, {"hammer": "1:+Z", "acc": "4:+Z"}).frfs()
+    np.testing.assert_allclose(again.frequency, frfs.frequency, rtol=1e-9)
+    np.testing.assert_allclose(again.frfs[1:], frfs.frfs[1:], rtol=1e-6)
+
+
+@pytest.mark.parametrize("change, text", [
+    ({"data": None}, "has no 'data'"),
+    ({"unit_str": None}, "has no 'unit_str'"),
+    ({"fs": None}, "neither fs nor a time"),
+    ({"fs": None, "time": np.array([0.0, 1.0, 3.0, 4.0])}, "differ"),
+    ({"name": "hammer"}, "two channels"),
+    ({"start_timestamp": "2025"}, "from"),
+])
+def test_sep005_channels_that_are_wrong(change, text):
+    good = {"name": "hammer", "data": np.arange(4.0), "fs": 10.0, "unit_str": "N", "start_timestamp": "2024"}
+    wrong = {key: value for key, value in {**good, "name": "acc", **change}.items() if value is not None}
+    with pytest.raises(jointid.InputError, match=text):
+        sep005.pod_of_sep005([good, wrong])
 
 
 def test_nothing_of_others_is_imported():

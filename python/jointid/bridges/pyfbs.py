@@ -28,6 +28,11 @@ def _nodes(positions: np.ndarray, groups: dict[tuple, int]) -> list[int]:
     return [groups.setdefault(tuple(np.round(place, 9)), len(groups) + 1) for place in positions]
 
 
+def _is_rotation(quantity: Any) -> bool:
+    """Of "Angular Acceleration" and "Moment", as pyFBS calls rotational channels and impacts."""
+    return any(word in str(quantity).lower() for word in ("angular", "rotation", "moment", "torque"))
+
+
 def _direction(vector: np.ndarray, name: str) -> str:
     length = np.linalg.norm(vector)
     axis = int(np.argmax(np.abs(vector)))
@@ -45,7 +50,9 @@ def _dofs(table: Any, groups: dict[tuple, int], given: Any) -> list[Dof]:
         return [Dof(name) for name in given]
     names = [str(name) for name in table["Name"]] if "Name" in table else [str(k) for k in range(len(table))]
     nodes = _nodes(_columns(table, "Position"), groups)
-    return [Dof(f"{node}:{_direction(vector, name)}") for node, vector, name in zip(nodes, _columns(table, "Direction"), names)]
+    turned = [_is_rotation(word) for word in table["Quantity"]] if "Quantity" in table else [False] * len(names)
+    axes = [_direction(vector, name) for vector, name in zip(_columns(table, "Direction"), names)]
+    return [Dof(f"{node}:{axis[0]}{'R' if turns else ''}{axis[1]}") for node, axis, turns in zip(nodes, axes, turned)]
 
 
 def from_pyfbs(frequency: Any, frfs: Any, channels: Any, impacts: Any, *, responses: Any = None, references: Any = None,
@@ -53,7 +60,8 @@ def from_pyfbs(frequency: Any, frfs: Any, channels: Any, impacts: Any, *, respon
     """A set from FRFs [line, channel, impact] with ``df_chn`` and ``df_imp``, DataFrames or other tables with their columns.
 
     Positions are numbered from 1 in their order, channels first. Rows with one Position are one node; Direction gives the DOF. The
-    set has the positions, m. Directions along no axis raise InputError, unless `responses` and `references` name the DOFs.
+    set has the positions, m. Rows whose Quantity is "Angular Acceleration" or "Moment" are rotations. Directions along no axis raise
+    InputError, unless `responses` and `references` name the DOFs.
     """
     groups: dict[tuple, int] = {}
     rows, columns = _dofs(channels, groups, responses), _dofs(impacts, groups, references)
@@ -76,21 +84,20 @@ def read_positions(path: str | os.PathLike, sheet: str) -> Any:
 
 def to_pyfbs(frfs: FrfSet) -> tuple[np.ndarray, np.ndarray, dict[str, list], dict[str, list]]:
     """Frequency [line], Hz, FRFs [line, channel, impact], and columns of ``df_chn`` and ``df_imp`` for ``pandas.DataFrame()``."""
-    return frfs.frequency, frfs.frfs, _table(frfs, frfs.responses), _table(frfs, frfs.references)
+    return frfs.frequency, frfs.frfs, _table(frfs, frfs.responses, True), _table(frfs, frfs.references, False)
 
 
-def _table(frfs: FrfSet, dofs: Any) -> dict[str, list]:
+def _table(frfs: FrfSet, dofs: Any, is_response: bool) -> dict[str, list]:
     out: dict[str, list] = {"Name": [str(dof) for dof in dofs], "Description": [""] * len(dofs), "Quantity": [], "Grouping": []}
     for k in (1, 2, 3):
         out[f"Position_{k}"], out[f"Direction_{k}"] = [], []
     words = {"receptance": "Displacement", "mobility": "Velocity", "accelerance": "Acceleration"}
     for dof in dofs:
-        if dof.is_rotation:
-            raise InputError(f"{dof} is a rotation, which has no row in pyFBS", place="dofs", kind="data", remedy="leave it out by sel()")
         place = frfs.nodes.get(dof.node, (np.nan,) * 3)
         for k in (0, 1, 2):
             out[f"Position_{k + 1}"].append(place[k])
-            out[f"Direction_{k + 1}"].append(dof.sign * _AXES["XYZ".index(dof.direction)][k])
-        out["Quantity"].append(words[frfs.quantity] if dofs is frfs.responses else "Force")
+            out[f"Direction_{k + 1}"].append(dof.sign * _AXES["XYZ".index(dof.direction[-1])][k])
+        quantity = words[frfs.quantity] if is_response else "Force"
+        out["Quantity"].append({"Force": "Moment"}.get(quantity, f"Angular {quantity}") if dof.is_rotation else quantity)
         out["Grouping"].append(dof.node)
     return out
