@@ -209,3 +209,45 @@ def test_nothing_of_others_is_imported():
                "jointid.bridges.sep005, jointid.bridges.xarray, jointid.bridges.pandas\n"
                "print([name for name in ('matplotlib', 'pandas', 'xarray', 'scipy', 'sdynpy', 'pyuff') if name in sys.modules])")
     assert subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout.strip() == "[]"
+
+
+def vp_table(words, groups=(1,)):
+    return {"Grouping": [group for group in groups for _ in words], "Description": [*words] * len(groups),
+            **{f"Position_{k}": [0.1 * k] * len(words) * len(groups) for k in (1, 2, 3)}}
+
+
+def test_pyfbs_virtual_points():
+    """Groupings become the sensors and impacts of virtual points; answers are those of the same points by hand."""
+    places = [(0.1, 0.0, 0.0), (-0.1, 0.0, 0.0), (0.0, 0.1, 0.0)]
+    channels = {**{f"Position_{k + 1}": [place[k] for place in places for _ in range(3)] for k in range(3)},
+                **{f"Direction_{k + 1}": [float(axis == k) for _ in places for axis in range(3)] for k in range(3)},
+                "Grouping": [1] * 9, "Quantity": ["Acceleration"] * 9}
+    channels["Direction_1"][1], channels["Direction_2"][1] = 0.6, 0.8
+    random = np.random.default_rng(2)
+    frfs = random.normal(size=(4, 9, 9)) + 1j * random.normal(size=(4, 9, 9))
+    names = [f"{node}:+{axis}" for node in (1, 2, 3) for axis in "XYZ"]
+    made = pyfbs.from_pyfbs(np.arange(1.0, 5.0), frfs, channels, channels, responses=names, references=names)
+    points = pyfbs.virtual_points(made, channels, channels, vp_table(["ux", "uy", "uz", "rx", "ry", "rz"]))
+    skew = {"1:+Y": [0.6, 0.8, 0.0]}
+    assert points == [{"name": "VP1", "position": [0.1, 0.2, 0.30000000000000004], "sensors": names, "directions": skew, "impacts": names,
+                       "impact_directions": skew}]
+    reached = np.vstack([np.array(each["d"]) @ np.array([[1, 0, 0, 0, z, -y], [0, 1, 0, -z, 0, x], [0, 0, 1, y, -x, 0]]) for each, (x, y, z)
+                         in ((dict(d=[channels[f"Direction_{j}"][k] for j in (1, 2, 3)]),
+                              np.array(places[k // 3]) - np.array([0.1, 0.2, 0.3])) for k in range(9))])
+    inverse = np.linalg.pinv(reached)
+    np.testing.assert_allclose(jointid.virtual_points(made, points).frfs, inverse @ frfs @ inverse.T, rtol=1e-9)
+    assert pyfbs.virtual_points(made, channels, channels, vp_table(["rz", "ux", "uy"]))[0]["plane"] == "XY"
+    assert pyfbs.virtual_points(made, channels, channels, vp_table(["ux", "uy", "uz", "rx", "ry", "rz", "ex"]))[0]["flexible"] == ["ex"]
+    with pytest.raises(jointid.InputError, match="motions of grouping 1 are ux, uy"):
+        pyfbs.virtual_points(made, channels, channels, vp_table(["ux", "uy"]))
+
+
+def test_pyfbs_nodes_keep_their_numbers():
+    made = sample(rows=("1:+X", "2:+X"), columns=("9:+Z",))
+    frequency, frfs, channels, impacts = pyfbs.to_pyfbs(made)
+    ab = pyfbs.from_pyfbs(frequency, frfs, channels, impacts)
+    part = {key: values[1:] for key, values in channels.items()}
+    alone = pyfbs.from_pyfbs(frequency, frfs[:, 1:], part, impacts)
+    like = pyfbs.from_pyfbs(frequency, frfs[:, 1:], part, impacts, like=ab)
+    assert alone.responses == ("1:+X",) and like.responses == ab.responses[1:] and like.references == ab.references
+    assert set(like.nodes) == {2, 3}
