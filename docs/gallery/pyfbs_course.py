@@ -11,9 +11,10 @@ import jointid
 import numpy as np
 from jointid.bridges import pyfbs
 
-frequency, random = np.arange(20.0, 400.0, 4.0), np.random.default_rng(1)
+frequency, random = np.arange(20.0, 400.0, 8.0), np.random.default_rng(1)
 omega = 2 * np.pi * frequency.reshape(-1, 1, 1)
-sensors = {"A": [[0.05, 0, 0.01], [-0.04, 0.03, 0.01], [-0.03, -0.05, 0.02]], "B": [[0.06, 0, -0.01], [-0.03, 0.04, -0.02], [-0.04, -0.03, -0.01]]}
+sensors = {"A": [[0.05, 0, 0.01], [-0.04, 0.03, 0.01], [-0.03, -0.05, 0.02]],
+           "B": [[0.06, 0, -0.01], [-0.03, 0.04, -0.02], [-0.04, -0.03, -0.01]]}
 inner = {"A": [0.0, 0.1, 0.2], "B": [0.1, 0.0, -0.2]}
 mount = np.diag([2e6, 2e6, 6e6, 3e3, 3e3, 5e3]) * (1 + 0.04j)  # N/m and N·m/rad, from A to B at the origin
 
@@ -56,7 +57,8 @@ def table(*bodies, quantity="Acceleration"):
 def points(*groups):
     """df_vp: six motions of each interface, at the origin."""
     words = ["ux", "uy", "uz", "rx", "ry", "rz"]
-    return {"Grouping": np.repeat(groups, 6).tolist(), "Description": words * len(groups), **{f"Position_{k}": [0.0] * 6 * len(groups) for k in (1, 2, 3)}}
+    return {"Grouping": np.repeat(groups, 6).tolist(), "Description": words * len(groups),
+            **{f"Position_{k}": [0.0] * 6 * len(groups) for k in (1, 2, 3)}}
 
 
 z_a, z_b = stiffness("A"), stiffness("B")
@@ -77,8 +79,8 @@ def with_jointid():
     interfaces = pyfbs.virtual_points(ab, channels["AB"], channels["AB"], points(1, 2))
     pairs = [[f"VP1:+{axis}", f"VP2:+{axis}"] for axis in ("X", "Y", "Z", "RX", "RY", "RZ")]
     rigid = jointid.couple([a, b], join=pairs, virtual_points=interfaces).frfs()
-    springs = {"springs": {f"k{n}": pair for n, pair in enumerate(pairs)}}
-    solution = jointid.identify([a, b], ab, {"dofs": [dof for side in zip(*pairs) for dof in side], "stiffness": springs, "hysteretic_damping": springs},
+    springs, sides = {"springs": {f"k{n}": pair for n, pair in enumerate(pairs)}}, [dof for side in zip(*pairs) for dof in side]
+    solution = jointid.identify([a, b], ab, {"dofs": sides, "stiffness": springs, "hysteretic_damping": springs},
                                 virtual_points=interfaces, noise={"model": "circular", "level": 0.01}, method="likelihood")
     return rigid, jointid.virtual_points(ab, interfaces), solution
 

@@ -64,8 +64,9 @@ def from_pyfbs(frequency: Any, frfs: Any, channels: Any, impacts: Any, *, respon
     """A set from FRFs [line, channel, impact] with ``df_chn`` and ``df_imp``, DataFrames or other tables with their columns.
 
     Positions are numbered from 1 in their order, channels first. Those of the set `like` keep their numbers: read AB first, then A and
-    B like it. Rows with one Position are one node; Direction gives the DOF. The set has the positions, m. Rows whose Quantity is "Angular Acceleration" or "Moment" are rotations. Directions along no axis raise
-    InputError, unless `responses` and `references` name the DOFs.
+    B like it. Rows with one Position are one node; Direction gives the DOF. The set has the positions, m. Rows whose Quantity is
+    "Angular Acceleration" or "Moment" are rotations. Directions along no axis raise InputError, unless `responses` and `references`
+    name the DOFs.
     """
     groups = {} if like is None else {tuple(np.round(place, 9)): node for node, place in like.nodes.items()}
     rows, columns = _dofs(channels, groups, responses), _dofs(impacts, groups, references)
