@@ -67,10 +67,8 @@ def chosen(groups: dict[str, Group], section: str | None, choice: str | None, co
 
 
 def draw(title: str, plots: list[dict[str, Any]], axes: Any) -> list[Any]:
-    """Each plot on an axis, below each other. Returns the axes."""
-    if axes is None:
-        _, axes = pyplot().subplots(len(plots), 1, squeeze=False, layout="constrained", figsize=(6.4, max(4.0, 2.6 * len(plots))))
-    listed = list(np.ravel(axes))
+    """Each plot on an axis: below each other, or many in rows of three. Returns the axes."""
+    listed = _figure(len(plots)) if axes is None else list(np.ravel(axes))
     if len(listed) != len(plots):
         raise InputError(f"{len(listed)} axes for {len(plots)} plots", place="axes", remedy=f"give {len(plots)}, or none")
     for plot, axis in zip(plots, listed):
@@ -79,6 +77,16 @@ def draw(title: str, plots: list[dict[str, Any]], axes: Any) -> list[Any]:
         axis.set_xlabel(plot["x"]["label"])
         axis.grid(alpha=0.3)
     return listed
+
+
+def _figure(count: int) -> list[Any]:
+    columns = 1 if count <= 4 else 3
+    rows = -(-count // columns)
+    _, axes = pyplot().subplots(rows, columns, squeeze=False, layout="constrained", figsize=(6.4 + 1.6 * columns, max(4.0, 2.6 * rows)))
+    listed = list(np.ravel(axes))
+    for spare in listed[count:]:
+        spare.remove()
+    return listed[:count]
 
 
 def _numbers(values: list) -> np.ndarray:

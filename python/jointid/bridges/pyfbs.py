@@ -68,7 +68,9 @@ def from_pyfbs(frequency: Any, frfs: Any, channels: Any, impacts: Any, *, respon
     "Angular Acceleration" or "Moment" are rotations. Directions along no axis raise InputError, unless `responses` and `references`
     name the DOFs.
     """
-    groups = {} if like is None else {tuple(np.round(place, 9)): node for node, place in like.nodes.items()}
+    groups: dict[tuple, int] = {}
+    if like is not None:
+        groups = {tuple(np.round(np.asarray(place), 9)): node for node, place in like.nodes.items()}
     rows, columns = _dofs(channels, groups, responses), _dofs(impacts, groups, references)
     positions: dict[int, tuple] = {}
     for table, dofs in ((channels, rows), (impacts, columns)):
@@ -77,7 +79,7 @@ def from_pyfbs(frequency: Any, frfs: Any, channels: Any, impacts: Any, *, respon
 
 
 _RIGID = ("ux", "uy", "uz", "rx", "ry", "rz")
-_PLANES = {("ux", "uy", "rz"): "XY", ("uy", "uz", "rx"): "YZ", ("ux", "uz", "ry"): "XZ"}
+_PLANES: dict[tuple[str, ...], str] = {("ux", "uy", "rz"): "XY", ("uy", "uz", "rx"): "YZ", ("ux", "uz", "ry"): "XZ"}
 
 
 def virtual_points(frfs: FrfSet, channels: Any, impacts: Any, points: Any) -> list[dict[str, Any]]:
