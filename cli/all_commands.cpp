@@ -5,6 +5,7 @@
 #include "cli/compare/compare_command.hpp"
 #include "cli/convert/convert_command.hpp"
 #include "cli/convert/info_command.hpp"
+#include "cli/correlate/correlate_command.hpp"
 #include "cli/couple/couple_command.hpp"
 #include "cli/decouple/decouple_command.hpp"
 #include "cli/equivalent/equivalent_command.hpp"
@@ -24,9 +25,10 @@ namespace jointid::cli {
 namespace {
 
 /// The one place that names them all, in the order of the help.
-constexpr std::array all_commands = {add_solve,  add_plan,       add_check,    add_study,    add_compare, add_loading_curve,
-                                     add_couple, add_decouple,   add_equivalent, add_response, add_modalfit, add_pod,
-                                     add_oscillate, add_series, add_stability, add_frf, add_info, add_convert, add_problem};
+constexpr std::array all_commands = {
+    add_solve,  add_plan,     add_check,     add_study,  add_compare,    add_loading_curve, add_couple,
+    add_decouple, add_correlate, add_expand, add_equivalent, add_response, add_modalfit, add_pod,
+    add_oscillate, add_series, add_stability, add_frf,    add_info,       add_convert,       add_problem};
 
 void add_commands(CLI::App& app, Chosen& chosen) {
   for (const auto& add : all_commands) add(app, chosen);

@@ -109,8 +109,13 @@ class Lines {
     each("reading", [&](std::size_t i, ident::LineModel&) { blocks_[i] = blocks_of(*layout_, (*data_)[i]); });
   }
 
-  /// Of the last step of each line, in standard deviations.
-  void set_tolerance(double tolerance) { tolerance_ = tolerance; }
+  /// Fits that follow begin from these values alone, and end with a last step of `tolerance` standard deviations.
+  void go_on_from(const WayResult& result, double tolerance) {
+    tolerance_ = tolerance;
+    reached_.clear();
+    for (const auto& line : result.lines)
+      reached_.push_back(line ? triangle_of(matrix_of(result.basis, line->z)) : Eigen::VectorXcd());
+  }
 
   std::size_t size() const { return data_->size(); }
   const LineBlocks& blocks(std::size_t i) const { return blocks_[i]; }
@@ -182,9 +187,11 @@ class Lines {
     return {restriction, all, all, 1.0, (*data_)[i].omega};
   }
 
-  /// Closed forms that a fit may begin from, best guess first.
+  /// What a fit may begin from: where another ended (of a symmetric Z), or closed forms, best guess first.
   std::vector<Eigen::VectorXcd> starts(std::size_t i, const Basis& basis) const {
     std::vector<Eigen::VectorXcd> out;
+    if (!reached_.empty() && reached_[i].size() == at(basis.size())) out.push_back(reached_[i]);
+    if (!reached_.empty()) return out;
     const auto add = [&](const std::optional<LineValue>& from, const Basis& of) {
       if (!from || !from->z.allFinite()) return;
       const Eigen::VectorXcd whole = triangle_of(matrix_of(of, from->z));
@@ -280,6 +287,7 @@ class Lines {
   Eigen::MatrixXd nn_;  ///< the same where the joint has no mass, else I
   std::size_t threads_;
   double tolerance_ = 1e-7;
+  std::vector<Eigen::VectorXcd> reached_;  ///< elements of a symmetric Z of each line; empty: closed forms
   const std::vector<ident::LineData>* data_ = nullptr;
   const ident::LineLayout* layout_ = nullptr;
   std::vector<LineBlocks> blocks_;
@@ -326,7 +334,7 @@ IdentifiedLines identify(const LineScene& scene, const ident::Plan& plan, const 
     require_values(scene, out.ways.back());
     if (way == Way::dual) add_receptances(lines, out);
   }
-  const auto free_fit = [&] {
+  const auto free_fit = [&] {  // its χ² is not above that of the structure that it begins from
     FreeFit free;
     const LineScene whole = with_structure(scene, Structure::symmetric);
     WayResult result = empty_result(Way::likelihood, whole);
@@ -334,7 +342,7 @@ IdentifiedLines identify(const LineScene& scene, const ident::Plan& plan, const 
     const ident::LineLayout& layout = ident::likelihood_plan(plan)->observations->layout();
     if (first.redundancy(layout) <= 2.0 * static_cast<double>(result.basis.size())) return free;
     constexpr double enough = 0.03;  // for χ²
-    lines.set_tolerance(enough);
+    lines.go_on_from(out.likelihood, enough);
     lines.run_likelihood(restrictions::build({whole.scene.joints.front()}), result);
     for (const auto& line : result.lines) {
       if (!line || !std::isfinite(line->chi_square)) continue;

@@ -1,5 +1,6 @@
 #include <pybind11/pybind11.h>
 
+#include "python/correlations.hpp"
 #include "python/errors.hpp"
 #include "python/file_tasks.hpp"
 #include "python/problems.hpp"
@@ -19,4 +20,5 @@ PYBIND11_MODULE(_jointid, module) {
   python::bind_file_tasks(module);
   python::bind_record_tasks(module);
   python::bind_problems(module);
+  python::bind_correlations(module);
 }

@@ -38,6 +38,8 @@ constexpr std::array csv_heads = {"name,value,unit,std_error,",
                                   "relative velocity [m/s],friction coefficient\n",
                                   "motion,time [s],x(",
                                   "frequency_hz,condition,kept,usable",
+                                  "response,reference,lines,frac,",
+                                  "mode,frequency_hz,partner,",
                                   "y("};
 
 /// Keys of the JSON that commands write, at its top level.

@@ -35,6 +35,7 @@ EXAMPLES = [
     Example("compare", "A1", ["{p}/A1.toml", "--trials", "3"], "choosing-a-method"),
     Example("couple", "coupling-A", ["{p}/coupling-A.toml", "--out", "coupled.h5"], "coupling"),
     Example("modalfit", "A1", ["{p}/A1_assembly.h5"], "modal-models"),
+    Example("correlate", "A1", ["{p}/A1_substructure_1.h5", "{p}/A1_assembly.h5"], "correlation"),
     Example("loading-curve", "table2.1-1", ["{p}/table2.1-1.csv"], "loading-curves"),
     Example("equivalent", "rig2", ["{p}/rig2.toml"], "loading-curves"),
     Example("response", "beams-A", ["{p}/beams-A.toml"], "response"),

@@ -7,6 +7,7 @@
 
 #include "base/eigen.hpp"
 #include "base/text.hpp"
+#include "ident/judgement/constrained_scatter.hpp"
 #include "ident/judgement/dominant_line.hpp"
 #include "ident/judgement/h1_bias.hpp"
 #include "ident/judgement/judge_constraints.hpp"
@@ -139,6 +140,20 @@ void judge_parts(const Plan& plan, const std::vector<double>& theta, const Contr
   }
 }
 
+/// Errors of an estimate under constraints: `fit`, the second estimate without them, is moved to the nearest joint that meets them.
+void judge_constrained_errors(const Plan& plan, const std::vector<double>& theta, const std::optional<FreeEstimate>& fit,
+                              const std::optional<ConstrainedScatter>& scatter, Solution& out) {
+  if (out.status == Status::not_converged || !scatter) return;
+  if (plan.why_by_parts) {
+    fill_errors(plan, theta, scatter->variances(), std::nullopt, out);
+    fill_matrix_errors(plan, out);
+    return tell_useless_errors(plan, out);
+  }
+  std::optional<FreeEstimate> second;
+  if (fit) second = under_constraints(plan, *fit, *scatter);
+  judge_errors(plan, theta, scatter->covariance(), second, out);
+}
+
 /// By the equations of Method One.
 std::optional<FreeEstimate> judge_equations(const Plan& plan, const std::vector<double>& theta, Solution& out) {
   const std::optional<NoisyLines> data = lines_to_judge(plan);
@@ -217,19 +232,28 @@ void tell_check(const CheckResult& found, Solution& out) {
 void judge_linear(const Plan& plan, const minimise::LinearSolution& linear, const std::vector<double>& free, const Control& control,
                   Solution& out) {
   if (linear.rank != plan.columns->size()) return;
-  if (plan.why_by_parts)
-    return plan.admissible ? judge_constraints_by_residuals(plan, free, linear.y, out) : judge_parts(plan, linear.y, control, out);
+  if (plan.why_by_parts && !plan.admissible) return judge_parts(plan, linear.y, control, out);
+  if (plan.why_by_parts) {
+    judge_constraints_by_residuals(plan, free, linear.y, out);
+    return judge_constrained_errors(plan, linear.y, std::nullopt, constrained_scatter(plan, jackknife_lines, control), out);
+  }
   const bool from_prediction = !traits(plan.scene.identify.method).joint_on_assembly;
   const auto fit = from_prediction ? judge_prediction(plan, linear.y, out) : judge_equations(plan, linear.y, out);
-  if (plan.admissible) return judge_constrained(plan, fit, free, linear.y, out);
+  if (plan.admissible) {
+    judge_constrained(plan, fit, free, linear.y, out);
+    return judge_constrained_errors(plan, linear.y, fit, constrained_scatter(plan, jackknife_lines, control), out);
+  }
   std::optional<LineJackknife> jackknife = line_jackknife(plan, jackknife_lines, control);
   if (!jackknife) return;
   judge_errors(plan, linear.y, jackknife->covariance, fit, out);
   if (const auto line = dominant_line(plan, *jackknife, linear.y, control)) tell_dominant(plan, *line, out);
 }
 
-void judge_predicted_constraints(const Plan& plan, const std::vector<double>& theta, Solution& out) {
-  judge_constrained(plan, judge_prediction(plan, theta, out), {}, theta, out);
+void judge_predicted_constraints(const Plan& plan, const std::vector<double>& theta, const std::optional<ConstrainedScatter>& scatter,
+                                 Solution& out) {
+  const std::optional<FreeEstimate> fit = judge_prediction(plan, theta, out);
+  judge_constrained(plan, fit, {}, theta, out);
+  judge_constrained_errors(plan, theta, fit, scatter, out);
 }
 
 void judge_predicted(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& scatter, Solution& out) {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 
+#include "ident/judgement/constrained_scatter.hpp"
 #include "ident/judgement/tell_errors.hpp"
 #include "ident/plan/plan.hpp"
 #include "ident/result/control.hpp"
@@ -29,8 +31,10 @@ void judge_linear(const Plan& plan, const minimise::LinearSolution& linear, cons
 /// scatter of the lines. Errors and status as judge_linear() gives them.
 void judge_predicted(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& scatter, Solution& out);
 
-/// Holds a joint that was found from H_nn alone, under constraints, against its data and these against them.
-void judge_predicted_constraints(const Plan& plan, const std::vector<double>& theta, Solution& out);
+/// Holds a joint that was found from H_nn alone, under constraints, against its data and these against them. `scatter`: of the scaled
+/// unknowns; empty: not known, then there are no errors.
+void judge_predicted_constraints(const Plan& plan, const std::vector<double>& theta, const std::optional<ConstrainedScatter>& scatter,
+                                 Solution& out);
 
 /// "Most suspect: sign 125:+Y in assembly.uff. …" with its evidence.
 std::string phrase(const Suspect& suspect);
@@ -53,7 +57,7 @@ struct LikelihoodJudgement {
 /// those that are outlying (at most one in five; else of all):
 ///   poor_fit  ρ > 4 where errors include the misfit, else ρ > 2 where all variances are known, 4 where some come from averages, repeats
 ///             or the scatter of the data; or K, C or D gives energy away beyond five standard deviations. No errors and intervals
-///             then, they would not hold, but where they include the misfit and ρ is 16 at most;
+///             then, they would not hold, but where they include the misfit and ρ is 64 at most;
 ///   doubtful  ρ > `likely`; or
 ///             JointVisibility::effect < 0.8: no joint is seen.
 void judge_likelihood(const Plan& plan, const LikelihoodJudgement& fit, const Control& control, Solution& out);

@@ -24,6 +24,17 @@ std::vector<std::vector<Line>> groups_of(const std::vector<Line>& lines, std::si
 
 }  // namespace
 
+std::vector<std::vector<Line>> jackknife_groups(const Plan& plan, std::size_t most_lines) {
+  if (plan.lines.size() < least_lines || linear_plan(plan) == nullptr) return {};
+  return groups_of(plan.lines, most_lines, !plan.columns->limits_hz().empty());
+}
+
+double share_of_all(const Plan& plan, const std::vector<std::vector<Line>>& groups) {
+  std::size_t used = 0;
+  for (const auto& group : groups) used += group.size();
+  return static_cast<double>(used) / static_cast<double>(plan.lines.size());
+}
+
 std::vector<minimise::Accumulator> systems_of(const Plan& plan, const std::vector<std::vector<Line>>& groups, const Control& control) {
   Control quick = control;
   quick.detail = Detail::estimates;
@@ -38,12 +49,18 @@ std::vector<minimise::Accumulator> systems_of(const Plan& plan, const std::vecto
   return out;
 }
 
-std::optional<PartialEstimate> estimate_without(const Plan& plan, std::vector<minimise::Accumulator>& systems,
-                                                const std::vector<std::size_t>& left_out) {
+minimise::Accumulator system_without(const Plan& plan, std::vector<minimise::Accumulator>& systems,
+                                     const std::vector<std::size_t>& left_out) {
   minimise::Accumulator rest(plan.columns->size(), systems.front().reduction());
   for (std::size_t g = 0; g < systems.size(); ++g) {
     if (std::ranges::find(left_out, g) == left_out.end()) rest.merge(systems[g]);
   }
+  return rest;
+}
+
+std::optional<PartialEstimate> estimate_without(const Plan& plan, std::vector<minimise::Accumulator>& systems,
+                                                const std::vector<std::size_t>& left_out) {
+  minimise::Accumulator rest = system_without(plan, systems, left_out);
   const minimise::LinearSolution linear = solve(plan, rest, minimise::Condition::skip);
   if (linear.rank != plan.columns->size()) return std::nullopt;
   PartialEstimate found{Eigen::Map<const Eigen::VectorXd>(linear.y.data(), at(linear.y.size())),
@@ -57,19 +74,9 @@ Eigen::MatrixXd jackknife_scatter(const Eigen::MatrixXd& estimates) {
   return (g - 1.0) / g * apart * apart.transpose();
 }
 
-namespace {
-
-double share_of_all(const Plan& plan, const std::vector<std::vector<Line>>& groups) {
-  std::size_t used = 0;
-  for (const auto& group : groups) used += group.size();
-  return static_cast<double>(used) / static_cast<double>(plan.lines.size());
-}
-
-}  // namespace
-
 std::optional<Eigen::VectorXd> line_scatter(const Plan& plan, std::size_t most_lines, const Control& control) {
-  if (plan.lines.size() < least_lines || linear_plan(plan) == nullptr) return std::nullopt;
-  const auto groups = groups_of(plan.lines, most_lines, !plan.columns->limits_hz().empty());
+  const std::vector<std::vector<Line>> groups = jackknife_groups(plan, most_lines);
+  if (groups.empty()) return std::nullopt;
   std::vector<minimise::Accumulator> systems = systems_of(plan, groups, control);
   Eigen::MatrixXd without(at(plan.columns->size()), at(groups.size()));
   for (std::size_t group = 0; group < groups.size(); ++group) {
@@ -83,13 +90,13 @@ std::optional<Eigen::VectorXd> line_scatter(const Plan& plan, std::size_t most_l
 }
 
 std::optional<LineJackknife> line_jackknife(const Plan& plan, std::size_t most_lines, const Control& control) {
-  if (plan.lines.size() < least_lines || linear_plan(plan) == nullptr) return std::nullopt;
-  LineJackknife out{.groups = groups_of(plan.lines, most_lines, !plan.columns->limits_hz().empty()),
+  LineJackknife out{.groups = jackknife_groups(plan, most_lines),
                     .systems = {},
                     .all = {},
                     .without = {},
                     .residual_without = {},
                     .covariance = {}};
+  if (out.groups.empty()) return std::nullopt;
   out.systems = systems_of(plan, out.groups, control);
   out.without = Eigen::MatrixXd(at(plan.columns->size()), at(out.groups.size()));
   for (std::size_t group = 0; group < out.groups.size(); ++group) {

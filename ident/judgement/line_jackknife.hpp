@@ -31,8 +31,19 @@ std::optional<LineJackknife> line_jackknife(const Plan& plan, std::size_t most_l
 /// The variances alone, of the scaled unknowns: for many of them, whose covariances would fill the memory.
 std::optional<Eigen::VectorXd> line_scatter(const Plan& plan, std::size_t most_lines, const Control& control);
 
+/// Groups of at most `most_lines` lines spread over all, as LineJackknife has them. Empty with fewer than four lines, and for a method
+/// that is not linear.
+std::vector<std::vector<Line>> jackknife_groups(const Plan& plan, std::size_t most_lines);
+
+/// The share that the lines of groups have of all.
+double share_of_all(const Plan& plan, const std::vector<std::vector<Line>>& groups);
+
 /// The systems of groups of lines, each alone.
 std::vector<minimise::Accumulator> systems_of(const Plan& plan, const std::vector<std::vector<Line>>& groups, const Control& control);
+
+/// All systems but those that are named, together.
+minimise::Accumulator system_without(const Plan& plan, std::vector<minimise::Accumulator>& systems,
+                                     const std::vector<std::size_t>& left_out);
 
 /// An estimate (scaled unknowns) and ‖r‖² of its weighted rows.
 struct PartialEstimate {

@@ -127,6 +127,15 @@ NewtonFit constrained_newton(ResponseProblem& problem, const AdmissibleSet& set,
   return fit;
 }
 
+std::optional<ConstrainedScatter> scatter_under_constraints(const AdmissibleSet& set, ResponseProblem& problem,
+                                                            const std::vector<double>& q, const MatrixXd& covariance) {
+  const LinearisedLines model(problem, q);
+  if (!model.defined) return std::nullopt;
+  VectorXd step;
+  const MatrixXd root = model.damped(0.0, step);
+  return constrained_scatter(set, as_vector(problem.theta(q)) + step, covariance, root, model.unit());
+}
+
 Admissibility state_constraints(const Plan& plan, ResponseProblem& problem, const std::vector<double>& q,
                                 minimise::LinearSolution& linear) {
   problem.weigh_at(q);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ident/admissible/admissible_fit.hpp"
+#include "ident/judgement/constrained_scatter.hpp"
 #include "ident/newton/iteration.hpp"
 #include "ident/result/admissibility.hpp"
 #include "minimise/linear/linear_solution.hpp"
@@ -12,6 +13,11 @@ namespace jointid::ident {
 /// outside. `start` itself is moved to the nearest joint of the set first. `iterations` are added to those it takes.
 NewtonFit constrained_newton(ResponseProblem& problem, const AdmissibleSet& set, const std::vector<double>& start,
                              const NewtonOptions& options, std::size_t iterations);
+
+/// How the minimum q under constraints scatters where the free one has this covariance of the scaled unknowns θ, by the linearised
+/// problem at q.
+std::optional<ConstrainedScatter> scatter_under_constraints(const AdmissibleSet& set, ResponseProblem& problem,
+                                                            const std::vector<double>& q, const Eigen::MatrixXd& covariance);
 
 /// What the constraints cost at their minimum q, by the linearised problem there: against its minimum without them, over the mean
 /// square of the residuals. Rank and free directions of `linear` become those of the unknowns that the ties leave.

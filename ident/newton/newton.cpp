@@ -272,8 +272,13 @@ double as_good_as(double misfit, std::size_t unknowns, std::size_t rows) {
   return std::max(misfit * (1.0 + 2.0 * static_cast<double>(unknowns) / free), 1e-20);
 }
 
-/// Fills `scatter` where the estimate settled and Detail::full asks for it.
-void estimate(const Plan& plan, NewtonPlan& own, const Control& control, Solution& out, std::optional<Eigen::MatrixXd>& scatter) {
+/// Of an estimate that settled, where Detail::full asks for it.
+struct Scatter {
+  std::optional<Eigen::MatrixXd> covariance;         ///< without constraints
+  std::optional<ConstrainedScatter> constrained;
+};
+
+void estimate(const Plan& plan, NewtonPlan& own, const Control& control, Solution& out, Scatter& scatter) {
   const Clock::time_point start = Clock::now();
   ResponseProblem problem(own.read_responses(plan, plan.lines.size()), plan.columns->size());
   problem.stop_when(control.interrupted);
@@ -305,8 +310,10 @@ void estimate(const Plan& plan, NewtonPlan& own, const Control& control, Solutio
     out.message = (found.best().diverged ? "The iteration diverged and was stopped: " + largest_unknown(found.best().q, out) + "."
                                          : "The iteration did not converge.") +
                   " Try other starts (starts = 20 in [identify]) or method \"likelihood\".";
-  } else if (out.status == Status::ok && control.detail == Detail::full && !plan.admissible) {
-    scatter = scatter_at(problem, found.best().q);
+  } else if (out.status == Status::ok && control.detail == Detail::full) {
+    scatter.covariance = scatter_at(problem, found.best().q);
+    if (plan.admissible)
+      scatter.constrained = scatter_under_constraints(*plan.admissible, problem, found.best().q, *scatter.covariance);
   }
   if (plan.scene.identify.starts > 0) {
     out.search = found.minima().result(as_good_as(found.misfit(), problem.unknowns(), problem.residuals()));
@@ -320,16 +327,15 @@ void estimate(const Plan& plan, NewtonPlan& own, const Control& control, Solutio
 class NewtonMethod final : public NewtonPlan {
  public:
   void solve(const Plan& plan, const Control& control, Solution& out) override {
-    std::optional<Eigen::MatrixXd> scatter;
+    Scatter scatter;
     estimate(plan, *this, control, out, scatter);
     tell_and_predict(plan, control, out);
-    const bool is_constrained = plan.admissible && out.status == Status::ok && control.detail == Detail::full;
-    if (!(scatter || is_constrained) || control.judgement != Judgement::data) return;
+    if (!scatter.covariance || control.judgement != Judgement::data) return;
     const Stopwatch watch(out.runtime_s.check);
     std::vector<double> theta;
     for (std::size_t c = 0; c < out.unknowns.size(); ++c) theta.push_back(out.unknowns[c].value / plan.unscale(c));
-    if (is_constrained) return judge_predicted_constraints(plan, theta, out);
-    judge_predicted(plan, theta, *scatter, out);
+    if (plan.admissible) return judge_predicted_constraints(plan, theta, scatter.constrained, out);
+    judge_predicted(plan, theta, *scatter.covariance, out);
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include "base/eigen.hpp"
 #include "dense/cholesky.hpp"
+#include "dense/gram.hpp"
 
 namespace jointid::modalfit {
 namespace {
@@ -14,6 +15,22 @@ constexpr double ridge = 1e-12;
 /// Below this share of the FRF the residual shows the ridge and the rounding of the normal equations.
 constexpr double shows_rounding = 1e-6;
 constexpr int corrections = 3;
+
+std::size_t count(Index n) { return static_cast<std::size_t>(n); }
+
+/// AᵀB of tall matrices.
+MatrixXd cross_of(const MatrixXd& a, const MatrixXd& b) {
+  MatrixXd out = MatrixXd::Zero(a.cols(), b.cols());
+  dense::add_cross(a.data(), count(a.cols()), b.data(), count(b.cols()), count(a.rows()), out.data());
+  return out;
+}
+
+/// AᵀA, the lower triangle.
+MatrixXd gram_of(const MatrixXd& a) {
+  MatrixXd out = MatrixXd::Zero(a.cols(), a.cols());
+  dense::add_gram(a.data(), count(a.rows()), count(a.cols()), count(a.rows()), out.data());
+  return out;
+}
 
 MatrixXd real_rows(const std::vector<std::complex<double>>& columns, std::size_t lines) {
   const auto* parts = reinterpret_cast<const double*>(columns.data());
@@ -36,8 +53,7 @@ NormalBlock::NormalBlock(const RealBasis& basis, const Band& band, std::size_t e
   weighted_ = weight_.asDiagonal() * basis.columns;
   const VectorXd y =
       weight_.cwiseProduct(Eigen::Map<const VectorXd>(reinterpret_cast<const double*>(band.value(entry)), rows));
-  MatrixXd normal = MatrixXd::Zero(size, size);
-  normal.selfadjointView<Eigen::Lower>().rankUpdate(weighted_.transpose());
+  MatrixXd normal = gram_of(weighted_);
   scale_ = normal.diagonal().cwiseSqrt().cwiseInverse();
   for (double& scale : scale_) scale = std::isfinite(scale) ? scale : 0.0;
   normal = (scale_.asDiagonal() * normal.selfadjointView<Eigen::Lower>().toDenseMatrix() * scale_.asDiagonal()).eval();
@@ -83,16 +99,16 @@ MatrixXd NormalBlock::weighted_slopes(const RealBasis& basis) const {
 
 MatrixXd NormalBlock::pole_rows(const RealBasis& basis) const {
   MatrixXd d = weighted_slopes(basis);
-  d.noalias() -= weighted_ * solve(weighted_.transpose() * d);
+  d.noalias() -= weighted_ * solve(cross_of(weighted_, d));
   return d;
 }
 
 NormalBlock::PoleTerms NormalBlock::pole_terms(const RealBasis& basis) const {
   const MatrixXd d = weighted_slopes(basis);
   PoleTerms terms;
-  terms.cross.noalias() = weighted_.transpose() * d;
+  terms.cross = cross_of(weighted_, d);
   terms.gradient.noalias() = d.transpose() * residual_;
-  terms.curvature.noalias() = d.transpose() * d;
+  terms.curvature = gram_of(d).selfadjointView<Eigen::Lower>();
   terms.curvature.noalias() -= terms.cross.transpose() * solve(terms.cross);
   return terms;
 }

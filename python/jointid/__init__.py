@@ -11,6 +11,7 @@
 
 from __future__ import annotations
 
+from ._correlation import Correlation, correlate, expand
 from ._coupling import couple, decouple, virtual_points
 from ._joint import bound, check, compare, identify, identify_lines, plan, study
 from ._jointid import __version__
@@ -36,6 +37,7 @@ from .results import BoundResult, Finding, FrfResult, Result, Solution, Unknown
 
 __all__ = [
     "BoundResult",
+    "Correlation",
     "DataWarning",
     "DecoupledResult",
     "Dof",
@@ -55,9 +57,11 @@ __all__ = [
     "bound",
     "check",
     "compare",
+    "correlate",
     "couple",
     "decouple",
     "equivalent",
+    "expand",
     "frf",
     "friction_laws",
     "identify",

@@ -31,6 +31,16 @@ command_test(report_unwritable CODE 3 ERR "absent/a.html: cannot be written" AFT
 command_test(solve_unwritable CODE 3 ERR "absent/a.json: cannot be written" AFTER written
   ARGS solve rig1/rig1.toml --json absent/a.json)
 
+command_test(correlate CODE 0 OUT "FRAC.*neither file states|FRAC.*degrees of freedom" AFTER study_data ARGS correlate a1/A1_substructure_1.h5 a1/A1_assembly.h5)
+command_test(correlate_json CODE 0 OUT "\"fdac\": .*\"rows\": " AFTER study_data
+  ARGS correlate a1/A1_substructure_1.h5 a1/A1_assembly.h5 --fdac 1:+Y --json -)
+command_test(correlate_reference CODE 3 ERR "references: none is that of" AFTER study_data
+  ARGS correlate a1/A1_substructure_1.h5 a1/A1_assembly.h5 --fdac 99:+Y)
+command_test(correlate_modes CODE 3 ERR "a1/A1_assembly.h5" AFTER study_data ARGS correlate a1/A1_assembly.h5 a1/A1_assembly.h5 --modes)
+command_test(expand CODE 0 OUT "do not identify" AFTER study_data ARGS expand a1/A1_assembly.h5 a1/A1_substructure_1.h5 --out expanded.h5)
+command_test(expand_modes CODE 2 ERR "--modes: .*no modes" AFTER study_data ARGS expand a1/A1_assembly.h5 a1/A1_substructure_1.h5 --modes 3)
+command_test(expand_way CODE 2 ERR "--way" AFTER study_data ARGS expand a1/A1_assembly.h5 a1/A1_substructure_1.h5 --way sem)
+
 command_test(info CODE 0 OUT "assembly.uff: UFF\n.*144 +58b.*accelerance" AFTER written ARGS info rig1/rig1_assembly.uff)
 command_test(info_absent CODE 3 ERR "absent.uff: " ARGS info absent.uff)
 command_test(info_other CODE 3 ERR "rig1.toml: " AFTER written ARGS info rig1/rig1.toml)

@@ -1,7 +1,9 @@
 #include "ident/likelihood/findings/joint_visibility.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 #include "base/eigen.hpp"
 
@@ -19,27 +21,42 @@ void add(Complex difference, Complex first, Complex second, Numbers& out) {
   one(difference.imag(), first.imag(), second.imag());
 }
 
-void add_block(const std::vector<Element>& of_sub, const Channel& sub, const std::vector<Element>& of_asm, const Channel& whole,
-               Numbers& out) {
+/// Elements of the FRFs of parts and assembly that are one FRF.
+using Matches = std::vector<std::array<std::size_t, 2>>;
+
+Matches matches_of(const std::vector<Element>& of_sub, const std::vector<Element>& of_asm) {
+  std::map<std::array<std::size_t, 2>, std::size_t> places;
+  for (std::size_t i = 0; i < of_sub.size(); ++i) places.try_emplace({of_sub[i].row, of_sub[i].column}, i);
+  Matches out;
   for (std::size_t i = 0; i < of_asm.size(); ++i) {
-    const auto found = std::ranges::find_if(of_sub, [&](const Element& e) {
-      return e.row == of_asm[i].row && e.column == of_asm[i].column;
-    });
-    if (found == of_sub.end()) continue;
-    const auto j = static_cast<std::size_t>(found - of_sub.begin());
-    add(sub.value[j] - whole.value[i], sub.weight[j], whole.weight[i], out);
+    if (const auto found = places.find({of_asm[i].row, of_asm[i].column}); found != places.end()) out.push_back({found->second, i});
   }
+  return out;
 }
 
-void add_effects(const LineLayout& layout, const LineData& data, Numbers& out) {
-  add_block(layout.sub_jn, data.sub_jn, layout.asm_jn, data.asm_jn, out);
-  add_block(layout.sub_jj, data.sub_jj, layout.asm_jj, data.asm_jj, out);
-  for (std::size_t i = 0; i < layout.drop_nn.size(); ++i) {
-    const Complex value = data.drop_nn.value[i], weight = data.drop_nn.weight[i];
-    if (weight.real() > 0.0) out.push_back(std::abs(value.real()) * weight.real());
-    if (weight.imag() > 0.0) out.push_back(std::abs(value.imag()) * weight.imag());
+/// Differences of measured FRFs over their errors.
+class Effects {
+ public:
+  explicit Effects(const LineLayout& layout)
+      : jn_(matches_of(layout.sub_jn, layout.asm_jn)), jj_(matches_of(layout.sub_jj, layout.asm_jj)) {}
+
+  void add_line(const LineData& data, Numbers& out) const {
+    add_block(jn_, data.sub_jn, data.asm_jn, out);
+    add_block(jj_, data.sub_jj, data.asm_jj, out);
+    for (std::size_t i = 0; i < data.drop_nn.value.size(); ++i) {
+      const Complex value = data.drop_nn.value[i], weight = data.drop_nn.weight[i];
+      if (weight.real() > 0.0) out.push_back(std::abs(value.real()) * weight.real());
+      if (weight.imag() > 0.0) out.push_back(std::abs(value.imag()) * weight.imag());
+    }
   }
-}
+
+ private:
+  static void add_block(const Matches& matches, const Channel& sub, const Channel& whole, Numbers& out) {
+    for (const auto& [j, i] : matches) add(sub.value[j] - whole.value[i], sub.weight[j], whole.weight[i], out);
+  }
+
+  Matches jn_, jj_;
+};
 
 /// |a_kᵀ δZ a_k| / |x_kᵀ δZ x_k| for every non-joint coordinate k.
 void add_deformations(const LineState& state, const ComplexMatrix& dz, Numbers& out) {
@@ -64,12 +81,13 @@ std::optional<double> median_of_all(const std::vector<double>& own, const LineSh
 
 JointVisibility joint_visibility(const LikelihoodData& data, const LinearisedLikelihood& estimator,
                                  const std::vector<double>& direction) {
+  const Effects measured(data.layout());
   Numbers effects, deformations;
   const std::vector<double> origin(direction.size(), 0.0);
   for (std::size_t i = 0; i < data.lines().size(); ++i) {
     const LineState& state = estimator.state_of(i);
     if (state.asm_jn.size() == 0) continue;
-    add_effects(data.layout(), data.lines()[i], effects);
+    measured.add_line(data.lines()[i], effects);
     add_deformations(state, estimator.impedance_of(i, direction) - estimator.impedance_of(i, origin), deformations);
   }
   return {median_of_all(effects, data.shares()), median_of_all(deformations, data.shares())};

@@ -192,6 +192,8 @@ const Reader readers[] = {
      {"--output", "--json"},
      {{"table2.1-1.csv", "FILE"}},
      add_curves},
+    {"Correlate", {"correlate", "a.h5", "b.uff"}, {"--json", "--csv"}, {{"a.h5", "ONE"}, {"b.uff", "OTHER"}}},
+    {"Expand", {"expand", "a.h5", "b.uff"}, {"--out", "--json"}, {{"a.h5", "PARENT"}, {"b.uff", "MEASURED"}}},
     {"Convert", {"convert", "a.h5"}, {""}, {{"a.h5", "IN"}}},
     {"ConvertText", {"convert", "a.uff"}, {""}, {{"a.uff", "IN"}}},
 };

@@ -110,6 +110,11 @@ TEST_P(EveryMethod, ConstraintsAreHeldAgainstTheData) {
   }
   EXPECT_TRUE(is_contradicted(by_bound) || is_contradicted(by_tie));
   EXPECT_FALSE(is_contradicted(by_right)) << by_right.message;
+  if (!is_usable(by_right.status)) return;
+  for (const Estimate& unknown : by_right.unknowns) {
+    ASSERT_TRUE(unknown.error()) << unknown.name << ", " << by_right.message;
+    EXPECT_GT(*unknown.error(), 0.0) << unknown.name;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Judged, EveryMethod,
@@ -130,6 +135,54 @@ TEST(JudgedConstraints, TrueOnesAreNoContradiction) {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) told += is_contradicted(a1.solved(seed)) ? 1 : 0;
     EXPECT_LE(told, 1) << name(method);
   }
+}
+
+/// Errors under constraints are of the size of what the estimate misses the truth by, ties and bounds included.
+TEST(JudgedConstraints, LinearMethodsStateErrorsUnderConstraints) {
+  Constrained a1("A1", Method::one, 0.05);
+  a1.scene.joints[0].definite = {Kind::stiffness};
+  a1.scene.identify.ties = {"K(1,1) = -1*K(1,3)"};
+  a1.scene.identify.bounds = {{"K(2,2)", 0.0, 1e9}};
+  double squares = 0.0;
+  std::size_t count = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const Solution found = a1.solved(seed);
+    ASSERT_EQ(found.bands.front().errors.count(Kind::stiffness), 1u) << seed;
+    for (std::size_t u = 0; u < found.unknowns.size(); ++u) {
+      ASSERT_TRUE(found.unknowns[u].error_estimate) << found.unknowns[u].name;
+      if (found.unknowns[u].name[0] != 'K') continue;
+      squares += std::pow((found.unknowns[u].value - a1.truth(found.unknowns[u].name)) / *found.unknowns[u].error_estimate, 2);
+      ++count;
+    }
+  }
+  const double ratio = std::sqrt(squares / static_cast<double>(count));
+  EXPECT_GT(ratio, 0.4);
+  EXPECT_LT(ratio, 2.0);
+}
+
+TEST(JudgedConstraints, NewtonStatesErrorsUnderConstraints) {
+  Constrained h4("H4", Method::newton, 1e-4);
+  const std::string first = h4.problem.unknowns[0].name;
+  const double truth = h4.problem.unknowns[0].value;
+  h4.scene.identify.bounds = {{first, truth - 0.5 * std::abs(truth), truth + 0.5 * std::abs(truth)}};
+  const Solution free = Constrained("H4", Method::newton, 1e-4).solved(1), found = h4.solved(1);
+  ASSERT_TRUE(is_usable(found.status)) << found.message;
+  for (std::size_t u = 0; u < found.unknowns.size(); ++u) {  // the bound is not active; the variance of the second estimate differs
+    ASSERT_TRUE(found.unknowns[u].error_estimate) << found.unknowns[u].name;
+    EXPECT_NEAR(*found.unknowns[u].error_estimate, *free.unknowns[u].error_estimate, 0.4 * *free.unknowns[u].error_estimate);
+  }
+}
+
+/// At a bound that all groups of lines are held at, the error is that of the estimate without it: not zero.
+TEST(JudgedConstraints, AnUnknownAtItsBoundHasAnError) {
+  Constrained a1("A1", Method::one, 0.02);
+  const double truth = a1.truth("K(1,1)");
+  a1.scene.identify.bounds = {{"K(1,1)", 1.2 * truth, 1e9}};
+  const Solution found = a1.solved(3);
+  EXPECT_NEAR(found.unknowns[0].value, 1.2 * truth, 1e-6 * truth);
+  ASSERT_TRUE(found.unknowns[0].error_estimate);
+  EXPECT_GT(*found.unknowns[0].error_estimate, 1e-3 * truth);
+  EXPECT_LT(*found.unknowns[0].error_estimate, truth);
 }
 
 /// Exact data, whose errors are those of rounding: true constraints cost nothing, and a hundredth beside the truth is told.

@@ -1,0 +1,81 @@
+#include "python/correlations.hpp"
+
+#include <pybind11/stl.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "correlation/expanded_frfs.hpp"
+#include "frf/file/open_as_one.hpp"
+#include "python/conversions.hpp"
+#include "python/outcome.hpp"
+#include "python/watch.hpp"
+#include "report/correlation/correlation_report.hpp"
+
+namespace jointid::python {
+namespace {
+
+namespace py = pybind11;
+
+frf::FrfSet read_set(const std::string& file) { return frf::load(*frf::open_as_one(paths_of({file}))); }
+
+correlation::ModeFile read_modes(const std::string& file) { return {file, frf::read_uff55(paths_of({file}).front())}; }
+
+Outcome of_frfs(const report::ComparedFiles& files, const std::string& fdac) {
+  const frf::FrfSet one = read_set(files.one), other = read_set(files.other);
+  const auto found = std::make_shared<const correlation::CorrelatedFrfs>(correlation::correlate(one, other));
+  std::shared_ptr<const correlation::ShapesOverLines> shapes;
+  if (!fdac.empty())
+    shapes =
+        std::make_shared<const correlation::ShapesOverLines>(correlation::shapes_over_lines(one, other, frf::Dof::parse(fdac)));
+  return {.status = "",
+          .message = "",
+          .json = [=] { return report::correlation_json(files, *found, shapes.get()); },
+          .text = [=] { return report::correlation_text(files, *found); },
+          .csv = [=] { return report::correlation_csv(*found); }};
+}
+
+Outcome of_modes(const report::ComparedFiles& files) {
+  const auto found = std::make_shared<const correlation::CorrelatedModes>(
+      correlation::correlate(read_modes(files.one), read_modes(files.other)));
+  return {.status = "",
+          .message = "",
+          .json = [=] { return report::correlation_json(files, *found); },
+          .text = [=] { return report::correlation_text(files, *found); },
+          .csv = [=] { return report::correlation_csv(*found); }};
+}
+
+Outcome correlate(const std::string& one, const std::string& other, bool modes, const std::string& fdac,
+                  const py::object& progress) {
+  return watched(progress, 0, [=, files = report::ComparedFiles{one, other}](const ident::Control&) {
+    return modes ? of_modes(files) : of_frfs(files, fdac);
+  });
+}
+
+Outcome expand(const std::string& parent, const std::string& measured, const std::string& way, std::size_t modes,
+               const py::object& progress) {
+  return watched(progress, 0, [=](const ident::Control&) -> Outcome {
+    const frf::FrfSet set = read_set(measured);
+    const auto found = std::make_shared<const correlation::ExpandedFrfs>(
+        way == "serep" ? correlation::expanded(read_modes(parent), set, modes)
+                       : correlation::expanded(read_set(parent), set,
+                                               way == "semm" ? correlation::Semm::basic : correlation::Semm::extended));
+    const report::ExpansionNames names{parent, measured, way, "in memory"};
+    return {.status = "",
+            .message = "",
+            .json = [=] { return report::expansion_json(names, *found); },
+            .text = [=] { return report::expansion_text(names, *found); },
+            .frfs = [=](const ident::Control&) { return found->set; }};
+  });
+}
+
+}  // namespace
+
+void bind_correlations(py::module_& module) {
+  module.def("correlate", correlate);
+  module.def("expand", expand);
+}
+
+}  // namespace jointid::python
