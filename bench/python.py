@@ -6,6 +6,7 @@ processor time of all threads, which other work on the machine changes little.
 
 import os
 import resource
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -54,25 +55,37 @@ def around_identify(folder):
     print(f"around identify(A1): scene and arrays {1e3 * scene:.3f} ms, watched thread {1e3 * thread:.3f} ms")
 
 
-def study_beside_command(scene, command):
+FIRST_STUDY = """
+import time, sys, jointid
+start = time.process_time()
+jointid.study(sys.argv[1], trials=1000, out=sys.argv[2]).to_json()
+print(time.process_time() - start)
+"""
+
+
+def study_beside_command(scene, command, pairs=15):
+    """In turn: the command with its start, and the first call of a new Python after its imports."""
     out = os.path.join(os.path.dirname(scene), "study.h5")
 
     def of_command():
-        if os.path.exists(out):
-            os.remove(out)
+        before = of_children()
         subprocess.run([command, "study", scene, "--trials", "1000", "--out", out, "--json", "-"], check=True, capture_output=True)
+        os.remove(out)
+        return of_children() - before
 
     def of_python():
-        program = "import jointid, sys; jointid.study(sys.argv[1], trials=1000).to_json()"
-        subprocess.run([sys.executable, "-c", program, scene], check=True)
+        done = subprocess.run([sys.executable, "-c", FIRST_STUDY, scene, out], check=True, capture_output=True, text=True)
+        os.remove(out)
+        return float(done.stdout)
 
     def of_import():
         subprocess.run([sys.executable, "-c", "import jointid"], check=True)
 
-    inside = best(lambda: jointid.study(scene, trials=1000).to_json(), 9, time.process_time)
-    command, python, start = (best(work, 9, of_children) for work in (of_command, of_python, of_import))
-    print(f"study of 1,000 trials, processor time: inside Python {inside:.3f} s, command {command:.3f} s; "
-          f"program of Python {python:.3f} s, of it import {start:.3f} s")
+    times = [(of_command(), of_python()) for _ in range(pairs)]
+    command_s, python_s = (statistics.median(each) for each in zip(*times))
+    ratio = statistics.median(python / own for own, python in times)
+    print(f"study of 1,000 trials, processor time, medians of {pairs} in turn: first call of Python {python_s:.3f} s, command {command_s:.3f} s, "
+          f"ratio of pairs {ratio:.2f}; Python with imports starts in {best(of_import, 9, of_children):.3f} s")
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@
 #include "base/eigen.hpp"
 #include "base/error.hpp"
 #include "base/statistics.hpp"
+#include "base/stop_scope.hpp"
 
 namespace jointid::coupling {
 namespace {
@@ -335,6 +336,7 @@ void AssemblyReader::read(const frf::Block& block, const Results& to) {
   std::vector<LineInput> input(std::min(lines_at_once, block.lines.size()));
   tbb::task_arena arena(options_.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options_.threads));
   for (std::size_t first = 0; first < block.lines.size(); first += lines_at_once) {
+    stop_point();
     const std::span<const std::size_t> lines = block.lines.subspan(first, std::min(lines_at_once, block.lines.size() - first));
     for (std::size_t i = 0; i < lines.size(); ++i) input[i].clear(work, layout_.joint.by_unknown.size());
     for (PartBlock& part : work.parts) read_part(part, work, lines, input);

@@ -84,10 +84,11 @@ class Reader:
         return listed(said)
 
     def takes(self, kind: Kind, table: SceneTable, key: str) -> str:
-        """Asked beside the lines of the table, those of each variant, those that other keys need, and alone: some keys exclude each other."""
+        """Asked beside the lines of the table, those of each variant, those that other keys need, and alone: some keys exclude each other.
+        What the reader does not say is stated by the table."""
         several = (table.lines, *table.variants.values(), *table.companions, {})
         beside = (self._takes_beside(kind, table, own, key) for own in several)
-        return next((takes for takes in beside if takes), "")
+        return next((takes for takes in beside if takes), table.stated.get(key, ""))
 
     def _takes_beside(self, kind: Kind, table: SceneTable, own: Lines, key: str) -> str:
         def said(value: str) -> str:
@@ -106,8 +107,8 @@ class Reader:
 
 
 def file_names(words: list[str]) -> bool:
-    """Whether they are those of the least scene, not words of the reader."""
-    return set(words) <= {"a", "b", "c"}
+    """Whether they are files and joints of the least scene, not words of the reader."""
+    return set(words) <= {"a", "b", "c", "1–2"}
 
 
 def listed(said: str) -> list[str]:

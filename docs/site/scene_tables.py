@@ -19,6 +19,8 @@ class SceneTable:
     name: str = ""
     #: Lines beside which the reader looks at the value of keys that need others.
     companions: tuple[Lines, ...] = ()
+    #: What keys take of whose value the reader says nothing beside any lines, as what it needs before is a file or another table.
+    stated: dict[str, str] = field(default_factory=dict)
 
     @property
     def header(self) -> str:
@@ -46,6 +48,7 @@ PAIR = '["1:+X", "2:+X"]'
 FILE_KEYS = T("data.files.a", name='`[data.files."NAME"]`')
 MATRICES = [T(f"joint.{kind}", {"pattern": '"full"'}) for kind in ("mass", "viscous_damping", "hysteretic_damping")]
 IDENTIFY = T("identify", companions=({"bootstrap": "200"},))
+IDENTIFY_LINES = T("identify", companions=IDENTIFY.companions, stated={"start": "not here: no joint of matrices"})
 
 SOLVE = Kind("solve", "Scenes of `solve`, `plan`, `check`, `study`, `compare`", ["plan"], ["scene", "gains", "virtual-points"], [
     T("", {}),
@@ -60,8 +63,9 @@ SOLVE = Kind("solve", "Scenes of `solve`, `plan`, `check`, `study`, `compare`", 
     T("joint.stiffness", {"pattern": '"full"'}, always=True),
     *MATRICES,
     IDENTIFY,
-    T("identify.start"),
-    T("noise", {"model": '"gaussian"', "level": "0.01"},
+    T("identify.start", stated=dict.fromkeys(("stiffness", "mass", "viscous_damping", "hysteretic_damping"),
+                                             "a number, list of numbers, matrix, or a table of unknowns")),
+    T("noise", {"model": '"gaussian"', "level": "0.01"}, companions=({"model": '"hammer"', "averages": "10"},),
       variants={"hammer": {"model": '"hammer"'}, "modal": {"model": '"modal"', "level": "0.01"}}),
     T("noise.gross", {"share": "0.01", "factor": "10"}),
     T("truth"),
@@ -69,34 +73,34 @@ SOLVE = Kind("solve", "Scenes of `solve`, `plan`, `check`, `study`, `compare`", 
 ])
 
 COUPLE = Kind("couple", "Scenes of `couple`", ["couple", "--out", "x.h5"], ["scene", "coupling", "virtual-points"], [
-    T("", {}),
+    T("", stated={"nodes": "a table"}),
     T("data", PARTS, always=True),
     T("frequency"),
     T("couple", {"join": f"[{PAIR}]"}, always=True,
-      companions=tuple({"join": f"[{PAIR}]", "threshold": word} for word in ('"fixed"', '"alpha"'))),
+      companions=({"join": f"[{PAIR}]", "threshold": '"fixed"'}, {"join": f"[{PAIR}]", "method": '"mtc"', "threshold": '"alpha"'})),
     T("couple.joint", {"dofs": PAIR, "stiffness": "{ matrix = [[1, -1], [-1, 1]] }"}, several=True,
       variants={"identified": {"identified": '"x.toml"'}}),
     T("couple.joint.stiffness", name="`stiffness` and other matrices of `[[couple.joint]]`"),
 ])
 
 LINES = Kind("lines", "Scenes of `solve` with the joint at every line", ["solve"], ["joint-line-by-line", "scene", "gains"], [
-    T("", {}),
+    T("", stated={"nodes": "a table", "joints": "not here: one joint"}),
     T("data", {"substructures": '["a", "b"]', "assembly": '["c"]'}, always=True),
     T("data.gains", {"gain": "0.01"}, several=True),
     T("frequency"),
     T("joint", {"dofs": PAIR, "lines": '"massless"'}, always=True,
       companions=tuple({"dofs": PAIR, "lines": '"massless"', **more} for more in ({"laws": '"all"'}, {"smooth": '"marginal"'}))),
     T("joint.lines", {"matrix": '[["a", "-a"], ["-a", "a"]]'}),
-    IDENTIFY,
+    IDENTIFY_LINES,
 ])
 
 DECOUPLE = Kind("decouple", "Scenes of `decouple`", ["decouple", "--out", "x.h5"], ["joint-line-by-line", "scene", "gains"], [
-    T("", {}),
+    T("", stated={"nodes": "a table"}),
     T("data", {"substructures": '["a"]', "assembly": '["c"]'}, always=True),
     T("data.gains", {"gain": "0.01"}, several=True),
     T("frequency"),
     T("decouple", {"interface": PAIR}, always=True),
-    IDENTIFY,
+    IDENTIFY_LINES,
 ])
 
 EQUIVALENT = Kind("equivalent", "Scenes of `equivalent`", ["equivalent"], ["scene", "loading-curves"], [
@@ -109,13 +113,14 @@ EQUIVALENT = Kind("equivalent", "Scenes of `equivalent`", ["equivalent"], ["scen
 
 MODEL = {"mass": "[[1, 0], [0, 1]]", "stiffness": "[[2, -1], [-1, 2]]"}
 SPRING = '{ dofs = [1, 2], stiffness = 1.0 }'
+ANY_LAW = {"law": '"spring"', "parameters": "[1.0]"}
 RESPONSE = Kind("response", "Scenes of `response`", ["response"], ["response"], [
     T("", {"joints": f"[{SPRING}]"}, always=True),
     T("data", PARTS, without=("structure",)),
     T("structure", MODEL, always=True),
-    T("joints", {"dofs": "[1, 2]", "stiffness": "1.0"}, several=True),
-    T("joints.parts", {"law": '"spring"', "parameters": "[1.0]"}, several=True, name="`parts` of `[[joints]]`"),
-    T("joints.parameters", name="`parameters` of the law `generalised`"),
+    T("joints", {"dofs": "[1, 2]", "stiffness": "1.0"}, several=True, companions=({"dofs": "[1, 2]", **ANY_LAW},)),
+    T("joints.parts", ANY_LAW, several=True, name="`parts` of `[[joints]]`", companions=({"law": '"series"'},)),
+    T("joints.parameters", name="`parameters` of the law `generalised`", companions=({"slip": "[[1.0, 1.0]]"},)),
     T("force", {"dof": "1", "amplitudes": "[1.0]"}, always=True),
     T("frequency", {"range": "[1, 2]"}, always=True),
     T("response", {"dofs": "[1]"}, always=True),
@@ -125,7 +130,8 @@ RESPONSE = Kind("response", "Scenes of `response`", ["response"], ["response"], 
     T("transient", {"duration": "1.0", "method": '"one"', "delta": "0.001"},
       companions=({"duration": "1.0", "method": '"two"', "delta": "0.001"},)),
     T("transient.forces", {"dof": "1", "file": '"x.csv"', "column": '"x"'}, several=True),
-    T("transient.normal", {"joint": "1", "load": "[[0, 1.0], [1, 2.0]]", "nominal": "1.0"}, several=True),
+    T("transient.normal", {"joint": "1", "load": "[[0, 1.0], [1, 2.0]]", "nominal": "1.0"}, several=True,
+      stated={"load": "list of lists", "nominal": "a number", "period": "a number", "sliders": "a number"}),
     T("transient.pulses", {"dof": "1", "amplitude": "1.0", "length": "0.1"}, several=True),
 ])
 
@@ -133,7 +139,8 @@ LAWS = Kind("laws", "Scenes of friction laws from vibration: `solve`, `plan`, `s
     T("", {}),
     T("data", PARTS, always=True),
     T("data.levels", {"responses": '"c"', "amplitude": "1.0", "force_dofs": '["1:+X"]'}, several=True, always=True,
-      companions=({"responses": '"c"'}, {"records": '["c"]'})),
+      companions=tuple({of: '["c"]', "force_dofs": '["1:+X"]', **more}
+                       for of, more in (("responses", {}), ("records", {}), ("records", {"sweep": "true"})))),
     T("frequency"),
     T("joint", without=("joint.friction",), lines={"friction": '[{ dofs = ["1:+X", "2:+X"] }]'}),
     T("joint.friction", {"dofs": PAIR}, several=True, always=True),
@@ -150,23 +157,24 @@ OSCILLATE = Kind("oscillate", "Scenes of `oscillate`", ["oscillate"], ["oscillat
     T("friction", {"kinetic": "0.2", "static": "0.3", "normal": "1.0"}, always=True),
     T("start"),
     T("motion", {"length": "10", "step": "0.1"}, always=True),
-    T("orbit", {"slips": "1"}),
+    T("orbit", {"slips": "1"}, stated={"cycles": "a number"}),
     T("exponents", {"length": "100", "interval": "1"}),
     T("sweep", {"parameter": '"velocity"', "range": "[0.1, 0.2]", "points": "3", "length": "10"}),
     T("reduction", {"bases": '["pod"]', "orders": "[1]"}),
 ])
 
-ANY_LAW = {"law": '"spring"', "parameters": "[1.0]"}
+MESH = {"youngs_modulus": "1.0", "width": "1.0", "length": "1.0", "members": "2", "height": "1.0"}
 HISTORY = Kind("history", "Scenes of one joint along a history: `loading-curve FILE.toml`", ["loading-curve"], ["loading-curves"], [
     T("", {}),
-    T("joint", ANY_LAW, always=True),
-    T("mesh", {"youngs_modulus": "1.0", "width": "1.0", "length": "1.0", "members": "2", "height": "1.0", **ANY_LAW}, without=("joint",)),
+    T("joint", ANY_LAW, always=True, companions=({"law": '"series"'},)),
+    T("mesh", {**MESH, **ANY_LAW}, without=("joint",), companions=({**MESH, "law": '"series"'},)),
     T("history", {"displacements": "[1.0]"}, always=True, variants={"a sine": {"amplitude": "1.0"}},
       companions=({"amplitude": "1.0", "algorithm": '"A"'},)),
 ])
 
 MODELS = Kind("model", "Descriptions of parts that are models", ["plan"], ["model-parts"], [
     T("", {**MODEL, "dofs": '["1:+X", "2:+X"]'}, always=True,
+      stated={"damping_ratio": "a number", "residual_flexibility": "a matrix, or a string: its file"},
       variants={"modes of a universal file": {"modes": '"x.uff"'},
                 "modes in arrays": {"shapes": '"x.mat:s"', "frequencies": '"x.mat:f"'}}),
 ])

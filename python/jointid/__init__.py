@@ -33,15 +33,17 @@ from .dof import Dof
 from .errors import DataWarning, DoubtfulWarning, InputError, JointidWarning, UnusableWarning
 from .files import read, write
 from .frf_set import FrfSet
-from .results import Finding, Result, Solution, Unknown
+from .results import BoundResult, Finding, FrfResult, Result, Solution, Unknown
 
 __all__ = [
+    "BoundResult",
     "Correlation",
     "DataWarning",
     "DecoupledResult",
     "Dof",
     "DoubtfulWarning",
     "Finding",
+    "FrfResult",
     "FrfSet",
     "InputError",
     "JointidWarning",

@@ -67,13 +67,13 @@ def correlate(one: Any, other: Any, *, modes: bool = False, fdac: str | None = N
     (1.0, 6.021)
     """
     scene = Scene({})
-    files = [_file_of(scene, one, "one"), _file_of(scene, other, "other")]
+    first, second = _file_of(scene, one, "one"), _file_of(scene, other, "other")
     if modes and any(isinstance(each, FrfSet) for each in (one, other)):
         raise InputError("an FrfSet has no mode shapes", place="modes", remedy="give universal files with dataset 55, or leave modes out")
     if modes and fdac is not None:
         raise InputError("FDAC is of FRFs, not of modes", place="fdac", remedy="leave out modes or fdac")
     return run_task(NoScene(scene), "correlate", progress,
-                    lambda watch: _jointid.correlate(*files, bool(modes), fdac or "", watch), Correlation)
+                    lambda watch: _jointid.correlate(first, second, bool(modes), fdac or "", watch), Correlation)
 
 
 def expand(parent: Any, measured: Any, *, way: str = "extended", modes: int = 0, progress: Any = None) -> FrfResult:
@@ -114,9 +114,9 @@ def expand(parent: Any, measured: Any, *, way: str = "extended", modes: int = 0,
     if modes and way != "serep":
         raise InputError(f'way "{way}" has FRFs for a parent, no modes', place="modes", remedy='use way="serep", or leave modes out')
     scene = Scene({})
-    files = [_file_of(scene, parent, "parent"), _file_of(scene, measured, "measured")]
+    first, second = _file_of(scene, parent, "parent"), _file_of(scene, measured, "measured")
     return run_task(NoScene(scene), "expand", progress,
-                    lambda watch: _jointid.expand(*files, way, whole_number(modes, "modes"), watch), FrfResult)
+                    lambda watch: _jointid.expand(first, second, way, whole_number(modes, "modes"), watch), FrfResult)
 
 
 def _file_of(scene: Scene, of: Any, name: str) -> str:

@@ -31,7 +31,7 @@ def couple(parts: Any, *, join: Any = None, ground: Any = None, keep: Any = None
     ----------
     parts : a scene, or a list of FrfSets and paths
     join : list of lists of DOFs
-        Each list has DOFs that move alike (compatibility). A DOF that two parts have is "NAME/4:+Y".
+        Each list has DOFs that move alike (compatibility). One list of DOFs is one of these. A DOF that two parts have is "NAME/4:+Y".
     ground, keep : lists of DOFs
         DOFs fixed to ground; DOFs of the result.
     remove : list of parts or their names
@@ -61,6 +61,8 @@ def couple(parts: Any, *, join: Any = None, ground: Any = None, keep: Any = None
     >>> bool(np.allclose(both["1:+X", "1:+X"], -1 / (3.0 * (2 * np.pi * f) ** 2)))
     True
     """
+    if isinstance(join, (list, tuple)) and join and all(isinstance(each, str) for each in join):
+        join = [list(join)]  # one pair
     table = {"join": join, "ground": ground, "keep": keep, "remove": remove, "joint": joints, **options}
     table = {key: value for key, value in table.items() if value is not None}
     sections = {"couple": table or None, "frequency": None if frequency is None else frequency_table(frequency),

@@ -16,7 +16,7 @@ from ._scene import Scene, as_list, pair_of, whole_number
 from .dof import Dof
 from .errors import InputError
 from ._lines import LineSolution
-from .results import Result, Solution
+from .results import BoundResult, Result, Solution
 
 
 def _joint_table(joint: Any) -> dict[str, Any]:
@@ -247,7 +247,7 @@ def plan(substructures: Any = None, assembly: Any = None, joint: Any = None, *, 
 def bound(substructures: Any = None, assembly: Any = None, joint: Any = None, *, candidates: Iterable[str] = (),
           method: str | None = None, equations: Sequence[str] | None = None, weighting: str | None = None,
           delta: float | None = None, identify: Mapping[str, Any] | None = None, threads: int = 0, progress: Any = None,
-          **sections: Any) -> Result:
+          **sections: Any) -> BoundResult:
     """Cramér–Rao bounds of a test, and the effect of other data: ``jointid plan --bound``. Arguments are those of identify().
 
     It needs the noise (`noise`, or errors in the files) and an assumed joint (`truth`, or ``identify={"start": ...}``).
@@ -264,7 +264,8 @@ def bound(substructures: Any = None, assembly: Any = None, joint: Any = None, *,
     ('K(1,1)', True)
     """
     scene = _joint_scene(substructures, assembly, joint, method, equations, weighting, delta, identify, sections)
-    return run_scene(scene, "bound", _jointid.bound, [str(Dof(dof)) for dof in candidates], threads=threads, progress=progress)
+    return run_scene(scene, "bound", _jointid.bound, [str(Dof(dof)) for dof in candidates], threads=threads, progress=progress,
+                     kind=BoundResult)
 
 
 def _kept(result: Result, folder: str | None) -> Result:

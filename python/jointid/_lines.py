@@ -193,8 +193,8 @@ class DecoupledResult(FrfResult):
         found = self["stiffness_of_b"]
         return _values("likelihood", tuple(found["elements"]), self.frequency, found["lines"])
 
-    def plot_frf(self, response: str, reference: str, axes: Any = None) -> Any:
-        """Plots an FRF of B with its 95 % band of magnitude, by matplotlib. Returns the axes."""
+    def plot_frf(self, response: str | None = None, reference: str | None = None, axes: Any = None) -> Any:
+        """Plots an FRF of B, the first by default, with its 95 % band of magnitude, by matplotlib. Returns the two axes."""
         from ._plots import plot_with_band
 
         return plot_with_band(self.frfs(), response, reference, axes)

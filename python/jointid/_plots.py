@@ -12,7 +12,7 @@ from .errors import InputError
 _MOST = 16  # curves in one picture
 
 
-def _pyplot() -> Any:
+def pyplot() -> Any:
     try:
         import matplotlib.pyplot as pyplot
     except ImportError:
@@ -23,7 +23,7 @@ def _pyplot() -> Any:
 def _two_axes(axes: Any) -> Any:
     if axes is not None:
         return axes
-    _, axes = _pyplot().subplots(2, 1, sharex=True, gridspec_kw={"height_ratios": [2, 1]}, layout="constrained")
+    _, axes = pyplot().subplots(2, 1, sharex=True, gridspec_kw={"height_ratios": [2, 1]}, layout="constrained")
     return axes
 
 
@@ -74,7 +74,7 @@ def plot_matrix(solution: Any, kind: str, axes: Any) -> Any:
     if kind not in matrices:
         raise InputError(f"the joint has no {kind!r}", place="plot_matrix", remedy="it has " + ", ".join(matrices))
     if axes is None:
-        _, axes = _pyplot().subplots(layout="constrained")
+        _, axes = pyplot().subplots(layout="constrained")
     matrix, names = matrices[kind], [str(dof) for dof in solution.dofs]
     largest = float(np.nanmax(np.abs(matrix))) or 1.0
     image = axes.imshow(matrix, cmap="RdBu_r", vmin=-largest, vmax=largest)
@@ -85,10 +85,43 @@ def plot_matrix(solution: Any, kind: str, axes: Any) -> Any:
     return axes
 
 
+def _bars(axes: Any, names: list[str]) -> Any:
+    """Axes with a row for each name, the first on top."""
+    if axes is None:
+        _, axes = pyplot().subplots(layout="constrained", figsize=(6.4, max(2.5, 0.25 * len(names) + 1.0)))
+    axes.set_yticks(range(len(names)), names)
+    axes.invert_yaxis()
+    axes.grid(axis="x", alpha=0.3)
+    return axes
+
+
+def plot_unknowns(solution: Any, axes: Any) -> Any:
+    """A row for each unknown: its interval in percent of the value, grey where the data do not determine it."""
+    unknowns = [each for each in solution.unknowns.values() if np.isfinite(each.value) and each.value != 0.0]
+    axes = _bars(axes, [f"{each.name} = {each.value:.4g} {each.unit}" for each in unknowns])
+    for row, each in enumerate(unknowns):
+        low, high = (100.0 * (end - each.value) / abs(each.value) for end in each.ci95 or (np.nan, np.nan))
+        axes.plot([low, high], [row, row], color="C0", linewidth=4, alpha=0.4, solid_capstyle="butt")
+        axes.plot(0.0, row, "o", color="C0" if each.determined else "0.6", markersize=4)
+    axes.set_xlabel("95 % interval, % of the value")
+    axes.set_title(solution.status or "unknowns")
+    return axes
+
+
+def plot_bound(result: Any, axes: Any) -> Any:
+    bound = result.to_dict().get("bound")
+    if bound is None:
+        raise InputError("friction laws have bounds by force level", place="plot_bound", remedy="see text() and to_dict()")
+    axes = _bars(axes, [each["name"] for each in bound["unknowns"]])
+    axes.barh(range(len(bound["unknowns"])), [100.0 * (each["relative"] or np.nan) for each in bound["unknowns"]])
+    axes.set_xlabel("standard error, % of the value")
+    return axes
+
+
 def plot_lines(ways: Any, element: str, unit: str, law: Any, axes: Any) -> Any:
     """Real part above, imaginary part below, each way with its 95 % band."""
     if axes is None:
-        _, axes = _pyplot().subplots(2, 1, sharex=True, layout="constrained")
+        _, axes = pyplot().subplots(2, 1, sharex=True, layout="constrained")
     for values in [*ways, *([] if law is None else [law])]:
         if element not in values.elements:
             raise InputError(f"{values.name!r} has no element {element!r}", place="plot", remedy="it has " + ", ".join(values.elements))
@@ -105,8 +138,9 @@ def plot_lines(ways: Any, element: str, unit: str, law: Any, axes: Any) -> Any:
     return axes
 
 
-def plot_with_band(frfs: Any, response: str, reference: str, axes: Any) -> Any:
+def plot_with_band(frfs: Any, response: str | None, reference: str | None, axes: Any) -> Any:
     """An FRF, and its magnitude ± 1.96 standard errors."""
+    response, reference = response or str(frfs.responses[0]), reference or str(frfs.references[0])
     axes = plot_frfs(frfs, response, reference, axes, {"linewidth": 1})
     size = np.abs(frfs[response, reference])
     row, column = (next(k for k, dof in enumerate(of) if dof.coordinate == Dof(name).coordinate)

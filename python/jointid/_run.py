@@ -82,6 +82,8 @@ def _plain(value: Any) -> Any:
 
 
 _OPTION = re.compile(r"--([a-z][a-z-]*)(?: [A-Z]+\b)?")  # "--rate HZ"
+_QUOTED = r"'[^']*'"
+_LISTED = re.compile(rf"--([a-z][a-z-]*) {_QUOTED}(?: --\1 {_QUOTED})+")  # "--channel '1=1:+Z N' --channel '2=4:+Z m/s^2'"
 
 
 class NoScene:
@@ -107,7 +109,8 @@ class NoScene:
             raise InputError(made.pop("problem"), kind=error.kind, **made) from None
 
     def _in_words(self, text: str) -> str:
-        return _OPTION.sub(lambda option: option[1].replace("-", "_") + "=", self.named(text))
+        text = _LISTED.sub(lambda option: f"{option[1]}=[{', '.join(re.findall(_QUOTED, option[0]))}]", self.named(text))
+        return _OPTION.sub(lambda option: option[1].replace("-", "_") + "=", text)
 
 
 def run_task(names: NoScene, command: str, progress: Any, run: Callable, kind: type[Result] = Result) -> Any:

@@ -239,15 +239,15 @@ def short(value: Any) -> str:
     return text if len(text) < 60 and "\n" not in text else f"an object of type {type(value).__name__}"
 
 
-def paths_of(value: Any, place: str) -> list[str]:
-    """One path or several as text."""
+def paths_of(value: Any, place: str, also: str = "") -> list[str]:
+    """One path or several as text. `also` is what the remedy names besides."""
     try:
         paths = [os.fspath(each) for each in ([value] if isinstance(value, (str, os.PathLike)) else value)]
         if not hasattr(value, "read") and all(isinstance(path, str) for path in paths):
             return paths
         raise TypeError
     except TypeError:
-        raise InputError(f"{short(value)} is no path", place=place, remedy="give the path of a file, or a list of them") from None
+        raise InputError(f"{short(value)} is no path", place=place, remedy=f"give the path of a file, or a list of them{also}") from None
 
 
 def as_list(value: Any) -> list:

@@ -124,7 +124,7 @@ def loading_curve(curves: Any, *, progress: Any = None, **options: Any) -> Resul
     Parameters
     ----------
     curves : path or paths; or (displacement, force), or a list of these or {name: (displacement, force)}
-        Arrays in m and N, loaded once from rest.
+        Arrays in m and N, loaded once from rest. One array of two columns is a curve.
     options : law, ring, limit, normal_load, friction_coefficient, shared, weighting, minimiser, global_search; of files also
         displacement, force, time, energy, stiffness, damping, unit, force_unit, time_unit, sign, velocity, kind,
         specimen_stiffness, specimen: as those of the command
@@ -142,7 +142,7 @@ def loading_curve(curves: Any, *, progress: Any = None, **options: Any) -> Resul
     arrays = _curves(curves)
     if arrays is not None:
         return run_task(NoScene(), "loading_curve", progress, lambda watch: _jointid.loading_curve_arrays(arrays or [], task, watch))
-    task.files = paths_of(curves, "curves")
+    task.files = paths_of(curves, "curves", ", or arrays (displacement, force)")
     return run_task(NoScene(), "loading_curve", progress, lambda watch: _jointid.loading_curve(task, watch))
 
 
@@ -155,6 +155,8 @@ def _curves(curves: Any) -> list[tuple[str, np.ndarray, np.ndarray]] | None:
                          remedy='give (table["displacement"], table["force"])')
     elif not isinstance(curves, (list, tuple, np.ndarray)) or all(isinstance(each, (str, os.PathLike)) for each in curves):
         return None
+    elif isinstance(curves, np.ndarray) and curves.ndim == 2 and curves.shape[1] == 2 and len(curves) != 2:
+        named = [("curve", curves.T)]
     elif len(curves) == 2 and np.ndim(curves[0]) == 1 and np.ndim(curves[1]) == 1:
         named = [("curve", curves)]
     else:
@@ -175,7 +177,8 @@ def frf(files: Any, *, progress: Any = None, **options: Any) -> FrfResult:
 
     Parameters
     ----------
-    files : path or paths: .npy, CSV or text, MATLAB, HDF5, UFF 58; or an array [sample, channel], or several (one a hit)
+    files : path or paths: .npy, CSV or text, MATLAB, HDF5, UFF 58; or an array [sample, channel], or several
+        (one a hit), or [hit, sample, channel]
     options : channel (["2=1:+Z N", ...]), time, rate, reference, shaker, block, pretrigger, trigger, second_blow, force_window,
         exponential, overlap, window, remove_mean, reject, keep_faulty, estimator, variances, highest: as those of the command
 
@@ -204,9 +207,9 @@ def frf(files: Any, *, progress: Any = None, **options: Any) -> FrfResult:
 @contextmanager
 def _record_files(records: Any) -> Iterator[tuple[list[str], dict[str, str]]]:
     """The paths of records, and names of those that are arrays, which are written to a folder that ends with the block."""
-    arrays = [records] if isinstance(records, np.ndarray) else records
+    arrays = ([records] if records.ndim != 3 else list(records)) if isinstance(records, np.ndarray) else records
     if not isinstance(arrays, (list, tuple)) or not all(isinstance(each, np.ndarray) for each in arrays):
-        yield paths_of(records, "files"), {}
+        yield paths_of(records, "files", ", or arrays [sample, channel]"), {}
         return
     with tempfile.TemporaryDirectory(prefix="jointid-") as folder:
         paths = [os.path.join(folder, f"record_{k + 1}.npy") for k in np.arange(len(arrays))]
@@ -246,7 +249,7 @@ def pod(record: Any, *, names: Sequence[str] | None = None, units: Sequence[str]
             raise InputError(f"{len(channels)} names and {len(of_channels)} units for {array.shape[1]} channels", place="names",
                              remedy="give one for each channel", kind="data")
         return run_task(NoScene(), "pod", progress, lambda watch: _jointid.pod_array(array, channels, of_channels, task, watch))
-    task.files = paths_of(record, "record")
+    task.files = paths_of(record, "record", ", or an array [sample, channel]")
     return run_task(NoScene(), "pod", progress, lambda watch: _jointid.pod(task, threads, watch))
 
 

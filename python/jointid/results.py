@@ -14,7 +14,7 @@ from ._progress import watcher
 from .dof import Dof
 from .errors import InputError
 
-__all__ = ["Finding", "Result", "Solution", "Unknown"]
+__all__ = ["BoundResult", "Finding", "FrfResult", "Result", "Solution", "Unknown"]
 
 
 @dataclass(frozen=True)
@@ -134,6 +134,45 @@ class Result:
         return self._made.get("page")
 
     @property
+    def plots(self) -> dict[str, list[str]]:
+        """The plots of the report page: sections, and the choices of each. Empty if the command has none."""
+        return {section: list(choices) for section, choices in self._page_plots().items()}
+
+    def _page_plots(self) -> dict[str, Any]:
+        from ._page_plots import groups_of
+
+        return self._once("plots", lambda: groups_of(self.page() or ""))
+
+    def plot_page(self, section: str | None = None, choice: str | None = None, *, axes: Any = None) -> list[Any]:
+        """Draws plots of the report page, by matplotlib. Returns their axes.
+
+        Parameters
+        ----------
+        section, choice : str
+            As listed by `plots`: ``result.plot_page("Predicted FRFs", "4:+Y/1:+Y")``. The first ones by default.
+        axes
+            As many axes as there are plots. None makes a figure.
+
+        Raises
+        ------
+        InputError
+            If the page has no plots, or no such section or choice.
+
+        >>> import numpy as np, jointid, matplotlib
+        >>> matplotlib.use("Agg")
+        >>> u = np.linspace(1e-6, 60e-6, 60)
+        >>> result = jointid.loading_curve((u, np.minimum(1e7 * u, 200.0)), law=["bilinear"])
+        >>> "Curves and residuals" in result.plots
+        True
+        >>> len(result.plot_page("Curves and residuals"))
+        2
+        """
+        from ._page_plots import chosen, draw
+
+        title, plots = chosen(self._page_plots(), section, choice, self._command)
+        return draw(title, plots, axes)
+
+    @property
     def findings(self) -> list[Finding]:
         """Findings of the data against the result."""
         found = self.to_dict()
@@ -198,7 +237,8 @@ class Result:
         for what in ("json", "text", "csv"):
             kept[what] = self._text(what)
         kept.update(status=self.status, message=self.message, usable=self.usable)
-        kept.pop("dict", None)
+        for made in ("dict", "plots"):
+            kept.pop(made, None)
         return {"_made": kept, "_command": self._command}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
@@ -308,6 +348,12 @@ class Solution(Result):
         """FrfSet of the assembly, synthesised from the substructures and the identified joint, at all lines that both have."""
         return self._frfs(progress)
 
+    def plot_unknowns(self, axes: Any = None) -> Any:
+        """Plots the values of the unknowns relative to their size with 95 % intervals, by matplotlib. Returns the axes."""
+        from ._plots import plot_unknowns
+
+        return plot_unknowns(self, axes)
+
     def plot_matrix(self, kind: str = "stiffness", axes: Any = None) -> Any:
         """Plots a joint matrix, by matplotlib. Returns the axes."""
         from ._plots import plot_matrix
@@ -327,3 +373,17 @@ class FrfResult(Result):
     def frfs(self, progress: Any = False) -> Any:
         """FrfSet of the predicted (couple), synthesised (modalfit) or estimated (frf) FRFs."""
         return self._frfs(progress)
+
+    def plot_frf(self, response: str | None = None, reference: str | None = None, axes: Any = None) -> Any:
+        """Plots magnitude and phase of one of these FRFs, or of all if they are up to 16, by matplotlib. Returns the two axes."""
+        return self.frfs().plot(response, reference, axes=axes)
+
+
+class BoundResult(Result):
+    """Predicted standard errors of a test: of bound()."""
+
+    def plot_bound(self, axes: Any = None) -> Any:
+        """Plots the smallest relative standard error of each unknown, by matplotlib. Returns the axes."""
+        from ._plots import plot_bound
+
+        return plot_bound(self, axes)

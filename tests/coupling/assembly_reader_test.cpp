@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/control.hpp"
 #include "base/error.hpp"
+#include "base/stop_scope.hpp"
 #include "in_memory_parts.hpp"
 #include "problems/case/coupling_problem.hpp"
 #include "problems/structure/response.hpp"
@@ -161,6 +163,14 @@ TEST(AssemblyReader, ReciprocityFillsWhatWasNotMeasured) {
             1e-13 * std::abs(expected.values[expected.index(2, er, ec)]));
   const std::size_t five = frf::find_coordinate(found.header.response, y(5));
   EXPECT_TRUE(std::isnan(found.values[found.index(2, five, c)].real()));  // H_55 of part two was never measured
+}
+
+TEST(AssemblyReader, LooksForAStopBetweenLines) {
+  const problems::CouplingProblem problem = problems::make_coupling("coupling-A");
+  const auto parts = problems::parts_of(problem, problem.parts);
+  const StopScope::Ask stop = [] { return true; };
+  const StopScope scope(&stop);
+  EXPECT_THROW(couple_all(parts, problem.declared()), Interrupted);
 }
 
 std::string error_of(const std::vector<Part>& parts, const Assembly& assembly, const Options& options = {}) {

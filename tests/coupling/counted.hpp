@@ -11,8 +11,8 @@ struct Counted {
   std::complex<double> value;
   static inline std::size_t multiplications = 0;
 
-  Counted(double re = 0.0) : value(re) {}
-  Counted(std::complex<double> z) : value(z) {}
+  Counted(double re = 0.0) : value(re) {}  // NOLINT(google-explicit-constructor): as Eigen takes numbers
+  Counted(std::complex<double> z) : value(z) {}  // NOLINT(google-explicit-constructor)
 
   Counted& operator+=(const Counted& o) { value += o.value; return *this; }
   Counted& operator-=(const Counted& o) { value -= o.value; return *this; }

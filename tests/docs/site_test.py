@@ -71,11 +71,20 @@ class SceneKeys(unittest.TestCase):
                                 (("history", "history", "steps"), "a number"), (("history", "history", "algorithm"), '`"A"`, `"B"`')):
             self.assertEqual(takes[where], expected, where)
 
-    def test_keys_that_need_others_or_exclude_them_have_types(self) -> None:
-        for where in (("history", "history"), ("lines", "joint"), ("response", "curves"), ("response", "transient"), ("oscillate", "system")):
-            below = {table.path for each in scene_tables.KINDS if each.word == where[0] for table in each.tables}
-            untyped = [key.name for key in self.found[where] if not key.takes and f"{where[1]}.{key.name}" not in below]
-            self.assertEqual(untyped, [], where)
+    def test_every_key_has_a_type(self) -> None:
+        """Its own, or it is a table of the page."""
+        for kind in scene_tables.KINDS:
+            below = {table.path for table in kind.tables}
+            untyped = [f"{table.title} {key.name}" for table in kind.tables for key in self.found[kind.word, table.path]
+                       if not key.takes and f"{table.path}.{key.name}".strip(".") not in below]
+            self.assertEqual(untyped, [], kind.word)
+
+    def test_types_are_stated_where_the_reader_says_none(self) -> None:
+        """A stated type that the reader contradicts, or that it says by itself, is a fault."""
+        for kind in scene_tables.KINDS:
+            for table in kind.tables:
+                found = {key.name: key.takes for key in self.found[kind.word, table.path]}
+                self.assertEqual({key: found[key] for key in table.stated}, table.stated, f"{kind.word} {table.title}")
 
 
 class CommandLine(unittest.TestCase):

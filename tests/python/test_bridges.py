@@ -55,6 +55,7 @@ def test_sdynpy_array_and_npz(tmp_path):
     made = sample()
     array = sdynpy.structured(made)
     assert array.shape == (3, 2) and array["coordinate"][1, 0]["direction"].tolist() == [-2, 1]
+    assert array.dtype.names == ("abscissa", "ordinate", "comment1", "comment2", "comment3", "comment4", "comment5", "coordinate")
     as_object = types.SimpleNamespace(**{key: array[key] for key in ("abscissa", "ordinate", "coordinate")})
     assert sdynpy.from_sdynpy(as_object, quantity="accelerance") == made
     sdynpy.save_sdynpy(tmp_path / "a.npz", made)
@@ -78,6 +79,17 @@ def test_pyfbs():
     assert "virtual_points" in caught.value.remedy
     named = pyfbs.from_pyfbs(frequency, frfs, channels, impacts, responses=made.responses)
     assert named.responses == made.responses
+
+
+def test_pyfbs_rotations():
+    """Channels of angular acceleration and impacts that are moments; one tuple of DOFs may be responses and references."""
+    made = sample(rows=("1:+Z", "1:-RX"), columns=("1:+Z", "1:-RX"))
+    made = made._like(references=made.responses)
+    frequency, frfs, channels, impacts = pyfbs.to_pyfbs(made)
+    assert channels["Quantity"] == ["Acceleration", "Angular Acceleration"] and impacts["Quantity"] == ["Force", "Moment"]
+    assert channels["Direction_1"] == [0.0, -1.0]
+    back = pyfbs.from_pyfbs(frequency, frfs, channels, impacts)
+    assert back.responses == back.references == ("1:+Z", "1:-RX")
 
 
 def test_pyfbs_tables_of_pandas():
@@ -108,10 +120,27 @@ def test_pyema_and_pyfrf():
     assert pyema.from_pyema(frequency, frf, made.responses, "9:+Z") == made
     with pytest.raises(jointid.InputError, match="name one"):
         pyema.to_pyema(sample())
-    imitation = types.SimpleNamespace(get_H1=lambda: frf[0], get_coherence=lambda: np.full(5, 0.9), get_f_axis=lambda: frequency,
-                                      curr_meas=4)
-    one = pyema.from_pyfrf(imitation, "1:+X", "9:+Z")
-    assert np.array_equal(one.frfs[:, 0, 0], frf[0]) and one.averages == 4 and one.coherence[0, 0, 0] == 0.9
+
+
+def pyfrf(h1, coherence, count):
+    """As pyFRF's objects are: H1 is a receptance [response, excitation, line], whatever was measured."""
+    return types.SimpleNamespace(get_H1=lambda: h1, get_coherence=lambda: coherence, get_f_axis=lambda: np.arange(5.0), total_meas=count)
+
+
+def test_pyfrf():
+    frfs = sample("receptance").frfs
+    h1 = np.moveaxis(frfs, 0, -1).copy()
+    h1[:, :, 0] = np.inf  # 0 Hz of an acceleration
+    one = pyema.from_pyfrf(pyfrf(h1[:, :1], np.full((3, 5), 0.9), 4), ["1:+X", "2:-Y", "3:+Z"], "9:+Z")
+    assert one.quantity == "receptance" and one.averages == 4 and one.coherence.shape == (5, 3, 1) and one.coherence[2, 1, 0] == 0.9
+    assert np.isnan(one.frfs[0]).all() and np.array_equal(one.frfs[1:, :, 0], frfs[1:, :, 0])
+    both = pyema.from_pyfrf(pyfrf(h1, np.full((3, 5), 0.9), 4), one.responses, ["9:+Z", "9:+X"])
+    assert both.coherence is None and np.array_equal(both.frfs[1:], frfs[1:])
+    old = pyema.from_pyfrf(types.SimpleNamespace(get_H1=lambda: h1[0, 0], get_coherence=lambda: np.full(5, 0.9),
+                                                 get_f_axis=lambda: np.arange(5.0), curr_meas=2), "1:+X", "9:+Z")
+    assert old.averages == 2 and np.array_equal(old.frfs[1:, 0, 0], frfs[1:, 0, 0])
+    with pytest.raises(jointid.InputError, match="6 FRFs for 3 × 1 DOFs"):
+        pyema.from_pyfrf(pyfrf(h1, None, 4), one.responses, "9:+Z")
 
 
 def test_xarray():
@@ -151,6 +180,25 @@ def test_sep005():
         sep005.frf_of_sep005(channels, {"hammer": "1:+Z", "acx": "4:+Z"})
     with pytest.raises(jointid.InputError, match="sampled together"):
         sep005.pod_of_sep005([channels[0], {**channels[1], "fs": 500.0}])
+    timed = [{**{key: each[key] for key in each if key != "fs"}, "time": t + 3.0} for each in channels]
+    again = sep005.frf_of_sep005(timed, {"hammer": "1:+Z", "acc": "4:+Z"}).frfs()
+    np.testing.assert_allclose(again.frequency, frfs.frequency, rtol=1e-9)
+    np.testing.assert_allclose(again.frfs[1:], frfs.frfs[1:], rtol=1e-6)
+
+
+@pytest.mark.parametrize("change, text", [
+    ({"data": None}, "has no 'data'"),
+    ({"unit_str": None}, "has no 'unit_str'"),
+    ({"fs": None}, "neither fs nor a time"),
+    ({"fs": None, "time": np.array([0.0, 1.0, 3.0, 4.0])}, "differ"),
+    ({"name": "hammer"}, "two channels"),
+    ({"start_timestamp": "2025"}, "from"),
+])
+def test_sep005_channels_that_are_wrong(change, text):
+    good = {"name": "hammer", "data": np.arange(4.0), "fs": 10.0, "unit_str": "N", "start_timestamp": "2024"}
+    wrong = {key: value for key, value in {**good, "name": "acc", **change}.items() if value is not None}
+    with pytest.raises(jointid.InputError, match=text):
+        sep005.pod_of_sep005([good, wrong])
 
 
 def test_nothing_of_others_is_imported():
@@ -161,3 +209,45 @@ def test_nothing_of_others_is_imported():
                "jointid.bridges.sep005, jointid.bridges.xarray, jointid.bridges.pandas\n"
                "print([name for name in ('matplotlib', 'pandas', 'xarray', 'scipy', 'sdynpy', 'pyuff') if name in sys.modules])")
     assert subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout.strip() == "[]"
+
+
+def vp_table(words, groups=(1,)):
+    return {"Grouping": [group for group in groups for _ in words], "Description": [*words] * len(groups),
+            **{f"Position_{k}": [0.1 * k] * len(words) * len(groups) for k in (1, 2, 3)}}
+
+
+def test_pyfbs_virtual_points():
+    """Groupings become the sensors and impacts of virtual points; answers are those of the same points by hand."""
+    places = [(0.1, 0.0, 0.0), (-0.1, 0.0, 0.0), (0.0, 0.1, 0.0)]
+    channels = {**{f"Position_{k + 1}": [place[k] for place in places for _ in range(3)] for k in range(3)},
+                **{f"Direction_{k + 1}": [float(axis == k) for _ in places for axis in range(3)] for k in range(3)},
+                "Grouping": [1] * 9, "Quantity": ["Acceleration"] * 9}
+    channels["Direction_1"][1], channels["Direction_2"][1] = 0.6, 0.8
+    random = np.random.default_rng(2)
+    frfs = random.normal(size=(4, 9, 9)) + 1j * random.normal(size=(4, 9, 9))
+    names = [f"{node}:+{axis}" for node in (1, 2, 3) for axis in "XYZ"]
+    made = pyfbs.from_pyfbs(np.arange(1.0, 5.0), frfs, channels, channels, responses=names, references=names)
+    points = pyfbs.virtual_points(made, channels, channels, vp_table(["ux", "uy", "uz", "rx", "ry", "rz"]))
+    skew = {"1:+Y": [0.6, 0.8, 0.0]}
+    assert points == [{"name": "VP1", "position": [0.1, 0.2, 0.30000000000000004], "sensors": names, "directions": skew, "impacts": names,
+                       "impact_directions": skew}]
+    reached = np.vstack([np.array(each["d"]) @ np.array([[1, 0, 0, 0, z, -y], [0, 1, 0, -z, 0, x], [0, 0, 1, y, -x, 0]]) for each, (x, y, z)
+                         in ((dict(d=[channels[f"Direction_{j}"][k] for j in (1, 2, 3)]),
+                              np.array(places[k // 3]) - np.array([0.1, 0.2, 0.3])) for k in range(9))])
+    inverse = np.linalg.pinv(reached)
+    np.testing.assert_allclose(jointid.virtual_points(made, points).frfs, inverse @ frfs @ inverse.T, rtol=1e-9)
+    assert pyfbs.virtual_points(made, channels, channels, vp_table(["rz", "ux", "uy"]))[0]["plane"] == "XY"
+    assert pyfbs.virtual_points(made, channels, channels, vp_table(["ux", "uy", "uz", "rx", "ry", "rz", "ex"]))[0]["flexible"] == ["ex"]
+    with pytest.raises(jointid.InputError, match="motions of grouping 1 are ux, uy"):
+        pyfbs.virtual_points(made, channels, channels, vp_table(["ux", "uy"]))
+
+
+def test_pyfbs_nodes_keep_their_numbers():
+    made = sample(rows=("1:+X", "2:+X"), columns=("9:+Z",))
+    frequency, frfs, channels, impacts = pyfbs.to_pyfbs(made)
+    ab = pyfbs.from_pyfbs(frequency, frfs, channels, impacts)
+    part = {key: values[1:] for key, values in channels.items()}
+    alone = pyfbs.from_pyfbs(frequency, frfs[:, 1:], part, impacts)
+    like = pyfbs.from_pyfbs(frequency, frfs[:, 1:], part, impacts, like=ab)
+    assert alone.responses == ("1:+X",) and like.responses == ab.responses[1:] and like.references == ab.references
+    assert set(like.nodes) == {2, 3}

@@ -35,6 +35,23 @@ def test_couple():
     assert result.page().startswith("<!DOCTYPE html>")
 
 
+def test_one_pair_may_be_joined_as_it_is():
+    paired = jointid.couple([A, B], join=["A/2:+X", "B/2:+X"]).frfs()
+    assert paired == jointid.couple([A, B], join=[["A/2:+X", "B/2:+X"]]).frfs()
+
+
+def test_arrays_as_they_come():
+    """[hit, sample, channel], and a curve of two columns."""
+    t = np.arange(400) / 400.0
+    hits = np.stack([np.column_stack([size * np.exp(-0.5 * ((t - 0.1) / 0.004) ** 2), np.sin(200 * t) * np.exp(-9 * t)]) for size in (1, 2)])
+    channels = ["1=1:+Z N", "2=4:+Z m/s^2"]
+    assert jointid.frf(hits, channel=channels, rate=400.0).frfs() == jointid.frf(list(hits), channel=channels, rate=400.0).frfs()
+    u = np.linspace(1e-6, 60e-6, 60)
+    force = np.minimum(1e7 * u, 200.0)
+    columns, pair = (jointid.loading_curve(curves, law="bilinear") for curves in (np.column_stack([u, force]), (u, force)))
+    assert columns.usable and columns["fits"] == pair["fits"]
+
+
 def test_couple_to_a_file(tmp_path):
     result = jointid.couple([A, B], join=[["A/2:+X", "B/2:+X"]], out=tmp_path / "ab.h5")
     assert np.array_equal(jointid.read(tmp_path / "ab.h5").frfs, result.frfs().frfs)

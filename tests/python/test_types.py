@@ -2,6 +2,7 @@
 
 import ast
 import os
+import re
 import subprocess
 import sys
 
@@ -53,3 +54,9 @@ def test_mypy_and_stubtest(tmp_path):
 
 def test_the_package_says_that_it_is_typed():
     assert os.path.exists(os.path.join(os.path.dirname(jointid.__file__), "py.typed"))
+
+
+def test_the_reference_has_every_public_name():
+    with open(os.path.join(HERE, "../../docs/reference/python-api.rst"), encoding="utf-8") as page:
+        listed = set(re.findall(r"^\.\. auto(?:function|class|exception):: (\w+)$", page.read(), re.MULTILINE))
+    assert listed == set(jointid.__all__) - {"__version__"}

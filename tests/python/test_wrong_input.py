@@ -269,6 +269,18 @@ def test_errors_of_arrays_name_arguments_and_no_files():
         assert all(text in caught.value.what for text in texts) and "/tmp" not in caught.value.what and "--" not in caught.value.what
 
 
+@pytest.mark.parametrize("call, remedy", [
+    (lambda: jointid.pod([[1.0, 2.0], [2.0, 3.0]]), "or an array [sample, channel]"),
+    (lambda: jointid.frf([[1.0, 2.0]]), "or arrays [sample, channel]"),
+    (lambda: jointid.loading_curve(3.0), "or arrays (displacement, force)"),
+    (lambda: jointid.frf(np.ones((100, 2)), rate=10.0), "channel=['2=1:+Z N', '3=4:+Z m/s^2']"),
+], ids=["pod", "frf", "loading_curve", "channels"])
+def test_remedies_are_of_python(call, remedy):
+    with pytest.raises(jointid.InputError) as caught:
+        call()
+    assert remedy in caught.value.remedy and "--" not in caught.value.what
+
+
 def test_errors_pickle_and_are_value_errors():
     import pickle
 

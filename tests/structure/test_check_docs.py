@@ -57,6 +57,16 @@ class Commands(unittest.TestCase):
         self.fails("<!-- run -->\n```console\n$ true\n", "has no end")
         self.fails("<!-- run -->\n```console\ntrue\n```\n", "no command before")
 
+    def test_marked_pages_are_found_in_every_folder(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            (root / "docs/how-to/deep").mkdir(parents=True)
+            for name, text in (("A.md", "<!-- run -->\n"), ("docs/b.md", "<!-- run exit=2 -->\n"), ("docs/how-to/deep/c.md", "<!-- file x -->\n"),
+                               ("docs/d.md", "no `<!-- run -->` of its own\n")):
+                (root / name).write_text(text, encoding="utf-8")
+            self.assertEqual([str(page.relative_to(root)) for page in commands.marked_pages(root)],
+                             ["A.md", "docs/b.md", "docs/how-to/deep/c.md"])
+
 
 class Language(unittest.TestCase):
     def test_sentences(self):

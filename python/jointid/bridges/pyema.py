@@ -28,11 +28,27 @@ def to_pyema(frfs: FrfSet, reference: str | None = None) -> tuple[np.ndarray, np
     return frfs.frequency, np.ascontiguousarray(np.stack([frfs[response, column] for response in frfs.responses]))
 
 
-def from_pyfrf(frf: Any, response: str, reference: str, *, quantity: str = "accelerance", name: str = "pyFRF") -> FrfSet:
-    """A set from a ``pyFRF.FRF`` after its averages: H1 with the coherence and the number of averages."""
-    h1 = np.asarray(frf.get_H1()).reshape(-1)
-    coherence = np.asarray(frf.get_coherence()).real.reshape(-1)
-    count = float(getattr(frf, "curr_meas", 0) or 0)
-    shape = (len(h1), 1, 1)
-    return FrfSet(h1.reshape(shape), np.asarray(frf.get_f_axis()), [response], [reference], quantity=quantity,
-                  coherence=np.clip(coherence, 0.0, 1.0).reshape(shape) if count >= 2 else None, averages=count, name=name)
+def from_pyfrf(frf: Any, response: str | Iterable[str], reference: str | Iterable[str], *, name: str = "pyFRF") -> FrfSet:
+    """A set of receptances from a ``pyFRF.FRF`` (``sdypy.FRF.FRF``) after its measurements, by H1.
+
+    Coherence and number of measurements come with it, if there is one excitation and more than one measurement. A line without a
+    finite value, as that at 0 Hz of accelerations, is not measured.
+
+    Parameters
+    ----------
+    response, reference : DOF or DOFs, in the order of the measurement's responses and excitations
+    """
+    rows, columns = ([each] if isinstance(each, str) else list(each) for each in (response, reference))
+    frequency = np.asarray(frf.get_f_axis())
+    h1 = np.asarray(frf.get_H1()).reshape(-1, len(frequency))  # [response, excitation, line]; older versions: [line]
+    if len(h1) != len(rows) * len(columns):
+        raise InputError(f"{len(h1)} FRFs for {len(rows)} × {len(columns)} DOFs", place="response, reference", kind="data",
+                         remedy="name all responses and excitations")
+    shape = (len(rows), len(columns), len(frequency))
+    frfs = np.moveaxis(np.where(np.isfinite(h1), h1, np.nan).reshape(shape), -1, 0)
+    count = float(getattr(frf, "total_meas", 0) or getattr(frf, "curr_meas", 0) or 0)
+    coherence = None
+    if count >= 2 and len(columns) == 1:  # of several excitations it is the multiple coherence, which is of no single FRF
+        found = np.asarray(frf.get_coherence()).real.reshape(len(rows), 1, -1)
+        coherence = np.moveaxis(np.clip(np.where(np.isfinite(found), found, 0.0), 0.0, 1.0), -1, 0)
+    return FrfSet(frfs, frequency, rows, columns, quantity="receptance", coherence=coherence, averages=count, name=name)

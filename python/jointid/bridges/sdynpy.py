@@ -64,8 +64,8 @@ def to_sdynpy(frfs: FrfSet) -> Any:
 def structured(frfs: FrfSet) -> np.ndarray:
     """The structured array [response, reference] of SDynPy, made without SDynPy."""
     coordinate = np.dtype([("node", "<u8"), ("direction", "i1")])
-    array = np.zeros(frfs.shape[1:], dtype=[("abscissa", "<f8", (len(frfs),)), ("ordinate", "<c16", (len(frfs),)), ("comment1", "<U80"),
-                                            ("coordinate", coordinate, (2,))])
+    array = np.zeros(frfs.shape[1:], dtype=[("abscissa", "<f8", (len(frfs),)), ("ordinate", "<c16", (len(frfs),)), 
+                                            *((f"comment{k}", "<U80") for k in range(1, 6)), ("coordinate", coordinate, (2,))])
     array["abscissa"] = frfs.frequency
     array["ordinate"] = np.moveaxis(frfs.frfs, 0, -1)
     for row, response in enumerate(frfs.responses):

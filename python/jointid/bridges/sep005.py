@@ -1,8 +1,8 @@
-"""SEP 5: time records as dicts, one per channel ("data", "fs", "unit_str", "name", "start_timestamp" …)."""
+"""SEP 5: time records as dicts, one per channel ("data", "name", "unit_str", "fs" or "time", "start_timestamp" …)."""
 
 from __future__ import annotations
 
-from typing import Any, Iterable, Mapping
+from typing import Any, Mapping
 
 import numpy as np
 
@@ -11,16 +11,48 @@ from ..errors import InputError
 from ..results import FrfResult, Result
 
 
-def _records(channels: Iterable[Mapping[str, Any]] | Mapping[str, Any]) -> tuple[np.ndarray, float, list[str], list[str]]:
-    channels = [channels] if isinstance(channels, Mapping) else list(channels)
+_UNEVEN = 1e-6  # how much steps of `time` may differ, as a share of the whole
+
+
+def _channel(channel: Any, number: int) -> Mapping[str, Any]:
+    missing = [key for key in ("data", "name", "unit_str") if not isinstance(channel, Mapping) or key not in channel]
+    if missing:
+        raise InputError(f"channel {number} has no {missing[0]!r}", place="channels", kind="data",
+                         remedy="SEP 5 asks for data, name, unit_str, and fs or time")
+    return channel
+
+
+def _rate(channel: Mapping[str, Any]) -> float:
+    """Hz: its `fs`, else that of the steps of its `time`, s."""
+    if channel.get("fs") is not None:
+        return float(channel["fs"])
+    time = np.asarray(channel.get("time", ()), dtype=float)
+    steps = np.diff(time)
+    if len(time) != len(channel["data"]) or not len(steps) or not steps.min() > 0.0:
+        raise InputError(f"channel {channel['name']!r} has neither fs nor a time for each sample", place="channels", kind="data",
+                         remedy="give fs, Hz, or time, s, which increases")
+    if np.ptp(steps) > _UNEVEN * (time[-1] - time[0]):
+        raise InputError(f"the steps of time of channel {channel['name']!r} differ, {steps.min():g} to {steps.max():g} s", place="channels",
+                         kind="data", remedy="resample it to even steps")
+    return round(float(len(steps) / (time[-1] - time[0])), 9)
+
+
+def _records(channels: Any) -> tuple[np.ndarray, float, list[str], list[str]]:
+    listed = [channels] if isinstance(channels, Mapping) else list(channels)
+    channels = [_channel(each, k + 1) for k, each in enumerate(listed)]
     if not channels:
         raise InputError("there is no channel", place="channels", kind="data", remedy="give at least one")
-    lengths, rates = {len(each["data"]) for each in channels}, {float(each["fs"]) for each in channels}
-    if len(lengths) > 1 or len(rates) > 1:
-        raise InputError(f"the channels have {sorted(lengths)} samples at {sorted(rates)} Hz", place="channels", kind="data",
+    lengths, rates = {len(each["data"]) for each in channels}, {_rate(each) for each in channels}
+    starts = {str(each["start_timestamp"]) for each in channels if each.get("start_timestamp") is not None}
+    if len(lengths) > 1 or len(rates) > 1 or len(starts) > 1:
+        begin = f" from {sorted(starts)}" if len(starts) > 1 else ""
+        raise InputError(f"the channels have {sorted(lengths)} samples at {sorted(rates)} Hz{begin}", place="channels", kind="data",
                          remedy="give channels that were sampled together")
-    names = [str(each.get("name", k + 1)) for k, each in enumerate(channels)]
-    units = [str(each.get("unit_str", "")) for each in channels]
+    names = [str(each["name"]) for each in channels]
+    twice = next((name for name in names if names.count(name) > 1), None)
+    if twice is not None:
+        raise InputError(f"two channels are called {twice!r}", place="channels", kind="data", remedy="give each a name of its own")
+    units = [str(each["unit_str"]) for each in channels]
     return np.column_stack([np.asarray(each["data"], dtype=float) for each in channels]), rates.pop(), names, units
 
 
