@@ -55,7 +55,7 @@ bool is_name_before_part(std::string_view title, std::size_t open) {
   const std::size_t close = title.rfind(')'), last = title.rfind(' ');
   if (close == std::string_view::npos || last == std::string_view::npos || last < close || close < open) return false;
   const std::string_view inside = title.substr(open + 1, close - open - 1);
-  return is_csv_part(title.substr(last + 1)) && inside.find_first_not_of("0123456789,;:| ") == std::string_view::npos;
+  return is_csv_part(title.substr(last + 1)) && inside.find_first_not_of("0123456789,;:| +-/RXYZ") == std::string_view::npos;
 }
 
 /// By the brackets of a title: "4:+Y/1:+Y re (g/N)".
@@ -159,8 +159,7 @@ std::string with_plain_brackets(std::string_view cell) {
 
 /// A unit that stands where the title of the frequencies should.
 bool is_unit_alone(std::string_view plain) {
-  constexpr std::array<std::string_view, 6> units = {"hz", "hertz", "khz", "rad/s", "rad/sec", "rad s^-1"};
-  return std::ranges::find(units, plain) != units.end();
+  return plain == "hz" || plain == "hertz";
 }
 
 bool is_number_of_table(std::string_view cell, char separator) {

@@ -110,7 +110,7 @@ TEST_F(CsvFile, WhatIsWrongIsNamedByLineAndColumn) {
   EXPECT_THAT(error(h + "2,2,3\n1,2,3\n"), HasSubstr("frequencies must increase"));
   EXPECT_THAT(error(h), HasSubstr("frequency: no lines"));
   EXPECT_THAT(error(q), HasSubstr("no header row"));
-  EXPECT_THAT(error(q + "f,1:X/1:X re\n"), HasSubstr("line 2, column 1: the first column is 'f'"));
+  EXPECT_THAT(error(q + "x,1:X/1:X re\n"), HasSubstr("line 2, column 1: the first column is 'x'"));
   EXPECT_THAT(error(q + "frequency_hz\n"), HasSubstr("no column but the frequency"));
   EXPECT_THAT(error(q + "frequency_hz,1:X/1:X reel\n"),
               HasSubstr("column 2: '1:X/1:X reel' is not a column of an FRF"));

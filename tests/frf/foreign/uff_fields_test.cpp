@@ -43,7 +43,6 @@ TEST(UffFields, UnitsGluedToANameThatFillsItsField) {
   EXPECT_NEAR(over_newton(types + "ExcitationForceInputlbf"), 1.0 / 4.4482216152605, 1e-12);
   EXPECT_DOUBLE_EQ(over_newton(types + "ExcitationForceInputdaN"), 0.1);
   EXPECT_DOUBLE_EQ(over_newton(types + "ExcitationForceInputskN"), 1e-3);
-  EXPECT_DOUBLE_EQ(over_newton(types + "Excitation at the foot"), 1.0);
   for (const char* glued : {"ExcitationForceInputN", "ExcitationForceInputkN"})
     EXPECT_THROW(over_newton(types + glued), InputError) << glued;
 }
