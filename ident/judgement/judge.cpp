@@ -262,6 +262,16 @@ void judge_predicted(const Plan& plan, const std::vector<double>& theta, const E
   judge_errors(plan, theta, scatter, judge_prediction(plan, theta, out), out);
 }
 
+void judge_unknown_noise(Solution& out) {
+  constexpr double far = 10.0;  // dB: noise alone leaves up to 9.3 in 30 seeds of the built-in problem G1
+  if (out.fit.misfit || !out.fit.asm_frf_error || !(*out.fit.asm_frf_error > far) || !is_usable(out.status)) return;
+  tell(out, Status::doubtful,
+       "The FRFs of the assembly by this joint are off by " + digits(*out.fit.asm_frf_error, "%.3g") +
+           " dB (rms), and nothing states the noise: it may be the joint's form, or a faulty FRF. State the noise ([noise], or "
+           "variances in the files): then the misfit shows which." +
+           remedy);
+}
+
 namespace {
 
 /// Whether some variances are estimates themselves.

@@ -36,6 +36,10 @@ void judge_predicted(const Plan& plan, const std::vector<double>& theta, const E
 void judge_predicted_constraints(const Plan& plan, const std::vector<double>& theta, const std::optional<ConstrainedScatter>& scatter,
                                  Solution& out);
 
+/// Doubtful where the FRFs of the assembly by this joint (Fit::asm_frf_error) are off by more than 10 dB, a factor of three, while
+/// nothing is known of the noise, so that there is no Fit::misfit.
+void judge_unknown_noise(Solution& out);
+
 /// "Most suspect: sign 125:+Y in assembly.uff. …" with its evidence.
 std::string phrase(const Suspect& suspect);
 

@@ -50,6 +50,7 @@ void estimate(const Plan& plan, Assembled& system, const Control& control, Solut
   if (control.detail != Detail::full || control.judgement != Judgement::data) return;
   const Stopwatch watch(out.runtime_s.check);
   judge_linear(plan, linear, free, control, out);
+  judge_unknown_noise(out);
 }
 
 /// Assembles all lines, solves and judges, which all linear methods have in common.

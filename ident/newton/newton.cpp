@@ -336,8 +336,9 @@ class NewtonMethod final : public NewtonPlan {
     const Stopwatch watch(out.runtime_s.check);
     std::vector<double> theta;
     for (std::size_t c = 0; c < out.unknowns.size(); ++c) theta.push_back(out.unknowns[c].value / plan.unscale(c));
-    if (plan.admissible) return judge_predicted_constraints(plan, theta, scatter.constrained, out);
-    judge_predicted(plan, theta, *scatter.covariance, out);
+    if (plan.admissible) judge_predicted_constraints(plan, theta, scatter.constrained, out);
+    else judge_predicted(plan, theta, *scatter.covariance, out);
+    judge_unknown_noise(out);
   }
 };
 

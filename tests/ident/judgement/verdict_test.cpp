@@ -103,6 +103,24 @@ TEST(Verdict, OfTheDirectSolutionIsNotOkWhereItIsWrong) {
   }
 }
 
+/// Exact FRFs that state no noise, and a joint of a form that it does not have: the FRFs by it are far off.
+TEST(Verdict, IsNotOkWhereTheFrfsAreFarOffAndNothingStatesTheNoise) {
+  const problems::Problem problem = problems::make("A1");
+  for (const Method method : {Method::one, Method::direct}) {
+    Scene scene = problems::scene(problem);
+    scene.noise.reset();
+    scene.identify = {};
+    scene.identify.method = method;
+    const Solution right = solve(*problems::plan(scene, {problem.substructures, problem.assembly}), judged());
+    EXPECT_EQ(right.status, Status::ok) << name(method) << ": " << right.message;
+    for (auto& [kind, matrix] : scene.joints.front().matrices) matrix = restrictions::Pattern::diagonal;
+    const Solution wrong = solve(*problems::plan(scene, {problem.substructures, problem.assembly}), judged());
+    ASSERT_TRUE(wrong.fit.asm_frf_error);
+    EXPECT_GT(*wrong.fit.asm_frf_error, 10.0) << name(method);
+    EXPECT_NE(wrong.status, Status::ok) << name(method);
+  }
+}
+
 /// A6 by method one with one cell of the assembly a millionfold too large.
 TEST(Verdict, NamesTheLineAndTheFrfThatDecideAlone) {
   problems::Problem problem = problems::make("A6");
