@@ -2,12 +2,11 @@
 
 #include <Eigen/Core>
 #include <complex>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "tests/golden_json.hpp"
 #include "tests/require.hpp"
 
 /// Cases `expansion` and `criteria` of golden/impedance.json, written by an independent program.
@@ -15,15 +14,7 @@ namespace jointid::correlation::golden {
 
 using nlohmann::json;
 
-inline json case_named(const std::string& id) {
-  std::ifstream in(std::filesystem::path(JOINTID_EXTERNAL_DATA).parent_path() / "golden" / "impedance.json");
-  if (!in) return {};
-  const json all = json::parse(in);
-  for (const json& each : all["cases"]) {
-    if (each["id"] == id) return each;
-  }
-  return {};
-}
+inline json case_named(const std::string& id) { return golden_case("impedance.json", "id", id); }
 
 #define CORRELATION_CASE(variable, id)                    \
   const nlohmann::json variable = golden::case_named(id); \

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -14,6 +12,7 @@
 #include "frf/set/frf_set.hpp"
 #include "impedance/identify_lines.hpp"
 #include "impedance/scene/read_line_scene.hpp"
+#include "tests/golden_json.hpp"
 #include "tests/require.hpp"
 
 /// Cases of golden/impedance.json, written by an independent program.
@@ -21,15 +20,7 @@ namespace jointid::impedance::golden {
 
 using nlohmann::json;
 
-inline json golden_case(const std::string& id) {
-  std::ifstream in(std::filesystem::path(JOINTID_EXTERNAL_DATA).parent_path() / "golden" / "impedance.json");
-  if (!in) return {};
-  const json all = json::parse(in);
-  for (const json& each : all["cases"]) {
-    if (each["id"] == id) return each;
-  }
-  return {};
-}
+inline json golden_case(const std::string& id) { return jointid::golden_case("impedance.json", "id", id); }
 
 #define IMPEDANCE_CASE(variable, id)                       \
   const nlohmann::json variable = golden::golden_case(id); \

@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "ident/equations/system_pattern.hpp"
 #include "ident/identify.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/case/many_joints_problem.hpp"
+#include "tests/golden_json.hpp"
 #include "tests/require.hpp"
 
 namespace jointid::problems {
@@ -19,15 +18,7 @@ namespace {
 using nlohmann::json;
 
 /// The case of an independent program, or null where its file is not there.
-json golden_case(const std::string& name) {
-  std::ifstream file(std::filesystem::path(JOINTID_EXTERNAL_DATA).parent_path() / "golden" / "sparse.json");
-  if (!file) return nullptr;
-  const json all = json::parse(file);
-  for (const json& each : all["cases"]) {
-    if (each["name"] == name) return each;
-  }
-  return nullptr;
-}
+json golden_case(const std::string& name) { return jointid::golden_case("sparse.json", "name", name); }
 
 ident::Control only_estimates() {
   ident::Control control;

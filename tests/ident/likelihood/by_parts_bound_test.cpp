@@ -1,14 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "ident/identify.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/case/many_joints_problem.hpp"
 #include "tasks/bound_report.hpp"
+#include "tests/golden_json.hpp"
 #include "tests/require.hpp"
 
 namespace jointid::ident {
@@ -16,15 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-json golden_structure(const std::string& name) {
-  std::ifstream file(std::filesystem::path(JOINTID_EXTERNAL_DATA).parent_path() / "golden" / "sparse.json");
-  if (!file) return nullptr;
-  const json all = json::parse(file);
-  for (const json& each : all["cases"]) {
-    if (each["name"] == name) return each;
-  }
-  return nullptr;
-}
+json golden_structure(const std::string& name) { return jointid::golden_case("sparse.json", "name", name); }
 
 /// A structure with the references and lines of its golden bound.
 problems::ManyJoints structure_of_bound(const json& golden, const std::string& name) {

@@ -3,8 +3,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <iomanip>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -16,6 +14,7 @@
 #include "ident/newton/response_line.hpp"
 #include "ident/plan/coordinates.hpp"
 #include "problems/case/many_joints_problem.hpp"
+#include "tests/golden_json.hpp"
 #include "tests/require.hpp"
 
 namespace jointid::ident {
@@ -26,15 +25,7 @@ using Eigen::MatrixXd;
 using nlohmann::json;
 using problems::ManyJoints;
 
-json golden_case(const std::string& name) {
-  std::ifstream file(std::filesystem::path(JOINTID_EXTERNAL_DATA).parent_path() / "golden" / "sparse.json");
-  if (!file) return nullptr;
-  const json all = json::parse(file);
-  for (const json& each : all["cases"]) {
-    if (each["name"] == name) return each;
-  }
-  return nullptr;
-}
+json golden_case(const std::string& name) { return jointid::golden_case("sparse.json", "name", name); }
 
 frf::Dof dof_at(const ManyJoints& structure, const json& place) {
   return structure.parts[place[0].get<std::size_t>()].dofs()[place[1].get<std::size_t>()];
