@@ -233,7 +233,10 @@ class FrfFinder {
 std::vector<ComplexArray> find_frfs(MatFile& file, const std::string& variable, const std::string& axis) {
   const FrfFinder finder(file, axis);
   std::vector<ComplexArray> found = variable.empty() ? finder.by_itself() : finder.named(variable);
-  for (const ComplexArray& array : found) finder.require_frf(array), finder.require_fractions(array);
+  for (const ComplexArray& array : found) {
+    finder.require_frf(array);
+    finder.require_fractions(array);
+  }
   return found;
 }
 
