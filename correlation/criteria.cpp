@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 #include "modalfit/model/mac.hpp"
@@ -13,7 +12,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
-using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
 /// Inner products of what both have.
@@ -30,13 +28,6 @@ struct Products {
 
   double shape() const { return std::norm(cross) / (aa * bb); }
 };
-
-template <class One, class Other>
-Products products_of(const One& a, const Other& b) {
-  Products out;
-  for (Index i = 0; i < static_cast<Index>(a.size()); ++i) out.add(a[i], b[i]);
-  return out;
-}
 
 Products products_of(std::span<const Complex> a, std::span<const Complex> b) {
   Products out;
@@ -104,7 +95,7 @@ VectorXd comac(const MatrixXcd& one, const MatrixXcd& other) {
 VectorXd ecomac(const MatrixXcd& one, const MatrixXcd& other) {
   VectorXd sum = VectorXd::Zero(one.rows());
   for (Index r = 0; r < one.cols(); ++r) {
-    const Complex cross = products_of(one.col(r), other.col(r)).cross;
+    const Complex cross = products_of(column(one, r), column(other, r)).cross;
     const Complex turn = cross == Complex(0.0) ? Complex(1.0) : std::conj(cross) / std::abs(cross);
     sum += (one.col(r).normalized() - turn * other.col(r).normalized()).cwiseAbs();
   }

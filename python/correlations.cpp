@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "correlation/expanded_frfs.hpp"
-#include "frf/file/open_as_one.hpp"
-#include "python/conversions.hpp"
+#include "correlation/from_files.hpp"
 #include "python/outcome.hpp"
 #include "python/watch.hpp"
 #include "report/correlation/correlation_report.hpp"
@@ -19,12 +17,8 @@ namespace {
 
 namespace py = pybind11;
 
-frf::FrfSet read_set(const std::string& file) { return frf::load(*frf::open_as_one(paths_of({file}))); }
-
-correlation::ModeFile read_modes(const std::string& file) { return {file, frf::read_uff55(paths_of({file}).front())}; }
-
 Outcome of_frfs(const report::ComparedFiles& files, const std::string& fdac) {
-  const frf::FrfSet one = read_set(files.one), other = read_set(files.other);
+  const frf::FrfSet one = correlation::read_frfs(files.one), other = correlation::read_frfs(files.other);
   const auto found = std::make_shared<const correlation::CorrelatedFrfs>(correlation::correlate(one, other));
   std::shared_ptr<const correlation::ShapesOverLines> shapes;
   if (!fdac.empty())
@@ -39,7 +33,7 @@ Outcome of_frfs(const report::ComparedFiles& files, const std::string& fdac) {
 
 Outcome of_modes(const report::ComparedFiles& files) {
   const auto found = std::make_shared<const correlation::CorrelatedModes>(
-      correlation::correlate(read_modes(files.one), read_modes(files.other)));
+      correlation::correlate(correlation::read_modes(files.one), correlation::read_modes(files.other)));
   return {.status = "",
           .message = "",
           .json = [=] { return report::correlation_json(files, *found); },
@@ -57,11 +51,8 @@ Outcome correlate(const std::string& one, const std::string& other, bool modes, 
 Outcome expand(const std::string& parent, const std::string& measured, const std::string& way, std::size_t modes,
                const py::object& progress) {
   return watched(progress, 0, [=](const ident::Control&) -> Outcome {
-    const frf::FrfSet set = read_set(measured);
-    const auto found = std::make_shared<const correlation::ExpandedFrfs>(
-        way == "serep" ? correlation::expanded(read_modes(parent), set, modes)
-                       : correlation::expanded(read_set(parent), set,
-                                               way == "semm" ? correlation::Semm::basic : correlation::Semm::extended));
+    const auto found =
+        std::make_shared<const correlation::ExpandedFrfs>(correlation::expanded_files(parent, measured, way, modes));
     const report::ExpansionNames names{parent, measured, way, "in memory"};
     return {.status = "",
             .message = "",

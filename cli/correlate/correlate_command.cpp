@@ -5,22 +5,20 @@
 #include "base/error.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
-#include "frf/file/open_as_one.hpp"
+#include "correlation/from_files.hpp"
 #include "frf/file/write.hpp"
 #include "report/correlation/correlation_report.hpp"
 
 namespace jointid::cli {
 namespace {
 
-frf::FrfSet read_set(const std::filesystem::path& file) { return frf::load(*frf::open_as_one({file})); }
-
-correlation::ModeFile read_modes(const std::filesystem::path& file) { return {file.string(), frf::read_uff55(file)}; }
-
-void write_results(const CorrelateArguments& arguments, const std::string& json, const std::string& csv, const std::string& text,
+/// What was asked for alone; `json`: makes that text.
+template <class Found, class Json>
+void write_results(const CorrelateArguments& arguments, const report::ComparedFiles& files, const Found& found, const Json& json,
                    std::ostream& out) {
-  if (arguments.json) write_target(*arguments.json, json, out);
-  if (arguments.csv) write_target(*arguments.csv, csv, out);
-  if (!takes_output({arguments.json, arguments.csv})) out << text;
+  if (arguments.json) write_target(*arguments.json, json(), out);
+  if (arguments.csv) write_target(*arguments.csv, report::correlation_csv(found), out);
+  if (!takes_output({arguments.json, arguments.csv})) out << report::correlation_text(files, found);
 }
 
 std::filesystem::path expanded_path(const ExpandArguments& arguments) {
@@ -49,17 +47,18 @@ ExitCode execute(const CorrelateArguments& arguments, std::ostream& out) {
   check_targets({{arguments.one, "ONE"}, {arguments.other, "OTHER"}}, {{"--json", arguments.json}, {"--csv", arguments.csv}});
   const report::ComparedFiles files{arguments.one.string(), arguments.other.string()};
   if (arguments.modes) {
-    const correlation::CorrelatedModes found = correlation::correlate(read_modes(arguments.one), read_modes(arguments.other));
-    write_results(arguments, report::correlation_json(files, found), report::correlation_csv(found),
-                  report::correlation_text(files, found), out);
+    const correlation::CorrelatedModes found =
+        correlation::correlate(correlation::read_modes(arguments.one), correlation::read_modes(arguments.other));
+    write_results(
+        arguments, files, found, [&] { return report::correlation_json(files, found); }, out);
     return ExitCode::done;
   }
-  const frf::FrfSet one = read_set(arguments.one), other = read_set(arguments.other);
+  const frf::FrfSet one = correlation::read_frfs(arguments.one), other = correlation::read_frfs(arguments.other);
   const correlation::CorrelatedFrfs found = correlation::correlate(one, other);
   std::optional<correlation::ShapesOverLines> shapes;
   if (!arguments.fdac.empty()) shapes = correlation::shapes_over_lines(one, other, frf::Dof::parse(arguments.fdac));
-  write_results(arguments, report::correlation_json(files, found, shapes ? &*shapes : nullptr), report::correlation_csv(found),
-                report::correlation_text(files, found), out);
+  write_results(
+      arguments, files, found, [&] { return report::correlation_json(files, found, shapes ? &*shapes : nullptr); }, out);
   return ExitCode::done;
 }
 
@@ -92,12 +91,8 @@ ExitCode execute(const ExpandArguments& arguments, std::ostream& out) {
                       .place = "--modes",
                       .problem = "way " + arguments.way + " has FRFs for a parent, no modes",
                       .remedy = "add --way serep, or leave --modes out"});
-  const frf::FrfSet measured = read_set(arguments.measured);
   const correlation::ExpandedFrfs found =
-      arguments.way == "serep"
-          ? correlation::expanded(read_modes(arguments.parent), measured, arguments.modes)
-          : correlation::expanded(read_set(arguments.parent), measured,
-                                  arguments.way == "semm" ? correlation::Semm::basic : correlation::Semm::extended);
+      correlation::expanded_files(arguments.parent, arguments.measured, arguments.way, arguments.modes);
   frf::write(found.set, path);
   const report::ExpansionNames names{arguments.parent.string(), arguments.measured.string(), arguments.way, path.string()};
   if (arguments.json) write_target(*arguments.json, report::expansion_json(names, found), out);

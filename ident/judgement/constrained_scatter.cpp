@@ -44,11 +44,6 @@ bool is_stated(const AdmissibleSet& set, Index column) {
   return set.directions.size() > 0 && set.directions.row(column).isZero(0.0);
 }
 
-MatrixXd deviations_of(const MatrixXd& estimates, double share) {
-  const auto groups = static_cast<double>(estimates.cols());
-  return std::sqrt(share * (groups - 1.0) / groups) * (estimates.colwise() - estimates.rowwise().mean());
-}
-
 /// Unknowns that inequalities hold get the deviations without constraints; empty if these are not known (no columns).
 std::optional<ConstrainedScatter> with_held(const AdmissibleSet& set, MatrixXd constrained, const MatrixXd& free) {
   constexpr double still = 1e-3;  // of the deviations without constraints
@@ -79,9 +74,9 @@ std::optional<ConstrainedScatter> constrained_scatter(const Plan& plan, std::siz
     constrained.col(at(group)) = found->constrained;
     is_free_determined = is_free_determined && found->is_free_determined;
   }
-  const double share = share_of_all(plan, groups);
-  const MatrixXd without = is_free_determined ? deviations_of(free, share) : MatrixXd();
-  return with_held(*plan.admissible, deviations_of(constrained, share), without);
+  const double scale = std::sqrt(share_of_all(plan, groups));
+  const MatrixXd without = is_free_determined ? MatrixXd(scale * jackknife_deviations(free)) : MatrixXd();
+  return with_held(*plan.admissible, scale * jackknife_deviations(constrained), without);
 }
 
 std::optional<ConstrainedScatter> constrained_scatter(const AdmissibleSet& set, const VectorXd& theta, const MatrixXd& covariance,

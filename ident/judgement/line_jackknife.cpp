@@ -68,10 +68,14 @@ std::optional<PartialEstimate> estimate_without(const Plan& plan, std::vector<mi
   return found.theta.allFinite() ? std::optional(std::move(found)) : std::nullopt;
 }
 
-Eigen::MatrixXd jackknife_scatter(const Eigen::MatrixXd& estimates) {
-  const Eigen::MatrixXd apart = estimates.colwise() - estimates.rowwise().mean();
+Eigen::MatrixXd jackknife_deviations(const Eigen::MatrixXd& estimates) {
   const auto g = static_cast<double>(estimates.cols());
-  return (g - 1.0) / g * apart * apart.transpose();
+  return std::sqrt((g - 1.0) / g) * (estimates.colwise() - estimates.rowwise().mean());
+}
+
+Eigen::MatrixXd jackknife_scatter(const Eigen::MatrixXd& estimates) {
+  const Eigen::MatrixXd deviations = jackknife_deviations(estimates);
+  return deviations * deviations.transpose();
 }
 
 std::optional<Eigen::VectorXd> line_scatter(const Plan& plan, std::size_t most_lines, const Control& control) {
@@ -84,9 +88,7 @@ std::optional<Eigen::VectorXd> line_scatter(const Plan& plan, std::size_t most_l
     if (!found) return std::nullopt;
     without.col(at(group)) = found->theta;
   }
-  const auto g = static_cast<double>(groups.size());
-  const Eigen::MatrixXd apart = without.colwise() - without.rowwise().mean();
-  return share_of_all(plan, groups) * (g - 1.0) / g * apart.rowwise().squaredNorm();
+  return share_of_all(plan, groups) * jackknife_deviations(without).rowwise().squaredNorm();
 }
 
 std::optional<LineJackknife> line_jackknife(const Plan& plan, std::size_t most_lines, const Control& control) {

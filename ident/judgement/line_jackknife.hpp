@@ -55,7 +55,10 @@ struct PartialEstimate {
 std::optional<PartialEstimate> estimate_without(const Plan& plan, std::vector<minimise::Accumulator>& systems,
                                                 const std::vector<std::size_t>& left_out);
 
-/// (G−1)/G Σ_g (y_g − ȳ)(y_g − ȳ)ᵀ of the columns of `estimates`.
+/// √((G−1)/G) (y_g − ȳ) of the columns of `estimates`.
+Eigen::MatrixXd jackknife_deviations(const Eigen::MatrixXd& estimates);
+
+/// (G−1)/G Σ_g (y_g − ȳ)(y_g − ȳ)ᵀ of them.
 Eigen::MatrixXd jackknife_scatter(const Eigen::MatrixXd& estimates);
 
 }  // namespace jointid::ident

@@ -314,7 +314,7 @@ void estimate(const Plan& plan, NewtonPlan& own, const Control& control, Solutio
                   " Try other starts (starts = 20 in [identify]) or method \"likelihood\".";
   } else if (out.status == Status::ok && control.detail == Detail::full) {
     scatter.covariance = scatter_at(problem, found.best().q);
-    if (plan.admissible)
+    if (plan.admissible && control.judgement == Judgement::data)
       scatter.constrained = scatter_under_constraints(*plan.admissible, problem, found.best().q, *scatter.covariance);
   }
   if (plan.scene.identify.starts > 0) {
