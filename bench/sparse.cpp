@@ -3,17 +3,16 @@
 // residuals in long double. Misses its promise when SPQR is less than 10 times as fast as dense QR at 1,000 unknowns of a chain, takes more
 // than 0.1 s at 5,000 or 0.5 s at 10,000, or a solver loses more digits than it may.
 #include <fmt/core.h>
-#include <malloc.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "bench/bench.hpp"
+#include "bench/memory.hpp"
 #include "ident/equations/assemble.hpp"
 #include "ident/equations/system_pattern.hpp"
 #include "minimise/linear/solve_linear.hpp"
@@ -45,25 +44,6 @@ const std::vector<Structure> all = {{"chain 200", [] { return chain(10); }},
                                     {"frame 10x10", [] { return frame(10); }, false},
                                     {"frame 22x22", [] { return frame(22); }, false},
                                     {"star 300", [] { return problems::star_of_beams({}); }, false}};
-
-/// "VmHWM" or "VmRSS" of this process, MB.
-double status_megabytes(const std::string& key) {
-  std::ifstream file("/proc/self/status");
-  for (std::string line; std::getline(file, line);) {
-    if (line.starts_with(key + ":")) return std::stod(line.substr(key.size() + 1)) / 1024.0;
-  }
-  return std::nan("");
-}
-
-/// How far the peak of memory is above what was in use before.
-template <class Work>
-double growth_megabytes(const Work& work) {
-  malloc_trim(0);
-  std::ofstream("/proc/self/clear_refs") << "5";
-  const double before = status_megabytes("VmRSS");
-  work();
-  return status_megabytes("VmHWM") - before;
-}
 
 /// In scaled unknowns; residuals in long double.
 std::vector<double> refined(const minimise::StackedTriangles& stacked) {
@@ -106,7 +86,7 @@ Row measure(const std::string& solver, minimise::Accumulator& system, const std:
             : solver == "CHOLMOD" ? minimise::solve_sparse(system, skip, minimise::SparseWay::cholmod)
                                   : minimise::solve_sparse(system, skip, minimise::SparseWay::ldlt);
   };
-  const double memory = growth_megabytes(once);
+  const double memory = bench::growth_megabytes(once);
   bench::Times times;
   do times.add(once);
   while (times.processor.size() < 5 && bench::least(times.processor) < 0.5);
