@@ -49,7 +49,9 @@ SeenStretch seen_stretch(const Plan& plan, const Fitted& all, const Control& con
   const double set_aside = excess_of(all.chi_square, *likelihood_plan(plan)->observations, aside);
   if (!(set_aside > 0.0)) return seen;
   LinearisedLikelihood::NearbyGradients of_no_use;
-  const auto more = try_errors(plan, all.found, whole, all.ratio, control, of_no_use);
+  Control without_sensors = control;
+  without_sensors.detail = Detail::estimates;
+  const auto more = try_errors(plan, all.found, whole, all.ratio, without_sensors, of_no_use);
   const FileGain* const found = more ? more->stretch() : nullptr;
   if (found == nullptr || found - more->stretches.data() != seen.stretch - all.tried->stretches.data()) return seen;
   const double explained = found->score * found->score - seen.stretch->score * seen.stretch->score;

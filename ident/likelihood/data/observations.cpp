@@ -117,6 +117,11 @@ void Observations::forget_error_sums() {
   assembly_.forget_error_sums();
 }
 
+bool Observations::has_independent_errors() const {
+  const auto is_correlated = [](const LineData& line) { return line.correlation != nullptr; };
+  return !shares_.any(has_error_sums() || std::ranges::any_of(data_, is_correlated));
+}
+
 std::size_t Observations::bytes() const {
   std::size_t total = 0;
   const std::size_t size = layout_.coordinates.size();

@@ -48,6 +48,8 @@ class Observations final : public LikelihoodData {
   /// As SymmetricFrfs, of both systems.
   bool has_error_sums() const { return substructures_.has_error_sums() || assembly_.has_error_sums(); }
   void forget_error_sums();
+  /// Of all FRFs of all lines, in all processes.
+  bool has_independent_errors() const;
 
   /// Of all FRFs that were read, in all processes.
   MirrorDifferences mirror_differences() const;

@@ -41,6 +41,8 @@ struct ReferenceTrial {
 
 /// Systematic errors that are tried at an estimate, in this order after the unknowns of the fit.
 struct ErrorTrials {
+  static constexpr std::size_t most = 256;  ///< sensors; references and phases: more would take most of a run
+
   std::vector<SensorTrial> sensors;
   std::vector<FileTrial> files;
   std::size_t stretches = 0;  ///< of the frequencies of `files`, see Systematic::stretch

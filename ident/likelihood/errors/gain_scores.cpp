@@ -5,12 +5,12 @@
 
 #include "base/eigen.hpp"
 #include "base/text.hpp"
+#include "ident/likelihood/errors/sensor_screen.hpp"
 
 namespace jointid::ident {
 namespace {
 
 constexpr std::size_t most_suspects = 3;
-constexpr double significant = 5.0;
 constexpr double dependent = 1e-6;  ///< of the information on a gain: what the others leave of it
 constexpr double nearly = 0.95;     ///< of the largest score
 
@@ -49,7 +49,7 @@ std::vector<GainSuspect> suspect_gains(const TriedErrors& tried, std::size_t kno
     }
     const auto best =
         static_cast<std::size_t>(std::ranges::max_element(z, {}, [](double value) { return std::abs(value); }) - z.begin());
-    if (!(std::abs(z[best]) >= significant)) break;
+    if (!(std::abs(z[best]) >= SensorScreen::significant)) break;
     const Eigen::Index k = at(best);
     const double information = scores.information(k, k);
     out.push_back({.sensor = sensors[best].dof.name() + " in " + sensors[best].file,

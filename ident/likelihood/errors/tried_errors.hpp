@@ -27,10 +27,11 @@ struct TriedErrors {
   std::optional<Jackknife> jackknife(std::size_t known, const FileGain* taken) const;
 };
 
-/// In one pass over the lines. Sensors are tried with Detail::full and up to 256 of them; files where no systematic errors are
+/// In a pass over the lines. Sensors are tried with Detail::full and up to 256 of them; files where no systematic errors are
 /// unknowns; shared errors where variances come from averages, FRFs are taken for independent, and there are
-/// up to 256 references and phases. `chi_square`: over degrees of freedom, of the lines that count. Empty for
-/// parts that were coupled before. `nearby`: its gradients are worked out, too, where it has offsets.
+/// up to 256 references and phases. Of many lines sensors are tried in a second pass, and only where SensorScreen does not exclude
+/// them: without a gain to tell there is none in `trials` then. `chi_square`: over degrees of freedom, of the lines that count. Empty
+/// for parts that were coupled before. `nearby`: its gradients are worked out, too, where it has offsets.
 std::optional<TriedErrors> try_errors(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit,
                                       double chi_square, const Control& control, LinearisedLikelihood::NearbyGradients& nearby);
 

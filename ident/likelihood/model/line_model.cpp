@@ -320,11 +320,11 @@ void LineModel::add_d(const LineData& data, const JointImpedance& joint, const L
 
 std::optional<ReducedLine> LineModel::reduce(double damping, bool answer) {
   if (eliminated_) return elimination_->reduce(damping);
-  return complex_ ? reduce_complex(damping) : reduce_real(damping, answer);
+  return complex_ ? reduce_complex(damping, answer) : reduce_real(damping, answer);
 }
 
 /// U = L Lᴴ of the FRFs, and what is real in the Schur complement of the joint's unknowns, which are.
-std::optional<ReducedLine> LineModel::reduce_complex(double damping) {
+std::optional<ReducedLine> LineModel::reduce_complex(double damping, bool answer) {
   const auto v = at(layout_.variables()), p = at(unknowns_);
   const Eigen::MatrixXcd& normal = complex_rows_.normal();
   factor_ = normal.topLeftCorner(v, v);
@@ -339,13 +339,15 @@ std::optional<ReducedLine> LineModel::reduce_complex(double damping) {
   dense::solve_lower(factor_, right_);
   Eigen::MatrixXcd schur = normal.bottomRightCorner(p + 1, p + 1);
   schur.triangularView<Eigen::Lower>() -= right_.adjoint() * right_;
-  dense::solve_lower_adjoint(factor_, right_);
-  right_ = scale_.asDiagonal() * right_;
   ReducedLine out;
   const Eigen::MatrixXd real = schur.real();
   out.information = real.topLeftCorner(p, p).selfadjointView<Eigen::Lower>();
   out.gradient = real.bottomLeftCorner(1, p).transpose();
   out.cost = real(p, p);
+  if (!std::isfinite(out.cost)) return std::nullopt;
+  if (!answer) return out;
+  dense::solve_lower_adjoint(factor_, right_);
+  right_ = scale_.asDiagonal() * right_;
   Eigen::MatrixXd parts(2 * v, p + 1);  // real and imaginary part of every FRF in turn
   for (Eigen::Index i = 0; i < v; ++i) {
     parts.row(2 * i) = right_.row(i).real();
@@ -353,7 +355,6 @@ std::optional<ReducedLine> LineModel::reduce_complex(double damping) {
   }
   out.back = std::make_shared<Eigen::MatrixXd>(parts.leftCols(p));
   out.own = parts.col(p);
-  if (!std::isfinite(out.cost)) return std::nullopt;
   return out;
 }
 

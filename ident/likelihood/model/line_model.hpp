@@ -45,8 +45,8 @@ class LineModel {
   void prepare(const ComplexMatrix& z, const LineState& state);
 
   /// Eliminates the FRFs, with damping · weight² added for measured X and Y (relative to a wide guess for those not measured).
-  /// Empty when the FRFs are not determined without more damping. Without `answer` there is no way back to the FRFs: real lines
-  /// save half.
+  /// Empty when the FRFs are not determined without more damping. Without `answer` there is no way back to the FRFs: where rows are
+  /// eliminated by Cholesky factors that saves half of what right-hand sides cost.
   std::optional<ReducedLine> reduce(double damping, bool answer = true);
 
   /// U⁻¹g for another g, by the factors of the last reduce() that had a result.
@@ -60,7 +60,7 @@ class LineModel {
   bool are_plain() const { return !complex_ && !correlation_; }  ///< equations that PlainRows takes
   bool eliminates(const LineData& data, const JointImpedance& joint);
   std::optional<ReducedLine> reduce_real(double damping, bool answer);
-  std::optional<ReducedLine> reduce_complex(double damping);
+  std::optional<ReducedLine> reduce_complex(double damping, bool answer);
   void add_priors(const LineData& data, const LineState& state);
   void add_prior(std::size_t variable, Complex residual, Complex weight, double guess);
   void put_systematic_prior(std::size_t variable, const Channel& channel, std::size_t i, Complex current);
