@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "ident/likelihood/errors/error_trials.hpp"
 #include "ident/likelihood/data/observations.hpp"
+#include "ident/likelihood/errors/error_trials.hpp"
 #include "ident/likelihood/errors/line_scores.hpp"
 
 namespace jointid::ident {
