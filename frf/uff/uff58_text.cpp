@@ -43,6 +43,12 @@ bool is_overflow_of_several(std::string_view field, std::span<const std::size_t>
   return field.starts_with('*') && field.size() > std::ranges::max(widths);
 }
 
+/// All of [at, last).
+bool parse_finite(const char* at, const char* last, double& value) {
+  const auto [next, error] = std::from_chars(at, last, value);
+  return error == std::errc() && next == last && std::isfinite(value);
+}
+
 /// Appends the numbers of a line in which columns and words are the same and every number is plain: nearly all lines. False, with
 /// whatever it had appended taken back, if it is another.
 bool append_plain_line(std::vector<double>& numbers, std::string_view line, std::span<const std::size_t> widths) {
@@ -54,9 +60,8 @@ bool append_plain_line(std::vector<double>& numbers, std::string_view line, std:
     while (at != last && *at == ' ') ++at;
     if (at == last) break;
     double value = 0.0;
-    const auto [next, error] = std::from_chars(at, last, value);
-    const bool is_word = next == last && (last == end || *last == ' ');
-    if (error != std::errc() || !is_word || !std::isfinite(value)) {
+    const bool is_word = last == end || *last == ' ';
+    if (!is_word || !(parse_short_real(at, last, value) || parse_finite(at, last, value))) {
       at = nullptr;
       break;
     }

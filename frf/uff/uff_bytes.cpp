@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <utility>
 
 #include "base/error.hpp"
 #include "frf/text/plain_text.hpp"
@@ -57,11 +58,10 @@ void ByteFile::take_plain_text() {
 
 void ByteFile::seek(std::uint64_t position) {
   const std::uint64_t begin = position_ - used_;
-  if (position >= begin && position - begin <= ahead_.size()) {
+  if (position >= begin && position - begin <= filled_) {
     used_ = static_cast<std::size_t>(position - begin);
   } else {
-    ahead_.clear();
-    used_ = 0;
+    used_ = filled_ = 0;
     block_ = first_block;
   }
   position_ = position;
@@ -69,26 +69,30 @@ void ByteFile::seek(std::uint64_t position) {
 
 /// Forgets what was used and reads the next block; false where the file ends.
 bool ByteFile::read_ahead() {
-  ahead_.erase(0, used_);
-  used_ = 0;
-  const std::uint64_t next = position_ + ahead_.size();
+  std::copy(ahead_.begin() + static_cast<std::ptrdiff_t>(used_), ahead_.begin() + static_cast<std::ptrdiff_t>(filled_), ahead_.begin());
+  filled_ -= std::exchange(used_, 0);
+  const std::uint64_t next = position_ + filled_;
   if (next >= size_) return false;
-  ahead_ += read(next, std::min<std::uint64_t>(block_, size_ - next));
+  const std::size_t count = std::min<std::uint64_t>(block_, size_ - next);
+  if (ahead_.size() < filled_ + count) ahead_.resize(filled_ + count);
+  fill(next, std::span(ahead_).subspan(filled_, count));
+  filled_ += count;
   block_ = std::min(2 * block_, largest_block);
   return true;
 }
 
 bool ByteFile::next_line(std::string_view& line) {
   if (position_ >= size_) return false;
-  std::size_t end = ahead_.find('\n', used_);
-  while (end == std::string::npos) {
-    const std::size_t searched = ahead_.size() - used_;
+  const auto ahead = [this] { return std::string_view(ahead_.data(), filled_); };
+  std::size_t end = ahead().find('\n', used_);
+  while (end == std::string_view::npos) {
+    const std::size_t searched = filled_ - used_;
     if (!read_ahead()) break;
-    end = ahead_.find('\n', searched);
+    end = ahead().find('\n', searched);
   }
-  const std::size_t length = std::min(end, ahead_.size()) - used_;
-  line = std::string_view(ahead_).substr(used_, length);
-  const std::size_t passed = length + (end == std::string::npos ? 0 : 1);
+  const std::size_t length = std::min(end, filled_) - used_;
+  line = ahead().substr(used_, length);
+  const std::size_t passed = length + (end == std::string_view::npos ? 0 : 1);
   used_ += passed;
   position_ += passed;
   if (line.ends_with('\r')) line.remove_suffix(1);
@@ -96,17 +100,24 @@ bool ByteFile::next_line(std::string_view& line) {
 }
 
 std::string ByteFile::read(std::uint64_t offset, std::uint64_t count) {
-  if (!plain_.empty()) return plain_.substr(offset, count);
   std::string bytes(count, '\0');
-  for (std::uint64_t done = 0; done < count;) {
-    const ssize_t got = ::pread(descriptor_, bytes.data() + done, count - done, static_cast<off_t>(offset + done));
+  fill(offset, bytes);
+  return bytes;
+}
+
+void ByteFile::fill(std::uint64_t offset, std::span<char> bytes) {
+  if (!plain_.empty()) {
+    plain_.copy(bytes.data(), bytes.size(), offset);
+    return;
+  }
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t got = ::pread(descriptor_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) {
-      Place{name_, {}, offset}.fail({}, "cannot read " + std::to_string(count) + " bytes", "the file changed or its disk fails");
+      Place{name_, {}, offset}.fail({}, "cannot read " + std::to_string(bytes.size()) + " bytes", "the file changed or its disk fails");
     }
-    done += static_cast<std::uint64_t>(got);
+    done += static_cast<std::size_t>(got);
   }
-  return bytes;
 }
 
 }  // namespace jointid::frf::uff

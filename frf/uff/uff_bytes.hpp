@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace jointid::frf::uff {
 
@@ -42,6 +44,7 @@ class ByteFile {
 
  private:
   bool read_ahead();
+  void fill(std::uint64_t offset, std::span<char> bytes);
   void take_plain_text();
 
   std::string name_;
@@ -49,7 +52,8 @@ class ByteFile {
   std::string plain_;  ///< in place of the file where that needs it
   std::uint64_t size_ = 0;
   std::uint64_t position_ = 0;
-  std::string ahead_;      ///< the file's bytes from position_ - used_ on
+  std::vector<char> ahead_;  ///< its first filled_ bytes are the file's from position_ - used_ on
+  std::size_t filled_ = 0;
   std::size_t used_ = 0;   ///< of them, by lines that were given
   std::size_t block_ = 0;  ///< bytes to be read next
 };

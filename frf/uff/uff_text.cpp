@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdlib>
+#include <iterator>
 #include <system_error>
 
 #include "frf/text/label_text.hpp"
@@ -12,6 +14,12 @@ namespace jointid::frf::uff {
 namespace {
 
 constexpr bool is_blank(char c) { return c == ' ' || c == '\0' || c == '\t' || c == '\r' || c == '\n' || c == '\x1A'; }
+
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Powers of ten that doubles hold.
+constexpr std::array<double, 23> exact_powers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                                 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
 bool is_ascii(std::string_view line) {
   return std::ranges::all_of(line, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
@@ -139,6 +147,41 @@ std::optional<double> parse_real(std::string_view text) {
   const auto [last, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc() && last == text.data() + text.size()) return value;
   return parse_with_exponent(text);
+}
+
+bool parse_short_real(const char* first, const char* last, double& value) {
+  constexpr std::uint64_t most = std::uint64_t{1} << 53;
+  constexpr std::ptrdiff_t most_digits = 18;  // no overflow of the mantissa
+  const char* at = first;
+  const bool negative = at != last && *at == '-';
+  at += negative ? 1 : 0;
+  std::uint64_t mantissa = 0;
+  const auto digits = [&at, last, &mantissa] {
+    const char* const begin = at;
+    for (; at != last && is_digit(*at); ++at) mantissa = 10 * mantissa + static_cast<std::uint64_t>(*at - '0');
+    return at - begin;
+  };
+  if (last - at > most_digits + 5) return false;
+  const std::ptrdiff_t whole = digits();
+  if (whole == 0 || at == last || *at++ != '.') return false;
+  const std::ptrdiff_t decimals = digits();
+  if (whole + decimals > most_digits) return false;
+  std::ptrdiff_t power = 0;
+  if (at != last) {
+    if (*at != 'E' && *at != 'e') return false;
+    const bool below = ++at != last && *at == '-';
+    at += below || (at != last && *at == '+') ? 1 : 0;
+    if (at == last || last - at > 3) return false;
+    for (; at != last && is_digit(*at); ++at) power = 10 * power + (*at - '0');
+    if (at != last) return false;
+    if (below) power = -power;
+  }
+  power -= decimals;
+  if (mantissa > most || std::abs(power) >= std::ssize(exact_powers)) return false;
+  const double number = negative ? -static_cast<double>(mantissa) : static_cast<double>(mantissa);
+  const double scale = exact_powers[static_cast<std::size_t>(std::abs(power))];
+  value = power < 0 ? number / scale : number * scale;
+  return true;
 }
 
 std::optional<double> parse_value(std::string_view text) {

@@ -44,6 +44,10 @@ std::optional<std::int64_t> parse_integer(std::string_view text);
 /// too large, blank or anything else is empty.
 std::optional<double> parse_real(std::string_view text);
 
+/// A number as nearly all files write them, as -1.23456E-07: the double next to it, by one product or quotient of numbers that are
+/// exact (Clinger 1990). False where one is not, up to 15 digits and powers of ten up to 22, or [first, last) is of another form.
+bool parse_short_real(const char* first, const char* last, double& value);
+
 /// A value of a data line: parse_real(), or what special_number() knows: NaN, 1.#QNAN, -1.#IND, ***, infinite.
 std::optional<double> parse_value(std::string_view text);
 

@@ -2,8 +2,14 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
+#include <bit>
+#include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
+#include <random>
+#include <string>
 
 #include "frf/uff/uff_file.hpp"
 #include "frf/uff/uff_units.hpp"
@@ -25,6 +31,40 @@ TEST(UffText, RealsWithFortranExponents) {
   EXPECT_THAT(parse_real(".5"), Optional(0.5));
   EXPECT_THAT(parse_real("1.0-400"), Optional(0.0));
   EXPECT_THAT(parse_real("1.0E-400"), Optional(0.0));
+}
+
+/// Against from_chars, to the last bit.
+TEST(UffText, ShortRealsAreTheNearestDoubles) {
+  std::mt19937_64 random(5);
+  const auto exact = [](const std::string& text) {
+    double value = 0.0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+  };
+  std::size_t taken = 0, all = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double value = std::ldexp(static_cast<double>(static_cast<std::int64_t>(random())), static_cast<int>(random() % 150) - 140);
+    for (const char* format : {"%.5E", "%.5e", "%.12E", "%.3f", "%.17E", "%.8E"}) {
+      std::array<char, 400> text{};
+      const int size = std::snprintf(text.data(), text.size(), format, value);
+      double found = 0.0;
+      ++all;
+      if (!parse_short_real(text.data(), text.data() + size, found)) continue;
+      ++taken;
+      ASSERT_EQ(std::bit_cast<std::uint64_t>(found), std::bit_cast<std::uint64_t>(exact(text.data()))) << text.data();
+    }
+  }
+  EXPECT_GT(taken, all / 4);
+  for (const std::string text : {"0.00000E+00", "-0.00000E+00", "1.", "9007199254740992.", "9.999999999999999E+22", "123.456E+5"}) {
+    double found = 1.0;
+    EXPECT_TRUE(parse_short_real(text.data(), text.data() + text.size(), found)) << text;
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(found), std::bit_cast<std::uint64_t>(exact(text))) << text;
+  }
+  for (const std::string text : {"", "-", ".5", "1", "1e5", "1.5E", "1.5E+", "1.5E+-1", "1.5E+0000", "+1.5", "--1.5", "1.5D+01", "1.5 ",
+                                 " 1.5", "1..5", "1.5.", "nan", "1.5E+23", "9007199254740993.", "1.0E-23", "0x1.8"}) {
+    double found = 0.0;
+    EXPECT_FALSE(parse_short_real(text.data(), text.data() + text.size(), found)) << text;
+  }
 }
 
 TEST(UffText, WhatIsNoReal) {

@@ -147,6 +147,16 @@ std::size_t expected_iterations(const Plan& plan, const LikelihoodPlan& own) {
   return plan.admissible ? count + constrained : count;
 }
 
+/// What is kept of a line: FRFs of both systems with their variances, values and weights of the elements, two states (where it stands, and
+/// before the last step), and U⁻¹W with `columns`.
+double line_bytes(const LineLayout& layout, double columns) {
+  const auto number = [](std::size_t i) { return static_cast<double>(i); };
+  const double size = number(layout.coordinates.size()), n = number(layout.joint), v = number(layout.variables());
+  const double elements = v + number(layout.asm_jn.size() + layout.asm_jj.size() + layout.drop_nn.size());
+  const double frfs = sizeof(Measured) * size * (size + 1.0), state = 2.0 * sizeof(Complex) * n * (number(layout.others) + n);
+  return frfs + 2.0 * sizeof(Complex) * elements + 2.0 * state + 2.0 * sizeof(double) * v * columns;
+}
+
 /// Flops of linearising a line and eliminating its FRFs: LineElimination where that pays, else by the rows of what was measured.
 /// Large lines are counted as those of circular errors, in complex numbers.
 Iteration iteration_cost(const Plan& plan, const LikelihoodPlan& own) {
@@ -163,9 +173,7 @@ Iteration iteration_cost(const Plan& plan, const LikelihoodPlan& own) {
   out.flops = lines * (out.complex ? 1.0 : 2.0) * each;
   out.matrix = eliminates ? std::max(layout.sub_jj.size(), layout.drop_nn.size()) : (out.complex ? 1 : 2) * layout.variables();
   const double width = eliminates ? number(layout.sub_jj.size() + layout.drop_nn.size()) : (out.complex ? 1.0 : 2.0) * v + p;
-  const double measured = 2.0 * v + number(layout.asm_jn.size() + layout.asm_jj.size() + layout.drop_nn.size());
-  out.memory_bytes = static_cast<std::size_t>(16.0 * 3.0 * measured * lines + 2.0 * (out.complex ? 16.0 : 8.0) * width * width +
-                                              8.0 * 2.0 * v * p * lines);
+  out.memory_bytes = static_cast<std::size_t>(lines * line_bytes(layout, p) + 2.0 * (out.complex ? 16.0 : 8.0) * width * width);
   return out;
 }
 

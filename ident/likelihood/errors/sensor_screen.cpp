@@ -12,7 +12,7 @@
 namespace jointid::ident {
 namespace {
 
-constexpr std::size_t spread_lines = 256, fewest_to_screen = 4 * spread_lines;
+constexpr std::size_t spread_lines = 128, fewest_to_screen = 4 * spread_lines;
 constexpr double information_safety = 2.0;  ///< by so much that of the spread lines may be off
 constexpr double least_independent = 1e-6;  ///< of the information on a gain: what all else has to leave of it
 constexpr double promising_score = 4.0;     ///< on the spread lines

@@ -13,7 +13,7 @@ namespace jointid::ident {
 
 /// Whether the gains of sensors are worth a place in a pass over many lines, where they are most of its columns. Score tests need the
 /// gradient g of a gain, which costs little on every line, and the information I on it, which costs much. Here g is of all lines, and I
-/// of 256 spread ones, in proportion. A gain whose |g|/√I stays below the score that is told though I were half of that is excluded.
+/// of 128 spread ones, in proportion. A gain whose |g|/√I stays below the score that is told though I were half of that is excluded.
 class SensorScreen {
  public:
   /// Score of a gain that is told, in standard deviations (suspect_gains()).
