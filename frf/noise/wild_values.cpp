@@ -117,25 +117,34 @@ void WildSearch::judge(std::size_t line, std::size_t entry, double floor) {
   }
 }
 
-bool WildSearch::is_resonance(std::size_t line, std::size_t entry) const {
+bool WildSearch::is_resonance(std::size_t line, std::size_t entry) {
   if (line < 2 || line + 2 >= lines_) return others_rise(line, entry);
   const Complex left = value(line - 1, entry), right = value(line + 1, entry);
   return std::abs(left) >= rise * std::abs(value(line - 2, entry)) &&
          std::abs(right) >= rise * std::abs(value(line + 2, entry)) && std::abs(left + right) < opposite * std::abs(left - right);
 }
 
-/// A resonance that falls on one line lifts most FRFs.
-bool WildSearch::others_rise(std::size_t line, std::size_t entry) const {
+std::optional<bool> WildSearch::rises(std::size_t line, std::size_t entry) const {
   constexpr double high = 10.0;
-  std::size_t risen = 0, others = 0;
-  for (std::size_t i = 0; i < magnitudes_[line % kept].size(); ++i) {
-    double beside = 0.0;
-    if (line > 0 && magnitude(line - 1, i) > beside) beside = magnitude(line - 1, i);
-    if (line + 1 < lines_ && magnitude(line + 1, i) > beside) beside = magnitude(line + 1, i);
-    if (i == entry || !(beside > 0.0) || std::isnan(magnitude(line, i))) continue;
-    ++others;
-    risen += magnitude(line, i) > high * beside ? 1 : 0;
+  double beside = 0.0;
+  if (line > 0 && magnitude(line - 1, entry) > beside) beside = magnitude(line - 1, entry);
+  if (line + 1 < lines_ && magnitude(line + 1, entry) > beside) beside = magnitude(line + 1, entry);
+  if (!(beside > 0.0) || std::isnan(magnitude(line, entry))) return std::nullopt;
+  return magnitude(line, entry) > high * beside;
+}
+
+/// A resonance that falls on one line lifts most FRFs.
+bool WildSearch::others_rise(std::size_t line, std::size_t entry) {
+  if (!rise_ || rise_->line != line) {
+    rise_ = Rise{.line = line};
+    for (std::size_t i = 0; i < header_.entries(); ++i) {
+      const std::optional<bool> rise = rises(line, i);
+      rise_->compared += rise ? 1 : 0;
+      rise_->risen += rise.value_or(false) ? 1 : 0;
+    }
   }
+  const std::optional<bool> own = rises(line, entry);
+  const std::size_t risen = rise_->risen - (own.value_or(false) ? 1 : 0), others = rise_->compared - (own ? 1 : 0);
   return risen > 0 && 3 * risen >= others;
 }
 

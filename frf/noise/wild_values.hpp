@@ -66,8 +66,10 @@ class WildSearch {
   void add_line(std::span<const Complex> values);
   void judge(std::size_t line);
   void judge(std::size_t line, std::size_t entry, double floor);
-  bool is_resonance(std::size_t line, std::size_t entry) const;
-  bool others_rise(std::size_t line, std::size_t entry) const;
+  bool is_resonance(std::size_t line, std::size_t entry);
+  bool others_rise(std::size_t line, std::size_t entry);
+  /// Of an FRF that can be compared with its neighbours: whether it is 10 times the larger one.
+  std::optional<bool> rises(std::size_t line, std::size_t entry) const;
   bool mirror_falls(std::size_t line, std::size_t entry) const;
   bool is_dropout(std::size_t line, std::size_t entry, double typical) const;
   Complex value(std::size_t line, std::size_t entry) const { return values_[line % kept][entry]; }
@@ -85,6 +87,12 @@ class WildSearch {
   std::vector<std::array<std::size_t, 4>> open_;      ///< of each FRF and kind, the run in found_ that goes on, or npos
   std::vector<WildValue> found_;
   std::size_t more_ = 0;
+
+  /// Of all FRFs of the line that is judged, once it was asked.
+  struct Rise {
+    std::size_t line, risen = 0, compared = 0;
+  };
+  std::optional<Rise> rise_;
 };
 
 }  // namespace jointid::frf

@@ -59,6 +59,21 @@ TEST(WildValues, ResonancesAntiresonancesAndTheFallFromZeroHertzAreNone) {
   }
 }
 
+/// On a line at an end a value is a resonance where a third of all other FRFs rise, without it.
+TEST(WildValues, AtAnEndTheOthersAreCountedWithoutTheFrfItself) {
+  for (const std::size_t line : {0U, 1U, 10U, 11U}) {
+    for (std::size_t frfs = 2; frfs < 12; ++frfs) {
+      for (std::size_t risen = 1; risen <= frfs; ++risen) {
+        FrfSet set = set_of(12, frfs, 100.0, 1.0);
+        for (std::size_t i = 0; i < set.values.size(); ++i) set.values[i] = Complex(1.0, 0.01 * static_cast<double>(i % 7));
+        for (std::size_t r = 0; r < risen; ++r) set.values[set.index(line, r, 0)] = 3000.0;
+        const bool resonance = risen > 1 && 3 * (risen - 1) >= frfs - 1;
+        EXPECT_EQ(search(set).found.empty(), resonance) << line << ' ' << frfs << ' ' << risen;
+      }
+    }
+  }
+}
+
 /// Two points, both hit, of one mode of hardly any damping on line `on`, and of a second one above.
 FrfSet square_structure(std::size_t on, double product) {
   FrfSet set = set_of(12, 2, 20.0, 16.0);
