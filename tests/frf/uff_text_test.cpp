@@ -55,13 +55,15 @@ TEST(UffText, ShortRealsAreTheNearestDoubles) {
     }
   }
   EXPECT_GT(taken, all / 4);
-  for (const std::string text : {"0.00000E+00", "-0.00000E+00", "1.", "9007199254740992.", "8.999999999999999E+22", "1.5E+23", "123.456E+5"}) {
+  for (const std::string text :
+       {"0.00000E+00", "-0.00000E+00", "1.", "9007199254740992.", "8.999999999999999E+22", "1.5E+23", "123.456E+5"}) {
     double found = 1.0;
     EXPECT_TRUE(parse_short_real(text.data(), text.data() + text.size(), found)) << text;
     EXPECT_EQ(std::bit_cast<std::uint64_t>(found), std::bit_cast<std::uint64_t>(exact(text))) << text;
   }
-  for (const std::string text : {"", "-", ".5", "1", "1e5", "1.5E", "1.5E+", "1.5E+-1", "1.5E+0000", "+1.5", "--1.5", "1.5D+01", "1.5 ",
-                                 " 1.5", "1..5", "1.5.", "nan", "1.E+23", "9007199254740993.", "9.999999999999999E+22", "1.0E-23", "0x1.8"}) {
+  for (const std::string text : {"", "-", ".5", "1", "1e5", "1.5E", "1.5E+", "1.5E+-1", "1.5E+0000", "+1.5", "--1.5", "1.5D+01",
+                                 "1.5 ", " 1.5", "1..5", "1.5.", "nan", "1.E+23", "9007199254740993.", "9.999999999999999E+22",
+                                 "1.0E-23", "0x1.8"}) {
     double found = 0.0;
     EXPECT_FALSE(parse_short_real(text.data(), text.data() + text.size(), found)) << text;
   }

@@ -12,7 +12,7 @@
 namespace jointid::ident {
 namespace {
 
-constexpr std::size_t spread_lines = 128, fewest_to_screen = 4 * spread_lines;
+constexpr std::size_t screened_lines = 128, fewest_to_screen = 4 * screened_lines;
 constexpr double information_safety = 2.0;  ///< by so much that of the spread lines may be off
 constexpr double least_independent = 1e-6;  ///< of the information on a gain: what all else has to leave of it
 constexpr double promising_score = 4.0;     ///< on the spread lines
@@ -88,8 +88,8 @@ Scores SensorScreen::scores_of(const std::vector<std::size_t>& lines, const Cont
 
 void SensorScreen::look(const std::vector<std::size_t>& used, const Control& control) {
   std::vector<std::size_t> halves[2];
-  for (std::size_t k = 0; k < spread_lines; ++k) halves[k % 2].push_back(used[(2 * k + 1) * used.size() / (2 * spread_lines)]);
-  in_all_ = static_cast<double>(used.size()) / static_cast<double>(spread_lines);
+  for (std::size_t k = 0; k < screened_lines; ++k) halves[k % 2].push_back(used[(2 * k + 1) * used.size() / (2 * screened_lines)]);
+  in_all_ = static_cast<double>(used.size()) / static_cast<double>(screened_lines);
   const std::size_t known = fit_.theta.size();
   const Scores one = scores_of(halves[0], control), other = scores_of(halves[1], control);
   spread_ = one;
