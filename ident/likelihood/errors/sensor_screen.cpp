@@ -97,13 +97,14 @@ void SensorScreen::look(const std::vector<std::size_t>& used, const Control& con
   own_ = left_of(spread_, known).information.diagonal();
   const Eigen::VectorXd first = left_of(one, known).information.diagonal(), second = left_of(other, known).information.diagonal();
   const Eigen::VectorXd all = spread_.information.diagonal().tail(own_.size());
-  agree_ = (own_.array() > least_independent * all.array()).all() && (first.array() < information_safety * second.array()).all() &&
-           (second.array() < information_safety * first.array()).all();
+  agree_ = (own_.array() >= least_independent * all.array()).all() && (first.array() <= information_safety * second.array()).all() &&
+           (second.array() <= information_safety * first.array()).all();
 }
 
+/// A sensor that no line has tells nothing: its gradient and its information are 0.
 bool SensorScreen::is_promising() const {
-  const Eigen::VectorXd score = left_of(spread_, fit_.theta.size()).gradient.cwiseQuotient(own_.cwiseSqrt()) / inflation_;
-  return agree_ && score.cwiseAbs().maxCoeff() < promising_score;
+  const Eigen::VectorXd gradient = left_of(spread_, fit_.theta.size()).gradient.cwiseAbs();
+  return agree_ && (gradient.array() <= promising_score * inflation_ * own_.array().sqrt()).all();
 }
 
 void SensorScreen::take(std::size_t i, LineModel& model) {
@@ -145,7 +146,7 @@ bool SensorScreen::excludes_all(const Eigen::VectorXd& known) const {
   const Eigen::VectorXd moved = spread_.information.bottomLeftCorner(sensors, r) * step;
   const Eigen::VectorXd most = gradient().cwiseAbs() + 2.0 * moved.cwiseAbs();
   const Eigen::VectorXd least = own_ * (in_all_ / information_safety);
-  return agree_ && (most.array() < significant * inflation_ * least.array().sqrt()).all();
+  return agree_ && (most.array() <= significant * inflation_ * least.array().sqrt()).all();
 }
 
 }  // namespace jointid::ident
