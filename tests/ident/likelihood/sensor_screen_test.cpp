@@ -112,6 +112,7 @@ TEST(SensorScreen, ItsGradientsAreThoseOfUnknowns) {
 /// From none to plain ones: what is found is what a pass with all sensors finds.
 TEST(SensorScreen, FindsWhatAPassWithAllSensorsFinds) {
   const LikelihoodCase a1 = many_lines();
+  std::size_t without = 0, with = 0;
   for (const double gain : {1.0, 1.001, 1.03}) {
     problems::Measurement data = problems::polluted(a1.problem, 2, 0);
     mistake(data.assembly, 0, gain);
@@ -121,6 +122,7 @@ TEST(SensorScreen, FindsWhatAPassWithAllSensorsFinds) {
     ASSERT_TRUE(tried);
     const std::size_t known = fitted.there->fit.theta.size();
     const std::vector<GainSuspect> found = suspect_gains(*tried, known);
+    (tried->trials.sensors.empty() ? without : with) += 1;
     TriedErrors full;
     full.trials.add_sensors(*fitted.plan);
     full.scores = full_scores(fitted, full.trials.sensors.size());
@@ -133,6 +135,8 @@ TEST(SensorScreen, FindsWhatAPassWithAllSensorsFinds) {
     if (gain == 1.0) { EXPECT_THAT(found, IsEmpty()); }
     if (gain == 1.03) { EXPECT_THAT(found, ::testing::Not(IsEmpty())); }
   }
+  EXPECT_GT(without, 0U);
+  EXPECT_GT(with, 0U);
 }
 
 TEST(SensorScreen, IsForManyLinesAlone) {
