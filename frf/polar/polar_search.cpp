@@ -102,7 +102,7 @@ void PolarSearch::look_for_levels(std::span<const Complex> frf) {
     std::vector<std::size_t> counts;
     for (const auto& [at, count] : lines_at) counts.push_back(count);
     std::ranges::sort(counts);
-    levels_[unit] = levels_[unit] || (counts.size() > 1 && counts[counts.size() - 2] >= fewest && between <= counts[counts.size() - 2]);
+    levels_[unit] = levels_[unit] || (counts.size() > 1 && counts[counts.size() - 2] >= fewest && between <= 3 * counts[counts.size() - 2]);
   }
 }
 

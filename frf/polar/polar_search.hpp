@@ -21,7 +21,7 @@ enum class OffResonance : std::uint8_t { real, imaginary };
 ///     stays within a tenth of a turn of this edge on two lines on either side, and a within a factor of 3. An imaginary part that
 ///     leaps so has a pole between the two lines, and falls to half of the leap or less beside them;
 ///   - levels: in one FRF, b is within 0.04 of a right angle of two or more multiples of it, six lines or more at the second of
-///     them in runs of four or more, and no more lines between all levels than there. A resonance passes through;
+///     them in runs of four or more, and at most three times as many between all levels. A resonance passes through, with twenty;
 ///   - turns, where no a is below 0: from half power to half power at most peaks of a, two at least, b turns by a right angle
 ///     ± 20 %, while these peaks are below 0.05 or above 5 half turns, or differ by a factor of 8. The circle of a resonance is as
 ///     wide as it is high;

@@ -160,11 +160,13 @@ bool is_in_capitals(std::string_view word) {
   return std::ranges::none_of(word, [](unsigned char c) { return std::islower(c) != 0; });
 }
 
-/// Milli by the table and mega as it is written, "Mm", "Mg", "Ms"; "GN" may be gn or giganewtons. Capitals alone are lost case.
+/// Milli by the table and mega as it is written, "Mm", "Mg", "Ms"; "GN" may be gn or giganewtons; nN is only written so. Capitals
+/// alone are lost case.
 bool has_other_prefix(std::string_view word, std::string_view name) {
   constexpr auto milli = std::to_array<std::string_view>({"mm", "mg", "mgn", "ms", "mrad", "mrads", "mGal", "mGals"});
   const bool mega = word.starts_with('M') && !is_in_capitals(word) && std::ranges::find(milli, name) != milli.end();
-  return mega || (word == "GN" && name == "gn");
+  const bool newton_first = name == "nN" || name == "pN";  // "Nn", "NN"
+  return mega || newton_first || (word == "GN" && name == "gn");
 }
 
 /// "grms", "N_pk": the unit before a word of amplitudes.

@@ -177,6 +177,7 @@ const std::vector<Label> forces = {
     {"N pk", 1, 0, 0, 1},
     {std::string("N\0\0\0", 4), 1, 0, 0, 1},
     {"mN", 1e-3, 0, 0, 1},
+    {"nN", 1e-9, 0, 0, 1},
     {"MN", 1e6, 0, 0, 1},
     {"kN", 1e3, 0, 0, 1},
     {"KN", 1e3, 0, 0, 1},
@@ -314,7 +315,6 @@ const std::vector<std::string> refused = {
     "Mn",
     "NM",
     "nM",
-    "nN",
     "Nn",
     "NN",
     "nn",
@@ -465,6 +465,8 @@ TEST(UnitLabels, AnUnknownOneGetsAProposalOrAReason) {
                                                                   {"Pa/N", "Pa is a pressure"},
                                                                   {"ue", "ue is a strain"},
                                                                   {"counts", "counts is the reading of a converter"},
+                                                                  {"Nn", "'Nn' is not 'nN': small and capital letters count"},
+                                                                  {"Mm/s", "'Mm' is not 'mm': small and capital letters count"},
                                                                   {"mn", "mN may be mN or MN where case was lost"},
                                                                   {"MM/MN", "MN may be MN or mN where case was lost"}};
   for (const auto& [label, hint] : hints) EXPECT_EQ(unit_hint(label), hint) << label;
