@@ -315,7 +315,8 @@ std::size_t line_without_titles(std::string_view text) {
     const char separator = csv_separator(row);
     std::vector<std::string_view> cells = csv_cells(row, separator == '\0' ? ' ' : separator);
     std::erase_if(cells, [](std::string_view cell) { return cell.empty(); });
-    const bool numbers = cells.size() > 1 && std::ranges::all_of(cells, [&](std::string_view cell) { return is_number_of_table(cell, separator); });
+    const auto is_number = [&](std::string_view cell) { return is_number_of_table(cell, separator); };
+    const bool numbers = cells.size() > 1 && std::ranges::all_of(cells, is_number);
     if (numbers) return cells.size() == cells_above ? 0 : line;
     cells_above = cells.size();
   }

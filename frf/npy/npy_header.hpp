@@ -40,7 +40,8 @@ bool looks_like_npy(std::string_view first_bytes);
 
 /// Parses the beginning of an array that numpy.save() wrote (formats 1.0, 2.0 and 3.0), {'descr': '<f8', 'fortran_order': False,
 /// 'shape': (3, 25600), } after its magic; `first_bytes` are at least longest_npy_header or all that there are. Strict: the keys
-/// are those that numpy writes, each once, in types of numpy's plain numbers and texts, and records of them. Throws InputError (data) naming `file`
+/// are those that numpy writes, each once, in types of numpy's plain numbers and texts, and records of them. Throws InputError
+/// (data) naming `file`
 /// and what is wrong.
 NpyHeader parse_npy_header(std::string_view first_bytes, const std::string& file);
 

@@ -27,7 +27,8 @@ std::size_t notes_in(const std::string& text) {
 TEST(ConvertNotes, AreThoseOfInfo) {
   const InputFolder folder;
   folder.write("gain.csv", table(gain, "1:+Z/1:+Z"));
-  const Outcome info = run_command(folder.path(), {"info", "gain.csv"}), converted = run_command(folder.path(), {"convert", "gain.csv", "gain.h5"});
+  const Outcome info = run_command(folder.path(), {"info", "gain.csv"});
+  const Outcome converted = run_command(folder.path(), {"convert", "gain.csv", "gain.h5"});
   const std::string note = "  note: line 2 states 'gain = 2.5', which is not applied to the FRFs\n";
   EXPECT_EQ(converted.code, 0) << converted.err;
   EXPECT_THAT(converted.out, AllOf(StartsWith("wrote gain.h5: 3 lines, 1 × 1 FRFs\n"), HasSubstr(note)));

@@ -229,7 +229,8 @@ TEST(PhaseUnit, IsThatOfTheNumbersWhereTheyLeaveNoOther) {
 }
 
 TEST(PhaseUnit, ByItsLabel) {
-  for (const char* label : {"deg", "[deg]", "Degrees", "°", "(°)", " DEG. ", "\xB0"}) EXPECT_EQ(angle_unit(label), AngleUnit::degrees) << label;
+  for (const char* label : {"deg", "[deg]", "Degrees", "°", "(°)", " DEG. ", "\xB0"})
+    EXPECT_EQ(angle_unit(label), AngleUnit::degrees) << label;
   for (const char* label : {"rad", "(Radians)", "RAD"}) EXPECT_EQ(angle_unit(label), AngleUnit::radians) << label;
   for (const char* label : {"", "grad", "gon", "V", "turns"}) EXPECT_EQ(angle_unit(label), AngleUnit::unstated) << label;
 }
