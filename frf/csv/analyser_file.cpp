@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "frf/csv/csv_keys.hpp"
 #include "frf/csv/csv_titles.hpp"
+#include "frf/polar/polar_search.hpp"
 #include "frf/set/line_scale.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/set/units.hpp"
@@ -86,6 +87,7 @@ class AnalyserText {
     if (set_.header.frequency_hz.empty()) fail({}, "holds no lines of numbers", "export the FRF again");
     validate(set_.header);
     fill();
+    require_parts();
     return std::move(set_);
   }
 
@@ -250,6 +252,16 @@ class AnalyserText {
         if (measured) set_.values[set_.index(line, pairs_[k].first, pairs_[k].second)] = scale.value({cell[0], cell[1]});
       }
     }
+  }
+
+  void require_parts() {
+    PolarSearch search(set_.header.quantity == Quantity::mobility ? OffResonance::imaginary : OffResonance::real);
+    std::vector<Complex> values(cells_.size() / 2);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = {cells_[2 * i], cells_[2 * i + 1]};
+    search.add(values, frfs_);
+    if (const auto finding = search.finding())
+      fail({}, "the columns Real and Imaginary hold " + *finding, "export real and imaginary part");
+    if (auto doubt = search.doubt()) set_.header.doubts.push_back(*doubt + "; if they are, export real and imaginary part");
   }
 
   const OpenOptions& options_;

@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "frf/csv/csv_functions.hpp"
 #include "frf/csv/csv_numbered.hpp"
+#include "frf/polar/phase_unit.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/text/label_text.hpp"
 #include "frf/text/located.hpp"
@@ -142,8 +143,22 @@ class HeaderRow {
            "the unit '" + shown_label(unit) + "' of '" + table_.columns[column] + "' is not read" +
                (plain == "grad" ? ": it may be degrees or gon" : ""),
            "export degrees [deg] or radians [rad]");
-    fail(column, "'" + table_.columns[column] + "' does not state whether it is in degrees or radians",
+    const AngleUnit by_numbers = unit_by_numbers();
+    if (by_numbers != AngleUnit::unstated) return by_numbers == AngleUnit::degrees ? phase_deg : phase_rad;
+    fail(column, "'" + table_.columns[column] + "' does not state whether it is in degrees or radians, and its numbers may be either",
          "name it phase_deg or phase_rad");
+  }
+
+  /// Of all phases without a unit.
+  AngleUnit unit_by_numbers() const {
+    PhaseUnit numbers;
+    std::vector<double> phases(table_.rows());
+    for (std::size_t column = 1; column < table_.columns.size(); ++column) {
+      if (lower_case(title_of(table_.columns[column]).part) != "phase" || !states_no_unit(table_.units[column])) continue;
+      for (std::size_t row = 0; row < phases.size(); ++row) phases[row] = table_.cell(row, column);
+      numbers.add(phases);
+    }
+    return numbers.unit();
   }
 
   /// What the SI factor of the FRF does not look at.

@@ -18,6 +18,7 @@
 #include "frf/csv/csv_pipes.hpp"
 #include "frf/csv/csv_row_names.hpp"
 #include "frf/csv/lvm_file.hpp"
+#include "frf/polar/polar_search.hpp"
 #include "frf/set/line_scale.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/set/units.hpp"
@@ -92,6 +93,18 @@ CsvTable table_of(LvmFile&& lvm, const CsvGiven& given) {
   return table;
 }
 
+/// Numbers that nobody says what they are, as analysers export them below a head of their own.
+void require_titles(const std::string& text, const std::string& file, const OpenOptions& options) {
+  if (!options.frequency_unit.empty() || looks_like_lvm(text) || find_csv_header(text)) return;
+  const std::size_t line = line_without_titles(text);
+  if (line == 0) return;
+  throw InputError({.kind = ErrorKind::data,
+                    .file = file,
+                    .place = "line " + std::to_string(line),
+                    .problem = "the numbers have no row of titles above them, which states what each column holds",
+                    .remedy = std::string(write_titles)});
+}
+
 CsvTable read_table(const std::filesystem::path& path, const OpenOptions& options) {
   const CsvGiven given{.unit = !options.unit.empty(), .frequency_unit = options.frequency_unit};
   std::string text = read_plain_text(path);
@@ -102,6 +115,7 @@ CsvTable read_table(const std::filesystem::path& path, const OpenOptions& option
   } else if (auto table = tabs_for_blanks(text)) {
     text = std::move(*table);
   }
+  require_titles(text, path.string(), options);
   return looks_like_lvm(text) ? table_of(read_lvm(path.string(), text), given) : read_csv_table(path.string(), text, given);
 }
 
@@ -239,6 +253,23 @@ void require_radians(const CsvTable& table, const CsvColumns& columns) {
   }
 }
 
+/// Columns of real and imaginary parts that hold magnitudes and phases.
+void require_parts(const CsvTable& table, const CsvColumns& columns, FrfHeader& header) {
+  PolarSearch search(header.quantity == Quantity::mobility ? OffResonance::imaginary : OffResonance::real);
+  std::vector<Complex> values(table.rows());
+  std::size_t first = 0;
+  for (const auto& [pair, of_pair] : columns.pairs()) {
+    if (!of_pair.has(re) || !search.may_be()) continue;
+    if (first == 0) first = of_pair[re];
+    for (std::size_t row = 0; row < values.size(); ++row) values[row] = {table.cell(row, of_pair[re]), table.cell(row, of_pair[im])};
+    search.add(values);
+  }
+  if (const auto finding = search.finding())
+    table.fail(table.header_line, first, "the columns hold no real and imaginary parts but " + *finding,
+               "name them by what they hold, e.g. 4:+Y/1:+Y mag and 4:+Y/1:+Y phase_deg (or phase_rad)");
+  if (auto doubt = search.doubt()) header.doubts.push_back(*doubt + "; if they are, name the columns mag and phase_deg or phase_rad");
+}
+
 std::vector<double> read_frequency(const CsvTable& table) {
   std::vector<double> axis;
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -297,6 +328,7 @@ std::unique_ptr<FrfSource> open_csv(const std::filesystem::path& path, const Ope
   validate(set.header);
   doubt_degrees(table, columns, set.header);
   require_radians(table, columns);
+  require_parts(table, columns, set.header);
   fill(table, columns, set);
   return from_memory(std::move(set));
 }

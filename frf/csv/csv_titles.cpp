@@ -306,4 +306,21 @@ std::optional<CsvHeaderPlace> find_csv_header(std::string_view text, char separa
   return search.found();
 }
 
+std::size_t line_without_titles(std::string_view text) {
+  constexpr std::size_t most_lines = 1000;
+  std::size_t cells_above = 0;
+  for (std::size_t line = 1; line <= most_lines && !text.empty(); ++line) {
+    const std::string_view row = trimmed(take_until(text, '\n'));
+    if (row.empty()) continue;
+    const char separator = csv_separator(row);
+    std::vector<std::string_view> cells = csv_cells(row, separator == '\0' ? ' ' : separator);
+    std::erase_if(cells, [](std::string_view cell) { return cell.empty(); });
+    const auto is_number = [&](std::string_view cell) { return is_number_of_table(cell, separator); };
+    const bool numbers = cells.size() > 1 && std::ranges::all_of(cells, is_number);
+    if (numbers) return cells.size() == cells_above ? 0 : line;
+    cells_above = cells.size();
+  }
+  return 0;
+}
+
 }  // namespace jointid::frf

@@ -11,12 +11,14 @@
 #include "base/error.hpp"
 #include "frf/csv/analyser_file.hpp"
 #include "frf/csv/csv_file.hpp"
+#include "frf/csv/csv_titles.hpp"
 #include "frf/hdf5/hdf5_file.hpp"
 #include "frf/hdf5/hdf5_writer.hpp"
 #include "frf/mat/mat_file.hpp"
 #include "frf/mat/octave_text.hpp"
 #include "frf/npy/npy_file.hpp"
 #include "frf/npy/npy_header.hpp"
+#include "frf/text/plain_text.hpp"
 #include "frf/uff/uff_file.hpp"
 
 namespace jointid::frf {
@@ -169,6 +171,9 @@ std::string name(FileFormat format) { return std::ranges::find(formats(), format
 const Format& format_of(const std::filesystem::path& path) {
   const std::string head = read_head(path);
   if (const Format* found = format_of(path, head, false)) return *found;
+  if (const std::size_t line = line_without_titles(plain_text(head)); line > 0)
+    fail(path, "holds numbers from line " + std::to_string(line) + " on without a row of titles, which states what each column holds",
+         std::string(write_titles));
   fail(path, "begins with " + shown(head) + " and is no FRF file that this program knows",
        "give jointid-frf HDF5, UFF, MATLAB v5 to v7.3, CSV or the text export of an analyser; a table of text has a row of "
        "titles that begins with Frequency, and commas, semicolons, tabs or blanks between its columns");

@@ -6,8 +6,12 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <iterator>
+#include <map>
+#include <utility>
 
 #include "frf/mat/mat_lookup.hpp"
+#include "frf/mat/mat_polar.hpp"
 #include "frf/text/remarks.hpp"
 #include "frf/text/unit_names.hpp"
 
@@ -44,15 +48,20 @@ class FrfFinder {
   FrfFinder(MatFile& file, const std::string& axis) : file_(file), lookup_(file, {}), axis_(axis) {
     for (const MatInfo& info : file_.variables()) {
       const bool other = std::ranges::any_of(no_frfs, [&](std::string_view name) { return same_name(last_part(info), name); });
-      if (info.kind == MatKind::complex && !other) arrays_.push_back({info.name, &info});
+      if (info.kind == MatKind::complex && !other) arrays_.push_back({info.name, &info, nullptr, nullptr});
       if (info.kind == MatKind::real) add_parts(info);
     }
+    pair_magnitudes();
   }
 
   Arrays named(const std::string& name) const {
     const MatInfo* exact = lookup_.find(name);
     const Arrays of_name = those([&](const ComplexArray& array) { return same_name(array.name, name); });
     if (!of_name.empty()) return of_name;
+    const Arrays of_polar = polar([&](const ComplexArray& array) {
+      return same_name(array.name, name) || same_name(array.values->name, name) || same_name(without_numbers(array.name), name);
+    });
+    if (!of_polar.empty()) return of_polar;
     if (exact != nullptr && exact->kind == MatKind::real) fail_real(*exact);
     const Arrays of_elements = those([&](const ComplexArray& array) { return same_name(without_numbers(array.name), name); });
     if (!of_elements.empty()) return of_elements;
@@ -71,6 +80,8 @@ class FrfFinder {
     const Arrays fields = fitting(those(is_field));
     const Arrays frfs = frfs_of(fields);
     if (!fields.empty()) return motion_over_force(only(frfs.empty() ? fields : frfs, {}));
+    const Arrays apart = frfs_of(fitting(polar([](const ComplexArray&) { return true; })));
+    if (!apart.empty()) return motion_over_force(only(apart, {}));
     fail_none();
   }
 
@@ -88,7 +99,8 @@ class FrfFinder {
 
   /// Analysers store integers with a scale that stands elsewhere.
   void require_fractions(const ComplexArray& array) const {
-    const bool integers = array.values->integers || (array.imaginary != nullptr && array.imaginary->integers);
+    const MatInfo* other = array.imaginary != nullptr ? array.imaginary : array.phase;
+    const bool integers = array.values->integers || (other != nullptr && other->integers);
     if (!integers) return;
     lookup_.fail(place_of(array.name), "holds integers, and their scale is not known",
                  "store the FRFs as floating-point numbers in their unit");
@@ -132,7 +144,7 @@ class FrfFinder {
     const auto [begin, end] = file_.by_lower_name().equal_range(lower_case(partner));
     const auto found = std::find_if(begin, end, [&](const auto& other) { return same_name(other.second->name, partner); });
     if (found == end || found->second->kind != MatKind::real || found->second->dims != real.dims) return false;
-    arrays_.push_back({name, &real, found->second});
+    arrays_.push_back({name, &real, found->second, nullptr});
     return true;
   }
 
@@ -147,6 +159,38 @@ class FrfFinder {
       if (add_pair(info, base.empty() ? name : base, partner)) return true;
     }
     return false;
+  }
+
+  /// Magnitudes and phases of one name, beside each other.
+  void pair_magnitudes() {
+    using Key = std::pair<std::string, std::string>;  // scope and base
+    std::map<Key, const MatInfo*> phases;
+    std::vector<std::pair<Key, const MatInfo*>> magnitudes;
+    for (const MatInfo& info : file_.variables()) {
+      const auto name = info.kind == MatKind::real && size(info) > 1 ? polar_name(last_part(info)) : std::nullopt;
+      if (!name) continue;
+      const Key key{scope_of(info), name->base.size() == 1 ? name->base : lower_case(name->base)};
+      if (!name->phase)
+        magnitudes.emplace_back(key, &info);
+      else if (name->unit == AngleUnit::radians)
+        phases[key] = &info;  // rather than the same in degrees
+      else
+        phases.emplace(key, &info);
+    }
+    for (const auto& [key, info] : magnitudes) {
+      const auto phase = phases.find(key);
+      if (phase == phases.end() || phase->second->dims != info->dims) continue;
+      const std::string base = polar_name(last_part(*info))->base, &scope = key.first;
+      const std::string name = !base.empty() ? scope + base : scope.empty() ? info->name : scope.substr(0, scope.size() - 1);
+      polar_.push_back({.name = name, .values = info, .imaginary = nullptr, .phase = phase->second});
+    }
+  }
+
+  template <class Keep>
+  Arrays polar(const Keep& keep) const {
+    Arrays out;
+    std::ranges::copy_if(polar_, std::back_inserter(out), keep);
+    return out;
   }
 
   static bool begins(const std::string& name, const std::string& structure) {
@@ -226,6 +270,7 @@ class FrfFinder {
   MatLookup lookup_;
   const std::string& axis_;
   Arrays arrays_;
+  Arrays polar_;  ///< magnitudes and phases, where nothing else is FRFs
 };
 
 }  // namespace

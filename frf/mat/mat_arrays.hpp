@@ -8,11 +8,12 @@
 namespace jointid::frf {
 
 /// An array of complex numbers as a file has it: one variable, or two real ones NAME_real and NAME_imag (or _re and _im, or
-/// fields real and imag of a struct NAME).
+/// fields real and imag of a struct NAME), or NAME_mag and NAME_phase (polar_name()).
 struct ComplexArray {
   std::string name;
   const MatInfo* values = nullptr;
   const MatInfo* imaginary = nullptr;  ///< null: `values` is complex
+  const MatInfo* phase = nullptr;      ///< not null: `values` are magnitudes
 };
 
 /// The arrays of a file that hold its FRFs: one, or the same field of every element of an array of structs.

@@ -34,7 +34,7 @@ class Beside {
       if (!is_near(info)) continue;
       if (info.kind == MatKind::real) require_neutral(info);
       if (info.kind == MatKind::text && size(info) <= longest_text_beside && ++texts <= most_texts_beside) {
-        for (const std::string& text : file_.read(info).texts) require_plain(info.name, own_name(info), text);
+        for (const std::string& text : texts_of(info)) require_plain(info.name, own_name(info), text);
       }
     }
     for (const auto& [name, text] : file_.notes(frf_)) require_plain(name, name.substr(name.rfind('@') + 1), text);
@@ -79,8 +79,8 @@ class Beside {
           name.find("_axis_units_lab") != std::string::npos)
         continue;
       if (scope_of(info) != scope_ && !is_motion_or_force(info)) continue;
-      if (name.find("freq") != std::string::npos || name.find("time") != std::string::npos || name.ends_with("ref_unit"))
-        continue;
+      const auto is_of = [&](const char* word) { return name.find(word) != std::string::npos; };
+      if (is_of("freq") || is_of("time") || is_of("phase") || is_of("angle") || name.ends_with("ref_unit")) continue;
       fail(info.name, "is not read", rename);
     }
     require_no_unit_in_text();
@@ -103,6 +103,15 @@ class Beside {
       if (lower_case(name).find(part) != std::string::npos) return true;
     }
     return is_harmless_number(name);
+  }
+
+  /// None of a cell array that holds something else.
+  std::vector<std::string> texts_of(const MatInfo& info) const {
+    try {
+      return file_.read(info).texts;
+    } catch (const InputError&) {
+      return {};
+    }
   }
 
   /// In the struct of the FRFs, inside of it or around it.
@@ -149,7 +158,7 @@ class Beside {
   /// Not in SI, and no length or time.
   bool is_motion_or_force(const MatInfo& info) const {
     const std::vector<std::string> texts =
-        size(info) <= longest_label_beside ? file_.read(info).texts : std::vector<std::string>();
+        size(info) <= longest_label_beside ? texts_of(info) : std::vector<std::string>();
     return std::ranges::any_of(texts, [](const std::string& text) { return is_motion_or_force(text); });
   }
 
@@ -164,7 +173,7 @@ class Beside {
     for (const MatInfo& info : file_.variables()) {
       const bool label = info.kind == MatKind::text && info.name.starts_with(scope_) && size(info) <= longest_text_beside;
       if (!label || ++count > most_texts_beside) continue;
-      for (const std::string& text : file_.read(info).texts) require_no_unit(info.name, text);
+      for (const std::string& text : texts_of(info)) require_no_unit(info.name, text);
     }
     for (const auto& [name, text] : file_.notes(frf_)) {
       require_no_unit(name, text);

@@ -14,6 +14,9 @@
 #include "frf/mat/mat_axes.hpp"
 #include "frf/mat/mat_beside.hpp"
 #include "frf/mat/mat_lookup.hpp"
+#include "frf/mat/mat_polar.hpp"
+#include "frf/polar/phase_unit.hpp"
+#include "frf/polar/polar_search.hpp"
 #include "frf/set/line_scale.hpp"
 #include "frf/set/merged_set.hpp"
 #include "frf/set/unit_label.hpp"
@@ -54,7 +57,7 @@ class Reader {
     doubt_numbers_and_axes();
     set_.values = ordered(*frf_.values);
     if (frf_.imaginary != nullptr) add_imaginary(ordered(*frf_.imaginary));
-    doubt_polar();
+    frf_.phase != nullptr ? turn_magnitudes() : require_parts();
     read_noise();
     to_receptance();
     return std::move(set_);
@@ -293,19 +296,65 @@ class Reader {
                               order_of(*frf_.values) + "' states it");
   }
 
-  /// Magnitude + i phase: real parts that are never negative, and imaginary parts that fill a half turn.
-  void doubt_polar() {
-    constexpr std::size_t fewest = 16;
-    if (set_.values.size() < fewest || std::ranges::any_of(set_.values, [](const Complex& value) { return value.real() < 0.0; }))
-      return;
-    double largest = 0.0;
-    for (const Complex& value : set_.values) largest = std::max(largest, std::abs(value.imag()));
-    for (const double half_turn : {std::numbers::pi, 180.0}) {
-      if (largest > 0.9 * half_turn && largest < half_turn * (1.0 + 1e-6))
-        set_.header.doubts.push_back(
-            fmt::format("no real part of {} is below 0, and its imaginary parts end at {:.4g}, as if they were magnitudes "
-                        "and phases; if they are, store complex numbers",
-                        frf_.name, largest));
+  void require_parts() {
+    PolarSearch search(set_.header.quantity == Quantity::mobility ? OffResonance::imaginary : OffResonance::real);
+    search.add(set_.values, set_.header.entries());
+    if (const auto finding = search.finding()) {
+      lookup_.fail(place_of(frf_.name), "holds no real and imaginary parts but " + *finding,
+                   "store complex numbers, magnitude \u00b7 exp(i \u00b7 phase), or two real arrays " + frf_.name + "_mag and " +
+                       frf_.name + "_phase_deg");
+    }
+    if (auto doubt = search.doubt()) set_.header.doubts.push_back(*doubt + ", in " + frf_.name + "; if they are, store complex numbers");
+  }
+
+  /// By the name of the array, or a text beside it; unstated where the file says none.
+  AngleUnit stated_phase_unit() const {
+    const MatInfo& info = *frf_.phase;
+    const std::string own = info.name.substr(scope_of(info).size());
+    if (const AngleUnit unit = polar_name(own)->unit; unit != AngleUnit::unstated) return unit;
+    std::string label = file_.note(&info, "unit");
+    if (label.empty()) label = file_.note(&info, "units");
+    const std::array<std::string, 2> names = {own + "_unit", own + "_units"};
+    const std::array<std::string_view, 6> texts = {names[0], names[1], "phase_unit", "phase_units", "angle_unit", "angle_units"};
+    if (label.empty()) label = lookup_.text(texts);
+    if (states_no_unit(label)) return AngleUnit::unstated;
+    const AngleUnit unit = angle_unit(label);
+    if (unit == AngleUnit::unstated)
+      lookup_.fail(place_of(info.name), "the unit '" + shown_label(label) + "' of the phases is not understood", "write deg or rad");
+    return unit;
+  }
+
+  /// Radians in one unit of the phases.
+  double radians_per(const std::vector<Complex>& phases) const {
+    PhaseUnit numbers;
+    for (std::size_t k = 0; k < set_.header.entries(); ++k) {
+      std::vector<double> one;
+      for (std::size_t at = k; at < phases.size(); at += set_.header.entries()) one.push_back(phases[at].real());
+      numbers.add(one);
+    }
+    const AngleUnit stated = stated_phase_unit(), found = numbers.unit(), unit = stated == AngleUnit::unstated ? found : stated;
+    const std::string& name = frf_.phase->name;
+    if (unit == AngleUnit::unstated) {
+      lookup_.fail(place_of(name), "does not state whether the phases are in degrees or radians",
+                   "name it " + name + "_deg or " + name + "_rad, or add a text phase_unit = 'deg' or 'rad'");
+    }
+    if (found != AngleUnit::unstated && found != unit) {
+      lookup_.fail(place_of(name), std::string("holds phases in ") + (found == AngleUnit::degrees ? "degrees" : "radians") +
+                       " by their numbers and in " + (unit == AngleUnit::degrees ? "degrees" : "radians") + " by what is stated",
+                   "correct the name or the unit");
+    }
+    return unit == AngleUnit::degrees ? std::numbers::pi / 180.0 : 1.0;
+  }
+
+  void turn_magnitudes() {
+    const std::vector<Complex> phases = ordered(*frf_.phase);
+    const double radians = radians_per(phases);
+    for (std::size_t i = 0; i < set_.values.size(); ++i) {
+      const double magnitude = set_.values[i].real(), phase = radians * phases[i].real();
+      if (magnitude < 0.0)
+        lookup_.fail(place_of(frf_.values->name), fmt::format("the magnitude {:g} is below 0", magnitude),
+                     "store magnitudes, not decibels, and turn the phase by 180 degrees where the sign is meant");
+      set_.values[i] = magnitude * Complex(std::cos(phase), std::sin(phase));
     }
   }
 

@@ -33,11 +33,11 @@ Complex complex_number(const char* from, bool swap) {
 
 using ReadNumber = Complex (*)(const char*, bool);
 
-ReadNumber number_of(const NpyHeader& header) {
-  if (header.kind == 'f') return header.width == 4 ? real_number<float> : real_number<double>;
-  if (header.kind == 'c') return header.width == 8 ? complex_number<float> : complex_number<double>;
-  const bool is_signed = header.kind == 'i';
-  switch (header.width) {
+ReadNumber number_of(char kind, std::size_t width) {
+  if (kind == 'f') return width == 4 ? real_number<float> : real_number<double>;
+  if (kind == 'c') return width == 8 ? complex_number<float> : complex_number<double>;
+  const bool is_signed = kind == 'i';
+  switch (width) {
     case 1:
       return is_signed ? real_number<std::int8_t> : real_number<std::uint8_t>;
     case 2:
@@ -80,7 +80,18 @@ void for_each_element(const NpyHeader& header, std::size_t count, const Visit& v
   }
 }
 
+/// Whether numbers of this byte order are not this machine's.
+bool is_foreign_order(bool big_endian) { return big_endian != (std::endian::native == std::endian::big); }
+
 }  // namespace
+
+std::vector<Complex> npy_numbers(const NpyField& field, std::string_view record) {
+  const ReadNumber number = number_of(field.kind, field.width);
+  std::vector<Complex> values(field.count);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = number(record.data() + field.offset + i * field.stride, is_foreign_order(field.big_endian));
+  return values;
+}
 
 MatInfo npy_info(const NpyHeader& header, std::string name) {
   MatInfo info{.name = std::move(name), .dims = {header.shape.rbegin(), header.shape.rend()}};
@@ -102,9 +113,9 @@ std::size_t npy_bytes(const NpyHeader& header, const std::string& file) {
 
 MatVariable npy_variable(const NpyHeader& header, MatInfo info, std::string_view elements) {
   MatVariable out{.info = std::move(info), .values = {}, .texts = {}};
-  const bool swap = header.big_endian != (std::endian::native == std::endian::big), text = out.info.kind == MatKind::text;
+  const bool swap = is_foreign_order(header.big_endian), text = out.info.kind == MatKind::text;
   const std::size_t count = header.width == 0 ? 0 : elements.size() / header.width;
-  const ReadNumber number = number_of(header);
+  const ReadNumber number = number_of(header.kind, header.width);
   text ? out.texts.reserve(count) : out.values.reserve(count);
   for_each_element(header, count, [&](std::size_t place) {
     const char* from = elements.data() + place * header.width;

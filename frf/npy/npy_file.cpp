@@ -1,6 +1,7 @@
 #include "frf/npy/npy_file.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "base/error.hpp"
 #include "frf/mat/mat_reader.hpp"
 #include "frf/npy/npy_array.hpp"
+#include "frf/npy/npy_records.hpp"
 #include "frf/npy/npz_archive.hpp"
 #include "frf/text/number_text.hpp"
 #include "frf/text/unit_names.hpp"
@@ -65,6 +67,7 @@ class NpzFile final : public NumpyFile {
       } else {
         header = parse_npy_header(npz_bytes(entry, longest_npy_header, file_), own);
       }
+      if (!header.fields.empty() && !are_functions(header)) fail_records(own);
       variables_.push_back(npy_info(header, entry.name.substr(0, entry.name.size() - ending.size())));
       arrays_.push_back({std::move(header), std::move(entry)});
     }
@@ -77,6 +80,22 @@ class NpzFile final : public NumpyFile {
     const auto& [header, entry] = arrays_[static_cast<std::size_t>(found - variables_.begin())];
     const std::string bytes = npz_bytes(entry, file_);
     return npy_variable(header, info, elements_of(header, bytes, file_ + ": " + entry.name));
+  }
+
+  /// Of functions that one of the arrays holds as records; nothing where none does. Beside it SDynPy says of which type they are.
+  std::optional<FrfSet> functions(const OpenOptions& options) {
+    constexpr double frf = 4.0;
+    const auto found = std::ranges::find_if(arrays_, [](const auto& array) { return !array.first.fields.empty(); });
+    if (found == arrays_.end()) return std::nullopt;
+    for (const MatInfo& info : variables_) {
+      if (info.name != "function_type" || info.kind != MatKind::real) continue;
+      const std::vector<Complex> values = read(info).values;
+      if (!values.empty() && values.front() != frf)
+        fail_file(file_, "holds functions of type " + std::to_string(static_cast<int>(values.front().real())) + ", and an FRF is of type 4",
+                  "save frequency response functions");
+    }
+    const std::string bytes = npz_bytes(found->second, file_);
+    return read_functions(found->first, elements_of(found->first, bytes, file_ + ": " + found->second.name), file_, options);
   }
 
  private:
@@ -95,6 +114,13 @@ class NpyFile final : public NumpyFile {
     elements_of(header, bytes, path.string());
     variables_.push_back(npy_info(header, name));
     arrays_.emplace_back(std::move(header), std::move(bytes));
+  }
+
+  std::optional<FrfSet> functions(const OpenOptions& options) const {
+    const auto& [header, bytes] = arrays_.front();
+    if (header.fields.empty()) return std::nullopt;
+    if (!are_functions(header)) fail_records(file_);
+    return read_functions(header, std::string_view(bytes).substr(header.begin), file_, options);
   }
 
   MatVariable read(const MatInfo& info) override {
@@ -123,11 +149,13 @@ bool looks_like_npz(std::string_view head) {
 
 std::unique_ptr<FrfSource> open_npz(const fs::path& path, const OpenOptions& options) {
   NpzFile file(path);
+  if (auto functions = file.functions(options)) return from_memory(std::move(*functions));
   return from_memory(read_mat_frfs(file, options));
 }
 
 std::unique_ptr<FrfSource> open_npy(const fs::path& path, const OpenOptions& options) {
   NpyFile file(path);
+  if (auto functions = file.functions(options)) return from_memory(std::move(*functions));
   if (!options.variable.empty())
     fail_file(path.string(), "a variable is named, and the file holds one array", "leave out --variable, in a scene variable");
   if (file.variables().front().kind != MatKind::complex) {

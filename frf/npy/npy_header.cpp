@@ -85,9 +85,64 @@ class HeaderText {
   void type(NpyHeader& header) {
     blanks();
     if (rest_.starts_with('[')) {
-      fail_npy(file_, "holds records with named fields",
-               "save each field as an array of its own, numpy.savez(FILE, frf=…, frequency=…), or export a universal file");
+      header.kind = 'V';
+      header.width = record(header.fields, {}, 0, 0);
+      return;
     }
+    const NpyField plain = plain_type();
+    header.kind = plain.kind, header.width = plain.width, header.big_endian = plain.big_endian;
+  }
+
+  /// The fields of a list such as [('abscissa', '<f8', (801,)), ...]; returns the bytes of a record.
+  std::size_t record(std::vector<NpyField>& fields, const std::string& scope, std::size_t begin, int depth) {
+    constexpr std::size_t most_fields = 256, most_bytes = std::size_t{1} << 40;
+    std::size_t offset = begin;
+    if (depth > 4) fail("records are in records in records");
+    expect('[');
+    while (!take(']')) {
+      expect('(');
+      const std::string name = scope + quoted();
+      expect(',');
+      blanks();
+      const std::size_t first = fields.size();
+      std::size_t size = 0;
+      if (rest_.starts_with('[')) {
+        size = record(fields, name + ".", offset, depth + 1) - offset;
+      } else {
+        NpyField field = plain_type();
+        field.name = name, field.offset = offset, field.stride = size = field.width;
+        fields.push_back(std::move(field));
+      }
+      std::size_t count = 1;
+      if (take(',') && !next_is(')')) {
+        for (const std::uint64_t extent : shape()) {
+          if (extent > most_bytes || (extent > 0 && count > most_bytes / extent)) fail("a field has more numbers than any file");
+          count *= static_cast<std::size_t>(extent);
+        }
+        take(',');
+      }
+      expect(')');
+      for (std::size_t k = first; count != 1 && k < fields.size(); ++k) {
+        if (fields[k].count != 1) fail("a field of records holds lists of lists");
+        fields[k].count = count, fields[k].stride = size;
+      }
+      if (size > 0 && count > most_bytes / size) fail("a field has more numbers than any file");
+      offset += count * size;
+      if (fields.size() > most_fields || offset > most_bytes) fail("the records have too many fields");
+      if (!take(',')) {
+        expect(']');
+        break;
+      }
+    }
+    return offset;
+  }
+
+  bool next_is(char c) {
+    blanks();
+    return rest_.starts_with(c);
+  }
+
+  NpyField plain_type() {
     const std::string descr = quoted();
     const char order = descr.empty() ? ' ' : descr[0], kind = descr.size() > 1 ? descr[1] : ' ';
     std::uint64_t width = 0;
@@ -103,9 +158,11 @@ class HeaderText {
     if (!object && !text && !number) fail_npy(file_, "holds numbers of type '" + descr + "'", "save it as float64");
     const bool bytes = object || kind == 'S' || width == 1;
     if (order != '<' && order != '>' && !(order == '|' && bytes)) fail("the byte order of '" + descr + "' is unknown");
-    header.kind = kind;
-    header.width = object ? 8 : static_cast<std::size_t>(kind == 'U' ? 4 * width : width);
-    header.big_endian = order == '>';
+    NpyField field;
+    field.kind = kind;
+    field.width = object ? 8 : static_cast<std::size_t>(kind == 'U' ? 4 * width : width);
+    field.big_endian = order == '>';
+    return field;
   }
 
   std::vector<std::uint64_t> shape() {

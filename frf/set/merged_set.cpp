@@ -43,9 +43,24 @@ void make_room_for_covariance(const std::vector<FrfSet>& sets, FrfSet& out) {
   if (std::ranges::any_of(sets, needs_diagonal)) out.factor.diagonal.assign(out.values.size(), nan);
 }
 
+/// Doubts of all sets, each once; where these are of several files, with the name of its own.
+std::vector<std::string> all_doubts(const std::vector<FrfSet>& sets) {
+  const std::string& first = sets.front().header.file;
+  const bool one_file = std::ranges::all_of(sets, [&](const FrfSet& set) { return set.header.file == first; });
+  std::vector<std::string> doubts;
+  for (const FrfSet& set : sets) {
+    for (const std::string& doubt : set.header.doubts) {
+      const std::string told = one_file ? doubt : set.header.file + ": " + doubt;
+      if (std::ranges::find(doubts, told) == doubts.end()) doubts.push_back(told);
+    }
+  }
+  return doubts;
+}
+
 FrfSet empty_union(const std::vector<FrfSet>& sets) {
   FrfSet out;
   out.header = sets.front().header;
+  out.header.doubts = all_doubts(sets);
   for (const FrfSet& set : sets) {
     add_dofs(out.header.response, set.header.response);
     add_dofs(out.header.reference, set.header.reference);

@@ -239,8 +239,10 @@ std::string unit_hint(std::string_view label) {
   if (states_no_unit(label) || parser.whole()) return {};
   if (parser.mixes_amplitudes()) return "it mixes rms values and peaks";
   if (!parser.unclear().empty())
-    return parser.unclear().front() + " may be " + parser.unclear().front() + " or " + parser.unclear().back() +
-           " where case was lost";
+    return parser.unclear().back() == parser.unknown()
+               ? "'" + parser.unknown() + "' is not '" + parser.unclear().front() + "': small and capital letters count"
+               : parser.unclear().front() + " may be " + parser.unclear().front() + " or " + parser.unclear().back() +
+                     " where case was lost";
   const std::string_view other = not_a_unit(parser.unknown());
   if (!other.empty()) return parser.unknown() + " is " + std::string(other);
   const std::string near = near_unit(parser.unknown());

@@ -68,6 +68,7 @@ constexpr std::array known_units = std::to_array<NamedUnit>({
     {"gf pond ponds gramforce", force(1e-3 * standard_gravity)},
     {"tf", force(1e3 * standard_gravity)},
     {"Nm", moment(1.0), true},
+    {"Ns Nsec", {1.0, 0, 1, 1}},
     {"kNm", moment(1e3)},
     {"Nmm", moment(1e-3)},
     {"Ncm", moment(1e-2)},
@@ -159,6 +160,15 @@ bool is_in_capitals(std::string_view word) {
   return std::ranges::none_of(word, [](unsigned char c) { return std::islower(c) != 0; });
 }
 
+/// Milli by the table and mega as it is written, "Mm", "Mg", "Ms"; "GN" may be gn or giganewtons; nN is only written so. Capitals
+/// alone are lost case.
+bool has_other_prefix(std::string_view word, std::string_view name) {
+  constexpr auto milli = std::to_array<std::string_view>({"mm", "mg", "mgn", "ms", "mrad", "mrads", "mGal", "mGals"});
+  const bool mega = word.starts_with('M') && !is_in_capitals(word) && std::ranges::find(milli, name) != milli.end();
+  const bool newton_first = name == "nN" || name == "pN";  // "Nn", "NN"
+  return mega || newton_first || (word == "GN" && name == "gn");
+}
+
 /// "grms", "N_pk": the unit before a word of amplitudes.
 UnitWord without_amplitude(std::string_view word) {
   for (const std::string_view ending : {"rms", "pkpk", "peak", "pk", "pp", "eff"}) {
@@ -186,6 +196,7 @@ UnitWord find_unit(std::string_view word) {
   for (const Match& each : found) {
     if (!same(*each.unit, *first.unit)) read.otherwise.emplace_back(each.name);
   }
+  if (exact == found.end() && has_other_prefix(word, first.name)) read.otherwise = {std::string(word)};
   if (exact == found.end() && !read.otherwise.empty()) {
     read.unit.reset();
     read.otherwise.insert(read.otherwise.begin(), std::string(first.name));

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "frf/polar/polar_search.hpp"
 #include "frf/uff/uff_coherence.hpp"
 #include "frf/uff/uff_dofs.hpp"
 #include "frf/uff/uff_geometry.hpp"
@@ -141,6 +142,7 @@ class CatalogueBuilder {
       header_.doubts.push_back(contradiction + ": positions of nodes are read by the factors");
     if (!spectra_) attach_coherences(file_, catalogue_);
     validate(header_);
+    if (!spectra_) require_parts();
     forget_id_lines();
     return std::move(catalogue_);
   }
@@ -234,6 +236,36 @@ class CatalogueBuilder {
     const int sign = response.sign * header_.response[r].sign * reference.sign * header_.reference[c].sign;
     at->second = {
         .dataset = index, .quantity = ordinate.quantity, .factor = sign * ordinate.to_si, .coherence = npos};
+  }
+
+  /// Records are looked at until one has first numbers of both signs, as FRFs have on their first lines, or cannot be read.
+  void look_at_parts(PolarSearch& search) {
+    constexpr std::uint64_t most_points = std::uint64_t{1} << 18, few = 64;
+    std::uint64_t points = 0;
+    for (const auto& [entry, record] : catalogue_.grid) {
+      const Dataset& dataset = datasets_[record.dataset];
+      const std::uint64_t own = dataset.function->points;
+      if (!search.may_be() || (points += own) > most_points) return;
+      PolarSearch first(OffResonance::imaginary);
+      if (dataset.binary) first.add(read_points(file_, dataset, 0, std::min(few, own)).values);
+      if (!first.may_be()) return;
+      search.add(read_points(file_, dataset).values);
+    }
+  }
+
+  void require_parts() {
+    PolarSearch search(header_.quantity == Quantity::mobility ? OffResonance::imaginary : OffResonance::real);
+    try {
+      look_at_parts(search);
+    } catch (const InputError&) {
+      return;  // where it is read, if it is
+    }
+    if (const auto finding = search.finding()) {
+      datasets_[catalogue_.first_record].place.fail(
+          "data", "the two numbers of a line are no real and imaginary part but " + *finding,
+          "export complex FRFs as real and imaginary part, magnitude \u00b7 cos(phase) and magnitude \u00b7 sin(phase)");
+    }
+    if (auto doubt = search.doubt()) header_.doubts.push_back(*doubt + "; if they are, export real and imaginary parts");
   }
 
   ByteFile& file_;

@@ -71,6 +71,8 @@ frf::Columns read_npy(const std::filesystem::path& path) {
   const std::uint64_t size = std::filesystem::file_size(path);
   const NpyHeader header =
       frf::parse_npy_header(read_bytes(in, std::min<std::size_t>(size, frf::longest_npy_header), path), path.string());
+  if (!header.fields.empty())
+    fail_npy(path.string(), "holds records with named fields", "save the samples as one array, [channels, samples], of float64");
   if (!header.is_real()) fail_npy(path.string(), npy_type_text(header), "save it as float64");
   const std::uint64_t count = count_of(header, path), begin = header.begin;
   if (size != begin + count * header.width) {

@@ -26,6 +26,24 @@ np.savez("flat.npz", frf=H.reshape(4, 6), frequency=f, quantity="receptance", **
 np.save("frf.npy", H)
 np.save("frequency.npy", f)
 
+# As SDynPy saves functions: records with the coordinates of response and reference, codes of UFF 58.
+coordinate = np.dtype([("node", "u8"), ("direction", "i1")])
+functions = np.zeros((2, 3), np.dtype([("abscissa", "f8", (4,)), ("ordinate", "c16", (4,)), ("comment1", "U80"),
+                                       ("coordinate", coordinate, (2,))]))
+functions["abscissa"], functions["ordinate"] = f, np.moveaxis(H, 0, -1)
+functions["coordinate"]["node"] = np.stack(np.broadcast_arrays([[1], [2]], [[1, 2, 3]]), -1)
+functions["coordinate"]["direction"] = np.stack(np.broadcast_arrays([[3], [3]], [[3, 3, -1]]), -1)
+np.savez("functions.npz", data=functions, function_type=4)
+np.savez("coherences.npz", data=functions, function_type=6)
+np.save("functions.npy", functions)
+other = functions.copy()
+other["coordinate"]["node"][1] = other["coordinate"]["node"][0]
+np.save("functions_twice.npy", other)
+other = functions.copy()
+other["abscissa"][1, 2, 3] = 41.0
+np.save("functions_lines.npy", other)
+np.save("records.npy", np.zeros(3, np.dtype([("t", "f8"), ("a", "f8")])))
+
 
 def with_h5(name, fill):
     with h5py.File(name, "w") as file:

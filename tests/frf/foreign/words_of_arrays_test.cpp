@@ -60,10 +60,10 @@ TEST_F(WordsOfArrays, ForRealAndImaginaryParts) {
     EXPECT_EQ(set.values, (std::vector<Complex>{{2.0, -1.0}, {3.0, 4.0}})) << re;
   }
   for (const auto& [re, im] : std::to_array<std::pair<const char*, const char*>>(
-           {{"H_r", "G_i"}, {"sensor", "sensoi"}, {"magnitude", "phase"}, {"ReH", "ImG"}}))
+           {{"H_r", "G_i"}, {"sensor", "sensoi"}, {"magnitude_G", "phase_H"}, {"ReH", "ImG"}}))
     EXPECT_THAT(error(range("f") + real(re, "2", "3") + real(im, "-1", "4")), HasSubstr("no complex array")) << re;
   EXPECT_THAT(error(range("f") + real("H_abs", "2", "3") + real("H_phase", "-1", "4")),
-              HasSubstr("magnitude · exp(i · phase), the phase in rad"));
+              HasSubstr("does not state whether the phases are in degrees or radians"));
 }
 
 TEST_F(WordsOfArrays, ForQuantities) {

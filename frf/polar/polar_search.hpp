@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "base/complex.hpp"
+
+namespace jointid::frf {
+
+/// Whether FRFs of a quantity may be imaginary on most lines: mobilities of little damping are, receptances and accelerances never.
+enum class OffResonance : std::uint8_t { real, imaginary };
+
+/// Looks for magnitudes and phases among numbers that a file calls real and imaginary parts, a and b of each line.
+///
+/// They are only ever found where no a of all FRFs is below 0 (or none above 0: decibels of small magnitudes), and by one of
+///   - wraps: b is bounded by ±π or [0, 2π] (±180, [0, 360]) and leaps by 0.9 of a turn or more from one line to the next, while it
+///     stays within a tenth of a turn of this edge on two lines on either side, and a within a factor of 3. An imaginary part that
+///     leaps so has a pole between the two lines, and falls to half of the leap or less beside them;
+///   - levels: in one FRF, b is within 0.04 of a right angle of two or more multiples of it, six lines or more at the second of
+///     them in runs of four or more, and at most three times as many between all levels. A resonance passes through, with twenty;
+///   - turns, where no a is below 0: from half power to half power at most peaks of a, two at least, b turns by a right angle
+///     ± 20 %, while these peaks are below 0.05 or above 5 half turns, or differ by a factor of 8. The circle of a resonance is as
+///     wide as it is high;
+///   - sizes, where no a is below 0 and FRFs are real off resonances: |b| is 100 a or more on 80 % of the lines of every FRF and at
+///     least 0.3, at most 360.
+/// Values that are not finite are left out, FRFs of fewer than eight others not looked at.
+class PolarSearch {
+ public:
+  explicit PolarSearch(OffResonance off_resonance) : off_resonance_(off_resonance) {}
+
+  /// One FRF over all lines, as the file has it.
+  void add(std::span<const Complex> frf);
+
+  /// All FRFs of a set, [line, FRF] with `frfs` of them.
+  void add(std::span<const Complex> values, std::size_t frfs);
+
+  /// False once a of both signs were seen: nothing will be found.
+  bool may_be() const { return !(above_ && below_); }
+
+  /// Where they are magnitudes and phases, a phrase that says by what; else empty.
+  std::optional<std::string> finding() const;
+
+  /// Where no a is below 0 and b ends at a half turn or a turn, but nothing is found: a phrase; else empty.
+  std::optional<std::string> doubt() const;
+
+ private:
+  static constexpr std::array<double, 2> halves = {3.14159265358979323846, 180.0};
+
+  /// From half power to half power: whether b turns by a right angle, and how high.
+  struct Turns {
+    std::size_t peaks = 0, right = 0;
+    double lowest = 0.0, highest = 0.0;
+  };
+  struct Leap {
+    double from = 0.0, to = 0.0;
+  };
+
+  void look_for_wraps(std::span<const Complex> frf);
+  bool stays_at_edge(std::span<const Complex> frf, std::size_t line, double half, double low) const;
+  void look_for_levels(std::span<const Complex> frf);
+  void look_for_turns(std::span<const Complex> frf);
+  void look_at_sizes(std::span<const Complex> frf);
+  bool within(double low, double high) const;
+  bool turns_right(std::size_t unit) const;
+
+  OffResonance off_resonance_;
+  std::size_t frfs_ = 0, large_ = 0;
+  bool above_ = false, below_ = false;  ///< a of either sign
+  double least_ = 0.0, most_ = 0.0;     ///< b
+  std::array<std::array<std::optional<Leap>, 2>, 2> wraps_{};  ///< by unit, by whether from 0
+  std::array<bool, 2> levels_{};
+  std::array<Turns, 2> turns_{};
+};
+
+}  // namespace jointid::frf
