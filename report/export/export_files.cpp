@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "base/error.hpp"
@@ -63,8 +64,9 @@ std::vector<ExportFile> export_files(const tasks::ExportedJoint& joint, const Ex
     way = options.target != ExportTarget::matrix_market && consists_of_springs(of) ? ExportWay::springs : ExportWay::matrix;
   if (way != ExportWay::matrix && !of.is_symmetric())
     of.refuse("the joint has a matrix that is not symmetric, which springs are not", "write whole matrices: --as matrix");
-  constexpr auto writers = {nastran_files, ansys_files, abaqus_files, market_files};
-  std::vector<ExportFile> files = writers.begin()[static_cast<std::size_t>(options.target)](of, way);
+  using Writer = std::vector<ExportFile> (*)(const ExportedMatrices&, ExportWay);
+  constexpr std::array<Writer, 4> writers = {nastran_files, ansys_files, abaqus_files, market_files};
+  std::vector<ExportFile> files = writers[static_cast<std::size_t>(options.target)](of, way);
   files.push_back({"_covariance.csv", covariance_csv(joint)});
   return files;
 }

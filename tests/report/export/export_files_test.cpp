@@ -238,7 +238,7 @@ TEST(Export, ChoosesSpringsForSprings) {
   EXPECT_THAT(
       text,
       HasSubstr(
-          "CELAS2* 7               2.00000000000+6 4               2\n*       5               2               5.00000000000-3"));
+          "CELAS2* 7               2.000000000000+64               2\n*       5               2               5.000000000000-3"));
   tasks::ExportedJoint negative = one_spring();
   for (auto& row : negative.matrices[Kind::stiffness]) {
     for (double& value : row) value = -value;
