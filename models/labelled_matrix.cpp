@@ -59,7 +59,8 @@ class LabelledElements {
     }
     FileElements out(file_);
     for (const auto& [row, column, re, im] : elements_) out.add(rows[row], rows[column], re, im);
-    return out.matrix(labels.size(), mirror, std::move(labels));
+    const std::size_t n = labels.size();
+    return out.matrix(n, mirror, std::move(labels));
   }
 
  private:

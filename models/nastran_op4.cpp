@@ -266,7 +266,7 @@ class TextOp4 final : public Op4Reader {
   std::vector<double> values() {
     std::vector<double> out;
     while (next_line()) {
-      if (line_.find('.') == std::string::npos) {
+      if (line_.find('.') == std::string::npos || line_.find(',') != std::string::npos) {
         kept_ = true;
         break;
       }

@@ -189,7 +189,7 @@ TEST_F(MatrixFormats, Op4InText) {
 }
 
 TEST_F(MatrixFormats, HostileOp4) {
-  for (const std::string whole : {op4_dense, op4_strings, op4_big}) {
+  for (const std::string& whole : {op4_dense, op4_strings, op4_big}) {
     for (std::size_t end = 60; end + 20 < whole.size(); end += 13) {
       EXPECT_THROW(read_file_matrix(write("cut.op4", whole.substr(0, end))), InputError) << whole.substr(0, end);
     }
@@ -204,7 +204,7 @@ TEST_F(MatrixFormats, HostileOp4) {
   expect_refused(with(op4_dense, "       2       2       6", "99999999       2       6"), "1 to 2000000 rows");
   expect_refused(with(op4_dense, "       6       2KAA", "       3       2KAA"), "form 3");
   expect_refused(with(op4_dense, "       6       2KAA", "       6       7KAA"), "type 7");
-  expect_refused(with(op4_strings, "  327681", "99999999"), "words");
+  expect_refused(with(op4_strings, "  327681", "99999999"), "has 2 numbers");
   expect_refused(with(op4_strings, "       5\n", "      99\n"), "numbers");
   std::string doubled = binary;
   for (const auto& [at, value] : {std::pair<std::size_t, std::int32_t>{4, 1999999999}, {16, 9}, {12, 3}}) {
@@ -226,7 +226,7 @@ const std::string dmig_small =
     "$ punched\n"
     "DMIG    KAAX    0       6       2       0                       2\n"
     "DMIG    KAAX    12      1               12      1       2.0D+0\n"
-    "        7       3      -1.0\n"
+    "        7       3       -1.0\n"
     "DMIG*   KAAX                           7               3\n"
     "*                      7               3  3.000000000D+00\n";
 const std::string dmig_free =

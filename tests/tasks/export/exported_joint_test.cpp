@@ -48,16 +48,14 @@ class ExportedJointOf : public testing::Test {
   std::filesystem::path folder_;
 };
 
-const std::string result = R"({
+const std::string result = R"json({
   "status": "ok",
-  "unknowns": [{"name": "K(1,2)",
-                  "value" : -2e6, "unit" : "N/m", "std_error" : 3e3, "determined" : true
-},
+  "unknowns": [{"name": "K(1,2)", "value": -2e6, "unit": "N/m", "std_error": 3e3, "determined": true},
                {"name": "K(1,1)", "value": 1e6, "unit": "N/m", "std_error": 4e3},
                {"name": "K.k", "value": 5.0, "unit": "N/m", "std_error": null, "error_estimate": 0.1}],
   "matrices": {"stiffness": [[1e6, -2e6], [-2e6, 5.0]]},
   "dofs": ["4:+Y", "5:-Y"]
-})";
+})json";
 
 TEST_F(ExportedJointOf, ResultHasPositiveDirectionsAndErrorsOfElements) {
   const ExportedJoint joint = exported_joint(write("result.json", result));
