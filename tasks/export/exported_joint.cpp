@@ -31,9 +31,9 @@ ident::Matrix covariance_of_columns(const ident::Plan& plan, const ident::Soluti
     for (const ident::Estimate& unknown : solution.unknowns) values.push_back(unknown.value);
     const Eigen::MatrixXd found = ident::joint_errors(plan, values, control).covariance;
     for (std::size_t i = 0; i < p; ++i) {
-      for (std::size_t j = 0; j < p; ++j) {
+      for (std::size_t j = 0; j < i; ++j) {
         const auto a = static_cast<Eigen::Index>(i), b = static_cast<Eigen::Index>(j);
-        if (i != j) out[i][j] = found(a, b) / std::sqrt(found(a, a) * found(b, b)) * std::sqrt(out[i][i] * out[j][j]);
+        out[i][j] = out[j][i] = found(a, b) / std::sqrt(found(a, a) * found(b, b)) * std::sqrt(out[i][i] * out[j][j]);
       }
     }
   } catch (const InputError&) {  // bands, bounds, gains: only the variances are known
