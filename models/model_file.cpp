@@ -69,7 +69,8 @@ class ModelFile {
     StructureMatrices& matrices = read.matrices;
     if (const auto item = table.find("loss_factor")) matrices.loss_factor = item->not_negative();
     const bool names_rows = table.find("dofs").has_value();
-    return named(table, std::make_unique<MatrixModel>(std::move(matrices)), names_rows ? NamedCoordinates{} : std::move(read.coordinates), {});
+    NamedCoordinates labelled = names_rows ? NamedCoordinates{} : std::move(read.coordinates);
+    return named(table, std::make_unique<MatrixModel>(std::move(matrices)), std::move(labelled), {});
   }
 
   NamedModel read_modes() {

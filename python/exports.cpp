@@ -8,6 +8,7 @@
 
 #include "python/watch.hpp"
 #include "report/export/export_files.hpp"
+#include "tasks/export/exported_joint.hpp"
 
 namespace jointid::python {
 namespace {

@@ -9,6 +9,7 @@
 #include "cli/text/progress.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "report/export/export_files.hpp"
+#include "tasks/export/exported_joint.hpp"
 
 namespace jointid::cli {
 namespace {

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "report/export/export_files.hpp"
+#include "report/export/export_options.hpp"
+#include "tasks/export/joint_for_others.hpp"
 
 namespace jointid::report {
 

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "tasks/export/exported_joint.hpp"
+#include <filesystem>
+
+#include "tasks/export/joint_for_others.hpp"
 
 namespace jointid::tasks {
 
