@@ -9,6 +9,7 @@
 #include "cli/couple/couple_command.hpp"
 #include "cli/decouple/decouple_command.hpp"
 #include "cli/equivalent/equivalent_command.hpp"
+#include "cli/export/export_command.hpp"
 #include "cli/frf/frf_command.hpp"
 #include "cli/laws/law_commands.hpp"
 #include "cli/loading_curve/loading_curve_command.hpp"
@@ -28,7 +29,8 @@ namespace {
 constexpr std::array all_commands = {
     add_solve,  add_plan,     add_check,     add_study,  add_compare,    add_loading_curve, add_couple,
     add_decouple, add_correlate, add_expand, add_equivalent, add_response, add_modalfit, add_pod,
-    add_oscillate, add_series, add_stability, add_frf,    add_info,       add_convert,       add_problem};
+    add_oscillate, add_series, add_stability, add_frf,    add_info,       add_convert,       add_problem,
+    add_export};
 
 void add_commands(CLI::App& app, Chosen& chosen) {
   for (const auto& add : all_commands) add(app, chosen);

@@ -1,14 +1,19 @@
 #pragma once
 
-#include <Eigen/SparseCore>
-#include <filesystem>
-#include <string>
+#include "models/file_matrix.hpp"
 
 namespace jointid::models {
 
-/// A real symmetric matrix from a file: Matrix Market (`.mtx`: coordinate or array, real or integer, general or symmetric; what
-/// is not listed is 0), or what frf::read_columns reads: MATLAB and HDF5 (`variable` names the matrix where there are several),
-/// or text, a row a line. Throws InputError (data) that names line or element of what is no such matrix.
+/// A symmetric matrix from a file, by its content:
+///   - Matrix Market: coordinate or array; real, integer, complex or pattern (every element 1); general, symmetric, skew-symmetric or
+///     hermitian, of which the symmetric ones pass; what is not listed is 0;
+///   - Nastran's OUTPUT4 (read_op4()) and punched DMIG (read_dmig()), matrices of Abaqus (read_abaqus_matrix());
+///   - sparse matrices of MATLAB, compressed columns of HDF5 (data with ir and jc, or indices and indptr);
+///   - what frf::read_columns reads: full matrices of MATLAB and HDF5, or text, a row a line.
+/// `variable` names the matrix where a file has several. Throws InputError (data) that names line or element of what is no such matrix.
+FileMatrix read_file_matrix(const std::filesystem::path& path, const std::string& variable = {});
+
+/// The same of real ones, without labels.
 Eigen::SparseMatrix<double> read_symmetric_sparse(const std::filesystem::path& path, const std::string& variable = {});
 
 /// The same as a full matrix of at most 20,000 rows.

@@ -8,11 +8,6 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-Sparse matrix_from_file(const scene::Item& item, const std::filesystem::path& folder) {
-  const FileVariable named = read_file_variable(item, folder);
-  return read_symmetric_sparse(named.file, named.variable);
-}
-
 Eigen::MatrixXd inline_matrix(const scene::Item& item) {
   const scene::Matrix rows = item.square_matrix(item.list_not_empty().size());
   Eigen::MatrixXd found(at(rows.size()), at(rows.size()));
@@ -34,15 +29,25 @@ FileVariable read_file_variable(const scene::Item& item, const std::filesystem::
   return {folder / name, variable};
 }
 
-Sparse read_matrix_value(const scene::Item& item, const std::filesystem::path& folder, Eigen::Index size) {
-  const Sparse found = item.is_text() ? matrix_from_file(item, folder) : Sparse(inline_matrix(item).sparseView());
-  if (size > 0 && found.rows() != size) {
-    item.fail("the matrix has " + std::to_string(found.rows()) + " rows, the mass matrix " + std::to_string(size));
+FileMatrix read_labelled_value(const scene::Item& item, const std::filesystem::path& folder) {
+  if (item.is_text()) {
+    const FileVariable named = read_file_variable(item, folder);
+    return read_file_matrix(named.file, named.variable);
   }
-  const Sparse transposed = found.transpose();
-  if ((found - transposed).norm() > 1e-9 * found.norm())
+  FileMatrix found{Sparse(inline_matrix(item).sparseView()), {}, {}};
+  const Sparse transposed = found.real.transpose();
+  if ((found.real - transposed).norm() > 1e-9 * found.real.norm())
     item.fail("the matrix is not symmetric", "mass, damping and stiffness are");
   return found;
+}
+
+Sparse read_matrix_value(const scene::Item& item, const std::filesystem::path& folder, Eigen::Index size) {
+  const FileMatrix found = read_labelled_value(item, folder);
+  if (found.imaginary.nonZeros() > 0) item.fail("the matrix is complex", "only the stiffness of a model may be");
+  if (size > 0 && found.real.rows() != size) {
+    item.fail("the matrix has " + std::to_string(found.real.rows()) + " rows, the mass matrix " + std::to_string(size));
+  }
+  return found.real;
 }
 
 }  // namespace jointid::models

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "models/file_matrix.hpp"
 #include "scene/reader.hpp"
 
 namespace jointid::models {
@@ -17,8 +18,10 @@ struct FileVariable {
 /// Splits at the last colon. Throws InputError (usage) for an empty text.
 FileVariable read_file_variable(const scene::Item& item, const std::filesystem::path& folder);
 
-/// A symmetric matrix inline or from a file (read_symmetric_sparse()). `size`: its rows; 0: any. Throws InputError where it is not
-/// symmetric or of another size.
+/// A symmetric matrix inline or from a file (read_file_matrix()). Throws InputError where it is not symmetric.
+FileMatrix read_labelled_value(const scene::Item& item, const std::filesystem::path& folder);
+
+/// The same of a real one. `size`: its rows; 0: any. Throws InputError where it has another size.
 Eigen::SparseMatrix<double> read_matrix_value(const scene::Item& item, const std::filesystem::path& folder, Eigen::Index size);
 
 }  // namespace jointid::models

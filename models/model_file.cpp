@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/eigen.hpp"
+#include "models/labelled_structure.hpp"
 #include "models/matrix_model.hpp"
 #include "models/matrix_value.hpp"
 #include "models/modes_file.hpp"
@@ -63,14 +64,13 @@ class ModelFile {
   NamedModel read_matrices() {
     const scene::Table table =
         root_.table({"mass", "stiffness", "viscous_damping", "hysteretic_damping", "loss_factor", "dofs", "keep", "noise"});
-    StructureMatrices matrices;
-    matrices.mass = read_matrix_value(table.require("mass"), folder(), 0);
-    const Eigen::Index n = matrices.mass.rows();
-    matrices.stiffness = read_matrix_value(table.require("stiffness"), folder(), n);
-    if (const auto item = table.find("viscous_damping")) matrices.viscous_damping = read_matrix_value(*item, folder(), n);
-    if (const auto item = table.find("hysteretic_damping")) matrices.hysteretic_damping = read_matrix_value(*item, folder(), n);
+    for (const char* key : {"mass", "stiffness"}) table.require(key);
+    LabelledStructure read = read_structure(table, folder());
+    StructureMatrices& matrices = read.matrices;
     if (const auto item = table.find("loss_factor")) matrices.loss_factor = item->not_negative();
-    return named(table, std::make_unique<MatrixModel>(std::move(matrices)), {}, {});
+    const bool names_rows = table.find("dofs").has_value();
+    NamedCoordinates labelled = names_rows ? NamedCoordinates{} : std::move(read.coordinates);
+    return named(table, std::make_unique<MatrixModel>(std::move(matrices)), std::move(labelled), {});
   }
 
   NamedModel read_modes() {

@@ -2,6 +2,7 @@
 
 #include "python/correlations.hpp"
 #include "python/errors.hpp"
+#include "python/exports.hpp"
 #include "python/file_tasks.hpp"
 #include "python/problems.hpp"
 #include "python/record_tasks.hpp"
@@ -21,4 +22,5 @@ PYBIND11_MODULE(_jointid, module) {
   python::bind_record_tasks(module);
   python::bind_problems(module);
   python::bind_correlations(module);
+  python::bind_exports(module);
 }

@@ -120,6 +120,10 @@ bool is_own_file(const std::filesystem::path& file, bool record) {
   if (head.starts_with("MATLAB 5.0")) return has(head.substr(0, 128), "written by jointid");
   if (head.starts_with("    -1\n")) return has(head, "\njointid\n");
   if (head.starts_with("# quantity = ")) return is_own_frfs(head);
+  for (const char* begin : {"$ jointid", "! jointid", "** jointid"}) {
+    if (head.starts_with(begin)) return true;
+  }
+  if (head.starts_with("%%MatrixMarket")) return has(head, "\n% jointid: joint of ");
   if (head.starts_with("# jointid") || head.starts_with("jointid-journa") || is_own_csv(head)) return true;
   return record && is_record(head);
 }

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from ._correlation import Correlation, correlate, expand
 from ._coupling import couple, decouple, virtual_points
+from ._export import export
 from ._joint import bound, check, compare, identify, identify_lines, plan, study
 from ._jointid import __version__
 from ._lines import DecoupledResult, LineSolution, LineValues
@@ -62,6 +63,7 @@ __all__ = [
     "decouple",
     "equivalent",
     "expand",
+    "export",
     "frf",
     "friction_laws",
     "identify",

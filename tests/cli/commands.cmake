@@ -245,3 +245,9 @@ command_test(flange_written CODE 0 OUT "next: jointid solve" MAKES flange_files 
 command_test(flange_checked CODE 0 OUT "direction .*13:\\+Y.*correction:.*directions = .*consistency of virtual points.*12 sensors" AFTER flange_files
   ARGS check flange/flange-turned.toml)
 command_test(flange_checked_json CODE 0 OUT "\"rigidity\"" AFTER flange_files ARGS check flange/flange-turned.toml --json -)
+
+command_test(export CODE 0 OUT "wrote bracket.bdf\nwrote bracket_covariance.csv" AFTER study_data
+  ARGS export a1/A1.toml --to nastran --out bracket)
+command_test(export_program CODE 2 ERR "--to: .*nastran" AFTER study_data ARGS export a1/A1.toml --to nastrn)
+command_test(export_way CODE 2 ERR "no bush for ansys.*--as springs" AFTER study_data ARGS export a1/A1.toml --to ansys --as bush)
+command_test(export_band CODE 2 ERR "--band.*leave it out" AFTER study_data ARGS export a1/A1.toml --to ansys --band 3)

@@ -1,0 +1,94 @@
+#include "models/labelled_structure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "base/eigen.hpp"
+#include "models/matrix_value.hpp"
+
+namespace jointid::models {
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+struct ReadMatrix {
+  scene::Item item;
+  FileMatrix value;
+};
+
+/// The same matrix with its rows in the order of `labels`.
+Sparse placed(const Sparse& matrix, const std::vector<RowLabel>& own, const std::vector<RowLabel>& labels) {
+  if (own == labels || matrix.rows() == 0) return matrix;
+  std::vector<int> place;
+  for (const RowLabel& label : own) place.push_back(static_cast<int>(std::ranges::lower_bound(labels, label) - labels.begin()));
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index j = 0; j < matrix.outerSize(); ++j) {
+    for (Sparse::InnerIterator entry(matrix, j); entry; ++entry)
+      entries.emplace_back(place[static_cast<std::size_t>(entry.row())], place[static_cast<std::size_t>(j)], entry.value());
+  }
+  Sparse out(at(labels.size()), at(labels.size()));
+  out.setFromTriplets(entries.begin(), entries.end());
+  return out;
+}
+
+NamedCoordinates named(const std::vector<RowLabel>& labels) {
+  NamedCoordinates out;
+  for (std::size_t row = 0; row < labels.size(); ++row) {
+    if (labels[row].node < 1 || labels[row].component < 1 || labels[row].component > 6) continue;
+    out.dofs.push_back({labels[row].node, static_cast<frf::Direction>(labels[row].component), +1});
+    out.coordinates.push_back(row);
+  }
+  return out;
+}
+
+/// The labels of all; none where no file has them.
+std::vector<RowLabel> labels_of(const std::map<std::string, ReadMatrix>& read) {
+  std::vector<RowLabel> all;
+  for (const auto& [key, each] : read) {
+    std::vector<RowLabel> both;
+    std::ranges::set_union(all, each.value.labels, std::back_inserter(both));
+    all = std::move(both);
+  }
+  if (all.empty()) return all;
+  for (const auto& [key, each] : read) {
+    if (each.value.labels.empty())
+      each.item.fail("its rows have no labels, and those of another matrix have",
+                     "give all matrices in files that label their rows, or none");
+  }
+  return all;
+}
+
+}  // namespace
+
+LabelledStructure read_structure(const scene::Table& table, const std::filesystem::path& folder) {
+  constexpr std::array keys = {"mass", "stiffness", "viscous_damping", "hysteretic_damping"};
+  std::map<std::string, ReadMatrix> read;
+  for (const char* key : keys) {
+    const auto item = table.find(key);
+    if (item) read.emplace(key, ReadMatrix{*item, read_labelled_value(*item, folder)});
+  }
+  LabelledStructure out;
+  const std::vector<RowLabel> labels = labels_of(read);
+  out.coordinates = named(labels);
+  StructureMatrices& to = out.matrices;
+  const std::array<Sparse*, 4> places = {&to.mass, &to.stiffness, &to.viscous_damping, &to.hysteretic_damping};
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const auto found = read.find(keys[i]);
+    if (found == read.end()) continue;
+    const auto& [item, value] = found->second;
+    const bool is_complex = value.imaginary.nonZeros() > 0;
+    if (is_complex && std::string(keys[i]) != "stiffness")
+      item.fail("the matrix is complex", "only the stiffness of a model may be: K + iD");
+    if (is_complex && read.contains("hysteretic_damping"))
+      item.fail("the stiffness is complex, K + iD, and there is a hysteretic_damping, too", "give one of them");
+    *places[i] = placed(value.real, value.labels, labels);
+    if (is_complex) to.hysteretic_damping = placed(value.imaginary, value.labels, labels);
+    if (places[i]->rows() != to.mass.rows())
+      item.fail("the matrix has " + std::to_string(places[i]->rows()) + " rows, the mass matrix " +
+                std::to_string(to.mass.rows()));
+  }
+  return out;
+}
+
+}  // namespace jointid::models
