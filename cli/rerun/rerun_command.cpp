@@ -14,6 +14,7 @@
 #include "cli/provenance/digest.hpp"
 #include "cli/provenance/provenance.hpp"
 #include "cli/rerun/difference.hpp"
+#include "cli/text/version.hpp"
 #include "report/text/table.hpp"
 
 namespace jointid::cli {
