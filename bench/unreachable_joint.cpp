@@ -36,7 +36,6 @@ const std::vector<Way> ways = {{"likelihood (default)", ident::Method::likelihoo
                                {"newton, thesis", ident::Method::newton, "newton", false},
                                {"newton, ceres", ident::Method::newton, "ceres", false},
                                {"newton, ipopt", ident::Method::newton, "ipopt", false},
-                               {"newton, nlopt", ident::Method::newton, "nlopt", true},
                                {"newton, pattern", ident::Method::newton, "pattern", true}};
 
 /// Every third line of a set.

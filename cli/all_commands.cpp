@@ -17,6 +17,7 @@
 #include "cli/oscillate/oscillate_command.hpp"
 #include "cli/pod/pod_command.hpp"
 #include "cli/problem/all_problems.hpp"
+#include "cli/rerun/rerun_command.hpp"
 #include "cli/response/response_command.hpp"
 #include "cli/series/series_command.hpp"
 #include "cli/stability/stability_command.hpp"
@@ -30,7 +31,7 @@ constexpr std::array all_commands = {
     add_solve,  add_plan,     add_check,     add_study,  add_compare,    add_loading_curve, add_couple,
     add_decouple, add_correlate, add_expand, add_equivalent, add_response, add_modalfit, add_pod,
     add_oscillate, add_series, add_stability, add_frf,    add_info,       add_convert,       add_problem,
-    add_export};
+    add_export, add_rerun};
 
 void add_commands(CLI::App& app, Chosen& chosen) {
   for (const auto& add : all_commands) add(app, chosen);

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <string>
 
+#include "cli/provenance/provenance.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/interrupt.hpp"
 #include "ident/team/team.hpp"
@@ -59,6 +60,7 @@ int print(const Notice& notice) {
 
 int run(int argc, const char* const* argv, Parse parse) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow (ulimit -f) is one that cannot be written
+  begin_provenance(argc, argv);
   try {
     const auto parsed = parse(argc, argv);
     const auto* notice = std::get_if<Notice>(&parsed);

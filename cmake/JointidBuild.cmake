@@ -1,5 +1,6 @@
 # Warnings, build types and the one way to declare a library folder.
 include(GNUInstallDirs)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME dev) # packages: JointidPackages
 
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Dev, Release or Asan" FORCE)
@@ -119,22 +120,26 @@ function(jointid_library name)
           FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/jointid")
 endfunction()
 
-# jointid_installed_program(jointid): installed, it finds modules, and libraries where these are shared.
-function(jointid_installed_program target)
+# jointid_installed_program(jointid command): installed, as part of a package, it finds modules, and libraries where these are shared.
+function(jointid_installed_program target component)
   file(RELATIVE_PATH libraries "${CMAKE_INSTALL_FULL_BINDIR}" "${CMAKE_INSTALL_FULL_LIBDIR}")
   set_target_properties(${target} PROPERTIES INSTALL_RPATH "\$ORIGIN/${libraries}/jointid;\$ORIGIN/${libraries}")
-  install(TARGETS ${target} RUNTIME)
+  install(TARGETS ${target} RUNTIME COMPONENT ${component})
 endfunction()
 
-# jointid_module(ceres SOURCES … LINK …): what calls a library that most runs do not need; loaded when it is (base/module.hpp). The targets
-# `modules` are built with the command, the tests and the benchmarks.
+# jointid_module(ceres SOURCES … LINK … [COMPONENT solvers]): what calls a library that most runs do not need; loaded when it is
+# (base/module.hpp). The targets `modules` are built with the command, the tests and the benchmarks. COMPONENT: of which package it is
+# part, by default the command's.
 add_custom_target(modules)
 set(JOINTID_MODULES "${PROJECT_BINARY_DIR}/modules")
 set(CMAKE_BUILD_RPATH "${JOINTID_MODULES}")
 set(JOINTID_INSTALL_MODULES "${CMAKE_INSTALL_LIBDIR}/jointid")
 
 function(jointid_module name)
-  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(arg "" "COMPONENT" "SOURCES;LINK" ${ARGN})
+  if(NOT arg_COMPONENT)
+    set(arg_COMPONENT command)
+  endif()
   set(target jointid_module_${name})
   add_library(${target} MODULE ${arg_SOURCES})
   set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME jointid_${name} LIBRARY_OUTPUT_DIRECTORY "${JOINTID_MODULES}")
@@ -143,5 +148,5 @@ function(jointid_module name)
   target_link_libraries(${target} PRIVATE ${arg_LINK} jointid_warnings)
   target_link_options(${target} PRIVATE LINKER:--exclude-libs,ALL)
   add_dependencies(modules ${target})
-  install(TARGETS ${target} LIBRARY DESTINATION "${JOINTID_INSTALL_MODULES}")
+  install(TARGETS ${target} LIBRARY DESTINATION "${JOINTID_INSTALL_MODULES}" COMPONENT ${arg_COMPONENT})
 endfunction()

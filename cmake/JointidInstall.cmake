@@ -10,5 +10,5 @@ install(FILES
   "${PROJECT_BINARY_DIR}/jointid-config.cmake"
   "${PROJECT_BINARY_DIR}/jointid-config-version.cmake"
   DESTINATION "${_destination}")
-install(FILES LICENSE docs/licences.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-install(FILES report/page/vendor/uplot/LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME LICENSE.uPlot)
+install(FILES LICENSE docs/licences.md DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT command)
+install(FILES report/page/vendor/uplot/LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME LICENSE.uPlot COMPONENT command)

@@ -43,7 +43,6 @@ void require_solver(const Scene& scene, const std::vector<Solver>& own) {
     if (asked && !is_there()) fail(scene, "[identify] solver", "this build lacks " + library, "use auto, or build with " + package);
   };
   require(minimise::has_ceres, identify.solver == Solver::ceres, "Ceres", "libceres-dev");
-  require(minimise::has_nlopt, name(identify.solver).starts_with("nlopt"), "NLopt", "libnlopt-cxx-dev");
   require(minimise::has_ipopt, identify.solver == Solver::ipopt, "Ipopt", "coinor-libipopt-dev");
   require(minimise::has_spqr, identify.solver == Solver::spqr, "SPQR", "libsuitesparse-dev");
   require(minimise::has_spqr, identify.solver == Solver::cholmod, "CHOLMOD", "libsuitesparse-dev");

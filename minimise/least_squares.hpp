@@ -41,28 +41,6 @@ bool has_ceres();
 /// A function without derivatives, to minimise; +infinity where it is not defined.
 using Objective = std::function<double(std::span<const double> q)>;
 
-/// The same with its gradient, which is filled unless it is empty.
-using Slopes = std::function<double(std::span<const double> q, std::span<double> gradient)>;
-
-/// Searches of NLopt.
-enum class Search {
-  direct,  ///< DIRECT-L: divides the box again and again; no derivatives
-  mlsl,    ///< multi-level single linkage: SLSQP from a low-discrepancy sequence of starts
-  slsqp    ///< sequential quadratic programming, from the start only
-};
-
-/// Best point of a search in the box start ± half_width; the start if there is none better. `converged`: it ended by its
-/// tolerance, which only slsqp does. Without the module nlopt it throws InputError; see has_nlopt().
-struct NloptOptions {
-  Search search = Search::direct;
-  double half_width = 1.0;
-  int evaluations = 10000;
-  double tolerance = 0.0;  ///< relative, of every unknown; 0: all evaluations are used
-};
-Minimum nlopt_minimum(const Objective& objective, std::span<const double> start, const NloptOptions& options);
-Minimum nlopt_minimum(const Slopes& objective, std::span<const double> start, const NloptOptions& options);
-bool has_nlopt();
-
 /// Interior-point minimum of Σ r² by Ipopt with the Gauss–Newton Hessian 2JᵀJ, within lower ≤ q ≤ upper where given. One solve
 /// runs at a time, others wait: Debian's Ipopt is not thread-safe. Without the module ipopt it throws InputError; see
 /// has_ipopt().

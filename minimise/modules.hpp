@@ -13,12 +13,6 @@ class CeresModule {
   virtual BlockMinimum blocks(const std::vector<BlockTerm>& terms, const BlockOptions& options) = 0;
 };
 
-class NloptModule {
- public:
-  virtual ~NloptModule() = default;
-  virtual Minimum minimum(const Slopes& objective, std::span<const double> start, const NloptOptions& options) = 0;
-};
-
 class IpoptModule {
  public:
   virtual ~IpoptModule() = default;

@@ -145,8 +145,7 @@ void bind_loading_curve(py::module_& module) {
           "specimen", [](const Task& of) { return of.specimen.string(); },
           [](Task& of, const std::string& file) { of.specimen = file; })
       .def_readwrite("weighting", &Task::weighting)
-      .def_readwrite("minimiser", &Task::minimiser)
-      .def_readwrite("global_search", &Task::global);
+      .def_readwrite("minimiser", &Task::minimiser);
   module.def("loading_curve", loading_curve);
   module.def("loading_curve_arrays", loading_curve_arrays);
 }

@@ -53,7 +53,6 @@ void declare_fit(CLI::App& command, LoadingCurveArguments& arguments) {
   command.add_option("--minimiser", arguments.minimiser, "ceres, or pattern: the pattern search of Hooke and Jeeves")
       ->check(CLI::IsMember({"best", "ceres", "pattern"}))
       ->capture_default_str();
-  command.add_flag("--global", arguments.global, "Begin with a global search (NLopt)");
 }
 
 void check_outputs(const LoadingCurveArguments& arguments) {

@@ -13,6 +13,7 @@
 #include "frf/text/unit_names.hpp"
 #include "cli/options/own_file.hpp"
 #include "cli/options/pdf.hpp"
+#include "cli/provenance/provenance.hpp"
 
 namespace jointid::cli {
 
@@ -150,6 +151,7 @@ FileIdentity target_identity(const std::string& target) {
 void check_targets(const std::vector<ident::NamedFile>& inputs, const std::vector<OptionTarget>& targets, bool records) {
   for (const ident::NamedFile& input : inputs) require_regular_file(input.path);
   require_output_apart(inputs);
+  add_provenance_inputs(inputs);
   std::vector<OutputFile> outputs;
   for (const auto& [option, target] : targets) {
     if (!target) continue;
@@ -175,7 +177,8 @@ bool takes_output(const std::vector<std::optional<std::string>>& targets) {
   return std::ranges::find(targets, "-") != targets.end();
 }
 
-void write_target(const std::string& target, const std::string& text, std::ostream& out) {
+void write_target(const std::string& target, const std::string& result, std::ostream& out) {
+  const std::string text = with_provenance(result);
   if (target == "-") {
     out << text;
   } else {

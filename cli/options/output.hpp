@@ -30,7 +30,8 @@ void allow_overwriting();
 /// Whether one of the targets is standard output, so that nothing else may go there.
 bool takes_output(const std::vector<std::optional<std::string>>& targets);
 
-/// Writes to `out` when the target is "-", else to the file of that name, whole or not at all; a page to a file .pdf is printed.
-void write_target(const std::string& target, const std::string& text, std::ostream& out);
+/// Writes to `out` when the target is "-", else to the file of that name, whole or not at all; a page to a file .pdf is printed. JSON and
+/// pages say how they were made (with_provenance()).
+void write_target(const std::string& target, const std::string& result, std::ostream& out);
 
 }  // namespace jointid::cli

@@ -45,7 +45,8 @@ constexpr std::array csv_heads = {"name,value,unit,std_error,",
 /// Keys of the JSON that commands write, at its top level.
 constexpr std::array json_keys = {"status", "verdict", "trials", "method", "methods", "laws", "joints", "modes", "levels", "channels",
                                   "delay", "files", "title", "message", "plan", "table", "reproduce", "scenes", "sweeps", "cases",
-                                  "friction", "system", "estimator", "reason", "suspects", "unknowns", "rows"};
+                                  "friction", "system", "estimator", "reason", "suspects", "unknowns", "rows",
+                                  "made_by"};
 
 std::string bytes_of(const std::filesystem::path& file, bool end) {
   std::ifstream in(file, std::ios::binary | std::ios::ate);

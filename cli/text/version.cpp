@@ -25,7 +25,6 @@ std::string version_text() {
          line("Fast products for many joint coordinates", dense::has_blas(), "OpenBLAS") +
          line("Solver spqr of methods one, two and direct", minimise::has_spqr(), "SPQR") +
          line("Solver ceres of methods likelihood and newton", minimise::has_ceres(), "Ceres") +
-         line("Solver nlopt of method newton, global start of loading-curve", minimise::has_nlopt(), "NLopt") +
          line("Solver ipopt of method newton", minimise::has_ipopt(), "Ipopt") +
          line("Studies under mpirun", ident::has_mpi(), "MPI");
 }

@@ -15,10 +15,6 @@
 namespace jointid::friction {
 namespace {
 
-/// DIRECT-L looks for starts within this factor e^x, with so many evaluations per unknown.
-constexpr double global_half_width = 4.0;
-constexpr int global_evaluations = 1500;
-
 bool uses_ceres(Minimiser minimiser) {
   if (minimiser == Minimiser::ceres && !minimise::has_ceres()) refuse("this build lacks Ceres; use pattern search");
   return minimiser != Minimiser::pattern && minimise::has_ceres();
@@ -75,22 +71,9 @@ minimise::Minimum by_pattern(const FitProblem& problem, const std::vector<std::v
   return best;
 }
 
-std::vector<std::vector<double>> starts_of(const FitProblem& problem, const FitOptions& options) {
-  if (!options.global) return problem.starts();
-  if (!minimise::has_nlopt()) refuse("this build lacks NLopt; leave the global start out");
-  const std::vector<double>& start = problem.starts().front();
-  const auto objective = [&](std::span<const double> q) {
-    stop_if(options.interrupted);
-    return problem.objective(q);
-  };
-  return {minimise::nlopt_minimum(objective, start,
-                                  {.half_width = global_half_width, .evaluations = global_evaluations * static_cast<int>(start.size())})
-              .q};
-}
-
 /// Minimisers of other libraries make another exception of what stops them.
 minimise::Minimum minimise(const FitProblem& problem, const FitOptions& options) try {
-  const auto starts = starts_of(problem, options);
+  const auto& starts = problem.starts();
   const minimise::Minimum found = uses_ceres(options.minimiser) ? by_ceres(problem, starts) : by_pattern(problem, starts);
   stop_if(options.interrupted);
   return found;
@@ -304,7 +287,6 @@ Fit fit(std::span<const Curve> curves, const Family& family, const FitOptions& o
   }
   const minimise::Minimum minimum = minimise(problem, options);
   out.minimiser = uses_ceres(options.minimiser) ? "ceres" : "pattern";
-  if (options.global) out.minimiser = "nlopt+" + out.minimiser;
   out.iterations = minimum.iterations;
   const FitStatistics statistics(problem, minimum.q);
   fill(curves, problem, options, minimum, statistics, out);

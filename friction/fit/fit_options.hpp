@@ -26,7 +26,6 @@ enum class Minimiser : std::uint8_t {
 struct FitOptions {
   Weighting weighting = Weighting::largest;
   Minimiser minimiser = Minimiser::best;
-  bool global = false;            ///< begin with NLopt's DIRECT-L around the start
   std::optional<double> limit{};  ///< preset friction limit, which ties one parameter of the law to the others
   bool friction_coefficient = false;  ///< limit = μ·normal_load of every curve, with one unknown μ
   std::function<bool()> interrupted{};  ///< asked before residuals of a curve are worked out: Interrupted is thrown soon

@@ -234,11 +234,6 @@ std::vector<double> RoundCoordinates::point(std::span<const double> x) const {
   return added(centre_, step);
 }
 
-void RoundCoordinates::turn_slope(std::span<double> slope) const {
-  Eigen::Map<Eigen::VectorXd> of(slope.data(), r_.rows());
-  r_.triangularView<Eigen::Upper>().transpose().solveInPlace(of);
-}
-
 NewtonFit in_rounds(ResponseProblem& problem, std::vector<double> start,
                     const std::function<minimise::Minimum(std::span<const double>)>& minimum, const NewtonOptions& options) {
   constexpr int most_rounds = 40;

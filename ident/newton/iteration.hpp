@@ -49,9 +49,6 @@ class RoundCoordinates {
 
   std::vector<double> point(std::span<const double> x) const;
 
-  /// R⁻ᵀ of a slope by q: the slope by x, in place.
-  void turn_slope(std::span<double> slope) const;
-
   /// ‖R·centre‖: how far the free joint is.
   double size() const { return size_; }
 

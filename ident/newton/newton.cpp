@@ -34,53 +34,24 @@ std::function<bool()> draws_of(std::size_t start) {
   return [start, drawn = std::uint64_t{0}]() mutable { return uniform_numbers({.seed = 2, .trial = start}, drawn++)[0] < 0.7; };
 }
 
-/// A search that compares misfits: weights by sensitivity would favour points whose resonances lie on the lines.
-/// Every point better than those before is watched like the beginning of an iteration.
-NewtonFit by_misfit(ResponseProblem& problem, const Point& start, const NewtonOptions& options,
-                    const std::function<minimise::Minimum(const minimise::Slopes&, const Point& origin, double size)>& minimum) {
+/// Hooke and Jeeves, without derivatives. It compares misfits: weights by sensitivity would favour points whose resonances lie on the
+/// lines. Every point better than those before is watched like the beginning of an iteration.
+NewtonFit by_pattern(ResponseProblem& problem, const Point& start, const NewtonOptions& options) {
   const RoundCoordinates round(problem, start);
   double best = std::numeric_limits<double>::infinity();
-  const minimise::Slopes objective = [&](std::span<const double> x, std::span<double> slope) {
+  const minimise::Objective objective = [&](std::span<const double> x) {
     const Point q = round.point(x);
-    const double misfit = slope.empty() ? problem.misfit(q) : problem.misfit(q, slope);
-    if (!slope.empty()) round.turn_slope(slope);
+    const double misfit = problem.misfit(q);
     if (options.watch && misfit < best) options.watch(q);
     best = std::min(best, misfit);
     return misfit;
   };
-  const minimise::Minimum found = minimum(objective, Point(start.size(), 0.0), round.size());
+  const double size = round.size();
+  const minimise::Minimum found = minimise::pattern_search(
+      objective, Point(start.size(), 0.0), {.step = 0.1 * size, .tolerance = 1e-10 * size, .most_evaluations = 20000});
   NewtonFit fit{.q = round.point(found.q), .iterations = found.iterations, .converged = found.converged};
   fit.diverged = runs_away(fit.q);
   return fit;
-}
-
-constexpr int evaluations = 20000;
-
-/// The own least squares first, then MLSL around its end, with SLSQP and gradients. MLSL never ends by itself: SLSQP settles.
-NewtonFit by_nlopt(ResponseProblem& problem, const Point& start, const NewtonOptions& options) {
-  const NewtonFit own = damped_newton(problem, start, options);
-  const bool helps = !own.diverged && problem.misfit(own.q) < problem.misfit(start);
-  NewtonFit found = by_misfit(
-      problem, helps ? own.q : start, options, [&](const minimise::Slopes& objective, const Point& origin, double size) {
-        const int explored = 100 * static_cast<int>(origin.size());
-        const auto minimum = [&](minimise::Search way, const Point& from, int most, double tolerance) {
-          return minimise::nlopt_minimum(objective, from,
-                                         {.search = way, .half_width = size, .evaluations = most, .tolerance = tolerance});
-        };
-        const minimise::Minimum best = minimum(minimise::Search::mlsl, origin, explored, 0.0);
-        minimise::Minimum settled = minimum(minimise::Search::slsqp, best.q, evaluations, 1e-12);
-        settled.iterations += best.iterations;
-        return settled;
-      });
-  found.iterations += own.iterations;
-  return found;
-}
-
-NewtonFit by_pattern(ResponseProblem& problem, const Point& start, const NewtonOptions& options) {
-  return by_misfit(problem, start, options, [](const minimise::Slopes& objective, const Point& origin, double size) {
-    return minimise::pattern_search([&](std::span<const double> x) { return objective(x, {}); }, origin,
-                                    {.step = 0.1 * size, .tolerance = 1e-10 * size, .most_evaluations = evaluations});
-  });
 }
 
 /// One run of the plan's solver.
@@ -98,7 +69,6 @@ NewtonFit run(Solver solver, ResponseProblem& problem, const Point& start, const
     };
     return in_rounds(problem, start, few, options);
   }
-  if (solver == Solver::nlopt) return by_nlopt(problem, start, options);
   if (solver == Solver::pattern) return by_pattern(problem, start, options);
   return damped_newton(problem, start, options);
 }

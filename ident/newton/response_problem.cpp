@@ -183,28 +183,4 @@ double ResponseProblem::misfit(std::span<const double> q) const {
   return lines > 0.0 ? sum / lines : std::numeric_limits<double>::infinity();
 }
 
-double ResponseProblem::misfit(std::span<const double> q, std::span<double> slope) const {
-  const std::vector<double> at = theta(q);
-  std::ranges::fill(slope, 0.0);
-  double sum = 0.0, lines = 0.0;
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    const double change = lines_[i].change();
-    if (lines_[i].rows() == 0 || !(change > 0.0)) continue;
-    lines += 1.0;
-    const Line* const line = line_at(i, at, true);
-    if (!line) return std::numeric_limits<double>::infinity();
-    const double square = square_sum(line->f);
-    sum += std::log1p(square / change);
-    const auto& columns = lines_[i].columns();
-    const double factor = 2.0 / (change + square);
-    for (std::size_t row = 0; row < line->f.size(); ++row) {
-      for (std::size_t t = 0; t < columns.size(); ++t)
-        slope[columns[t]] += factor * line->f[row] * line->jacobian[row * columns.size() + t] * scale_[columns[t]];
-    }
-  }
-  if (!(lines > 0.0)) return std::numeric_limits<double>::infinity();
-  for (double& each : slope) each /= lines;
-  return sum / lines;
-}
-
 }  // namespace jointid::ident

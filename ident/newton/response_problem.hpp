@@ -58,8 +58,6 @@ class ResponseProblem final : public minimise::LeastSquares {
 
   /// How badly a joint predicts the assembly: mean over the lines of log(1 + ‖F‖²/‖H_aa − H_nn‖²). A few lines do not decide it.
   double misfit(std::span<const double> q) const;
-  /// And its slope by q, into `slope` [unknowns].
-  double misfit(std::span<const double> q, std::span<double> slope) const;
 
  private:
   /// F and the Jacobian by θ of a line.

@@ -10,8 +10,7 @@ namespace {
 
 /// In the order of Solver.
 constexpr std::array solver_words = {"auto",  "qr",    "normal", "spqr",  "cholmod", "ldlt",          "levenberg-marquardt", "newton",
-                                     "ceres", "ipopt", "nlopt",  "pattern", "gauss-helmert", "iqml",
-                                     "by-parts"};
+                                     "ceres", "ipopt", "pattern", "gauss-helmert", "iqml", "by-parts"};
 
 }  // namespace
 

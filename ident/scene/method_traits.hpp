@@ -27,7 +27,6 @@ enum class Solver {
   newton,
   ceres,
   ipopt,
-  nlopt,
   pattern,
   gauss_helmert,
   iqml,

@@ -70,7 +70,6 @@ class LoadingCurveTask:
     specimen: str
     weighting: str
     minimiser: str
-    global_search: bool
     def __init__(self) -> None: ...
 
 class FrfTask:

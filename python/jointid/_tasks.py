@@ -125,7 +125,7 @@ def loading_curve(curves: Any, *, progress: Any = None, **options: Any) -> Resul
     ----------
     curves : path or paths; or (displacement, force), or a list of these or {name: (displacement, force)}
         Arrays in m and N, loaded once from rest. One array of two columns is a curve.
-    options : law, ring, limit, normal_load, friction_coefficient, shared, weighting, minimiser, global_search; of files also
+    options : law, ring, limit, normal_load, friction_coefficient, shared, weighting, minimiser; of files also
         displacement, force, time, energy, stiffness, damping, unit, force_unit, time_unit, sign, velocity, kind,
         specimen_stiffness, specimen: as those of the command
 

@@ -31,7 +31,6 @@ friction::FitOptions options(const LoadingCurveTask& task) {
   friction::FitOptions out;
   out.weighting = friction::parse_weighting(task.weighting);
   out.minimiser = minimiser(task.minimiser);
-  out.global = task.global;
   out.limit = task.limit;
   out.friction_coefficient = task.friction_coefficient;
   out.shared = task.shared;

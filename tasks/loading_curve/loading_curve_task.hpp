@@ -25,7 +25,6 @@ struct LoadingCurveTask {
   std::optional<double> specimen_stiffness;  ///< N/m
   std::filesystem::path specimen;            ///< a loading curve, columns and units as FILE
   std::string weighting = "largest", minimiser = "best";
-  bool global = false;
 };
 
 /// Throws InputError (usage) for a task that cannot be carried out, as far as it can be seen without the data.

@@ -51,43 +51,6 @@ TEST(LeastSquares, CeresFindsTheSame) {
   EXPECT_NEAR(found.q[1], 1.0, 1e-10);
 }
 
-TEST(LeastSquares, TheGlobalSearchStaysWhereTheProblemIsDefined) {
-  if (!has_nlopt()) JOINTID_SKIP("this build lacks NLopt");
-  const Valley valley;
-  const std::vector<double> found =
-      nlopt_minimum([&](std::span<const double> q) { return valley.objective(q); }, start, {.half_width = 8.0, .evaluations = 3000}).q;
-  EXPECT_LT(valley.objective(found), 0.1);
-}
-
-/// Σ r² of the valley with its gradient.
-double slopes(std::span<const double> q, std::span<double> gradient) {
-  const Valley valley;
-  std::vector<double> r(valley.residuals()), jacobian(r.size() * q.size());
-  valley.evaluate(q, r, jacobian);
-  for (std::size_t i = 0; i < gradient.size(); ++i) {
-    gradient[i] = 0.0;
-    for (std::size_t row = 0; row < r.size(); ++row) gradient[i] += 2.0 * r[row] * jacobian[row * q.size() + i];
-  }
-  return valley.objective(q);
-}
-
-TEST(LeastSquares, QuadraticProgramsWalkThroughTheValley) {
-  if (!has_nlopt()) JOINTID_SKIP("this build lacks NLopt");
-  const Minimum found = nlopt_minimum(Slopes(slopes), start, {.search = Search::slsqp, .half_width = 5.0, .tolerance = 1e-12});
-  EXPECT_TRUE(found.converged);
-  EXPECT_NEAR(found.q[0], 1.0, 1e-6);
-  EXPECT_NEAR(found.q[1], 1.0, 1e-6);
-}
-
-TEST(LeastSquares, TheSearchFromManyStartsRepeatsItselfAndStaysInTheBox) {
-  if (!has_nlopt()) JOINTID_SKIP("this build lacks NLopt");
-  const NloptOptions options = {.search = Search::mlsl, .half_width = 3.0, .evaluations = 1000};
-  const std::vector<double> found = nlopt_minimum(Slopes(slopes), start, options).q;
-  EXPECT_EQ(found, nlopt_minimum(Slopes(slopes), start, options).q);
-  EXPECT_LT(Valley().objective(found), 1e-6);
-  for (std::size_t i = 0; i < 2; ++i) EXPECT_LE(std::abs(found[i] - start[i]), 3.0);
-}
-
 TEST(LeastSquares, IpoptFindsTheSame) {
   if (!has_ipopt()) JOINTID_SKIP("this build lacks Ipopt");
   const Minimum found = ipopt_minimum(Valley(), start);

@@ -13,7 +13,9 @@ PROBLEMS = ["A1", "A2", "B", "C1", "D1", "E1", "H1", "rig1", "G1", "F1"]
 def command(*arguments):
     done = subprocess.run([os.environ["JOINTID_COMMAND"], *arguments], capture_output=True, text=True, timeout=120)
     assert done.returncode in (0, 4), done.stderr
-    return json.loads(done.stdout)
+    found = json.loads(done.stdout)
+    assert found.pop("provenance")["command"][1] == arguments[0]  # how the command was called
+    return found
 
 
 def without_times(found):

@@ -13,7 +13,7 @@ constexpr std::array heavy = {
     std::string_view("Eigen/QR"),          std::string_view("Eigen/SVD"),     std::string_view("hdf5.h"),
     std::string_view("hdf5_hl.h"),         std::string_view("matio.h"),       std::string_view("toml++/toml.h"),
     std::string_view("nlohmann/json.hpp"), std::string_view("CLI/CLI.hpp"),   std::string_view("cholmod.h"),
-    std::string_view("SuiteSparseQR.hpp"), std::string_view("ceres/ceres.h"), std::string_view("nlopt.hpp"),
+    std::string_view("SuiteSparseQR.hpp"), std::string_view("ceres/ceres.h"),
     std::string_view("IpIpoptApplication.hpp"), std::string_view("IpSolveStatistics.hpp"), std::string_view("IpTNLP.hpp"),
     std::string_view("qcustomplot.h"),
 };

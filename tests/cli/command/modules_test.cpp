@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 /// Libraries that are ours to leave out, as the dynamic loader names those that it loads.
-const std::vector<std::string> optional_libraries = {"jointid_", "hdf5",    "matio",  "mpi",  "ipopt", "nlopt", "ceres",
+const std::vector<std::string> optional_libraries = {"jointid_", "hdf5",    "matio",  "mpi",  "ipopt", "ceres",
                                                      "spqr",     "cholmod", "lapack", "curl", "ldap",  "mumps", "glog"};
 
 /// Those of them that a command loads.
