@@ -50,8 +50,8 @@ double integral(const Function& f) {
 }
 
 /// φ and its derivatives over zx, x from 0 to 1: cosh zx − cos zx − σ(sinh zx − sin zx), written without differences of large numbers.
-struct Shape {
-  explicit Shape(double root)
+struct BendingShape {
+  explicit BendingShape(double root)
       : z(root), excess((std::exp(-z) + std::cos(z) - std::sin(z)) / (std::sinh(z) + std::sin(z))) {}
 
   double at(double x, int derivative) const {
@@ -146,7 +146,7 @@ std::vector<ThickMode> thick_modes(const ThickBeam& beam, std::size_t count) {
   const std::vector<double> thick = first_roots([&](double z) { return timoshenko_function(z, ratios); }, count, step);
   std::vector<ThickMode> out;
   for (std::size_t k = 0; k < count; ++k) {
-    const Shape shape(euler[k]);
+    const BendingShape shape(euler[k]);
     const double z2 = euler[k] * euler[k], tip = shape.at(1.0, 0);
     out.push_back({.euler_hz = unit * z2,
                    .rotary = -0.5 * ratios.rotary * z2 * shape.squares(1) / (shape.squares(0) + ratios.mass * tip * tip),
