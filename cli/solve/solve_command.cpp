@@ -27,7 +27,10 @@ namespace jointid::cli {
 namespace {
 
 void check_outputs(const SolveArguments& arguments, const ident::Scene& scene) {
-  check_targets(ident::files_of(scene), {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}, {"--by-line", arguments.by_line}});
+  check_targets(ident::files_of(scene), {{"--json", arguments.json},
+                                         {"--csv", arguments.csv},
+                                         {"--report", arguments.report},
+                                         {"--by-line", arguments.by_line}});
 }
 
 report::Display display_of(const SolveArguments& arguments) { return cli::display_of(arguments.units, arguments.quantity); }

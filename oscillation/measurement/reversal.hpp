@@ -26,8 +26,8 @@ struct ReversalSlopes {
 };
 
 /// The contact's stiffness by the slope of the force over the displacement after each reversal, between the limits of slip (Kappagantu
-/// 4.8; he prints the force on the slider, with the other sign). The mean of both directions: a delay of one channel makes one too
-/// steep and the other too flat.
+/// 4.8; he prints the force on the slider, with the other sign). The mean of both directions, which a tilt
+/// parts. A delay of the force does not cancel: a sine speeds up after its reversals, so that both slopes become too flat.
 struct ReversalStiffness {
   ReversalSlopes forward, backward;
   double slope = 0.0, slope_error = 0.0;  ///< mean of both, N/m

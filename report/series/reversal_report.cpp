@@ -72,8 +72,10 @@ std::string reversal_page(const tasks::ReversalResult& report) {
                             fmt::format("Contact stiffness {} N/m.", number(report.found.stiffness)), remarks));
   page.section("Slopes after reversals");
   page.add(reversal_table(report));
-  page.add(Text{"Least squares on straight parts between the limits of slip; the mean of both directions, which a delay leaves alone.",
-                true});
+  page.add(
+      Text{"Least squares on straight parts between the limits of slip; the mean of both directions. A delay of the force makes "
+           "it too small.",
+           true});
   return page.html();
 }
 
