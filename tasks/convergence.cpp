@@ -118,7 +118,8 @@ std::vector<LineQuality> quality_by_line(const ident::Plan& plan, std::size_t po
 
 UnknownsByLine unknowns_by_line(const ident::Plan& plan, std::size_t points, const ident::Control& control) {
   if (linear_plan(plan) == nullptr) {
-    throw InputError({ErrorKind::usage, "", "--by-line", "method \"" + ident::name(plan.scene.identify.method) + "\" does not accumulate lines",
+    throw InputError({ErrorKind::usage, "", "--by-line",
+                      "method \"" + ident::name(plan.scene.identify.method) + "\" does not accumulate lines",
                       "follow the lines with method = \"one\", \"two\" or \"direct\""});
   }
   UnknownsByLine out;

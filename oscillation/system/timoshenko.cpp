@@ -49,7 +49,8 @@ double integral(const Function& f) {
   return sum / (3.0 * parts);
 }
 
-/// φ and its derivatives over zx, x from 0 to 1: cosh zx − cos zx − σ(sinh zx − sin zx), written without differences of large numbers.
+/// φ and its derivatives over zx, x from 0 to 1: cosh zx − cos zx − σ(sinh zx − sin zx), written without differences of large
+/// numbers.
 struct BendingShape {
   explicit BendingShape(double root)
       : z(root), excess((std::exp(-z) + std::cos(z) - std::sin(z)) / (std::sinh(z) + std::sin(z))) {}

@@ -60,7 +60,8 @@ void add_median_floor(study::Measurements& data, const study::Measurements& clea
   std::uint64_t number = first_floor_set;
   for (std::size_t i = 0; i < data.substructures.size(); ++i)
     add_to_set(data.substructures[i], clean.substructures[i], share, {seed, trial, number++});
-  for (std::size_t i = 0; i < data.assembly.size(); ++i) add_to_set(data.assembly[i], clean.assembly[i], share, {seed, trial, number++});
+  for (std::size_t i = 0; i < data.assembly.size(); ++i)
+    add_to_set(data.assembly[i], clean.assembly[i], share, {seed, trial, number++});
 }
 
 }  // namespace jointid::problems

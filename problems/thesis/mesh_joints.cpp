@@ -17,7 +17,8 @@ std::string uniform_bar(double length, const std::string& law) {
 }
 
 std::string ren_law() {
-  return "law = \"ren\"\nparameters = [" + shortest_text(slip_a) + ", " + shortest_text(slip_b) + ", " + shortest_text(slip_k) + "]\n";
+  return "law = \"ren\"\nparameters = [" + shortest_text(slip_a) + ", " + shortest_text(slip_b) + ", " + shortest_text(slip_k) +
+         "]\n";
 }
 
 /// A bilinear law that slips at `displacement` and has the limit of Ren's.
@@ -28,12 +29,15 @@ std::string bilinear_law(double displacement) {
 
 std::string bar_of_table() {
   return "youngs_modulus = 2.06e11\nwidth = 0.01\n"
-         "lengths = [0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.02, 0.02, 0.02, 0.02, "
+         "lengths = [0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.02, 0.02, 0.02, "
+         "0.02, "
          "0.02]\n"
-         "heights = [0.005, 0.006, 0.007, 0.008, 0.01, 0.011, 0.012, 0.013, 0.014, 0.015, 0.017, 0.018, 0.019, 0.02, 0.02, 0.02, 0.018, "
+         "heights = [0.005, 0.006, 0.007, 0.008, 0.01, 0.011, 0.012, 0.013, 0.014, 0.015, 0.017, 0.018, 0.019, 0.02, 0.02, 0.02, "
+         "0.018, "
          "0.014, 0.01, 0.008]\n" +
          ren_law() +
-         "stiffness = [1e12, 2e12, 3e12, 4e12, 5e12, 6e12, 7e12, 8e12, 9e12, 10e12, 10e12, 10e12, 10e12, 8e12, 6e12, 4e12, 3e12, 2e12, "
+         "stiffness = [1e12, 2e12, 3e12, 4e12, 5e12, 6e12, 7e12, 8e12, 9e12, 10e12, 10e12, 10e12, 10e12, 8e12, 6e12, 4e12, 3e12, "
+         "2e12, "
          "2e12, 1e12, 1e12]  # per node, N/m3\n";
 }
 
@@ -71,9 +75,11 @@ std::filesystem::path write(const MeshJoint& problem, const std::filesystem::pat
   std::error_code ignored;  // a folder that cannot be made shows when the first file is written
   std::filesystem::create_directories(directory, ignored);
   const double force = 0.9 * problem.limit;
-  const nlohmann::ordered_json truth = {
-      {"name", problem.name}, {"description", problem.description}, {"limit", problem.limit}, {"force", force},
-      {"displacement", problem.displacement}};
+  const nlohmann::ordered_json truth = {{"name", problem.name},
+                                        {"description", problem.description},
+                                        {"limit", problem.limit},
+                                        {"force", force},
+                                        {"displacement", problem.displacement}};
   write_text(directory / "truth.json", truth.dump(1) + "\n");
   const std::filesystem::path scene = directory / (problem.name + ".toml");
   write_text(scene, "title = \"" + problem.name + ": " + problem.description + "\"\n\n[mesh]\n" + problem.mesh +

@@ -323,7 +323,8 @@ ThesisTable table_6_22() {
 const std::vector<ThesisTable>& thesis_tables() {
   static const std::vector<ThesisTable> tables = {
       table_6_3(),  table_6_4(),  table_6_5(),  table_6_6(),  table_6_7(),  table_6_8(),  table_6_9(),  table_6_10(),
-      table_6_11(), table_6_12(), table_6_13(), table_6_14(), table_6_15(), table_6_16(), table_6_17(), table_6_18(), table_6_19(), table_6_20(),
+      table_6_11(), table_6_12(), table_6_13(), table_6_14(), table_6_15(), table_6_16(), table_6_17(), table_6_18(), table_6_19(),
+      table_6_20(),
       table_6_21(), table_6_22(), table_7_2(), table_7_3(), table_7_5()};
   return tables;
 }

@@ -62,7 +62,8 @@ class Fitting {
                         "leave it out: with --normal-load the coefficient of every limit is printed"});
     }
     if (task_.slopes) {
-      for (const friction::Curve& curve : result.data.curves) result.slopes.push_back(friction::slip_shares(curve, {.points = *task_.slopes}));
+      for (const friction::Curve& curve : result.data.curves)
+        result.slopes.push_back(friction::slip_shares(curve, {.points = *task_.slopes}));
     }
     for (const std::string& law : laws(task_)) {
       result.fits.push_back(together(result.data.curves, law, several_loops));

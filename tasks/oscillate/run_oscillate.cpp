@@ -232,9 +232,10 @@ class Oscillating {
     for (const BasisKind kind : scene_.reduction->bases) {
       for (const std::size_t order : scene_.reduction->orders) {
         ReductionBasis on = basis(kind, order, pod);
-        if (kind == BasisKind::normal_modes)
-          on.mean =
-              dense::solve_positive(model_.mechanics.stiffness, model_.mechanics.contact * system_.kinetic(oscillation::Mode::forward) * friction.normal);
+        if (kind == BasisKind::normal_modes) {
+          const double force = system_.kinetic(oscillation::Mode::forward) * friction.normal;
+          on.mean = dense::solve_positive(model_.mechanics.stiffness, model_.mechanics.contact * force);
+        }
         run_.reduced_sweeps.push_back({kind, order, swept([&](double value) { return swept_case(value, on); }, options)});
         keep();
       }

@@ -41,7 +41,8 @@ TEST(RigOneSeeds, ResonancesAreThoseOfAnIndependentProgram) {
   }
 }
 
-/// Sums over the symmetric matrices of a table as printed: common translation, relative translation, common rotation, relative rotation.
+/// Sums over the symmetric matrices of a table as printed: common translation, relative translation, common rotation, relative
+/// rotation.
 std::vector<double> rigid_body_sums(const char* table, const std::string& row) {
   std::vector<std::vector<double>> k(4, std::vector<double>(4));
   for (const TableEntry& entry : thesis_table(table).entries) {
@@ -64,8 +65,8 @@ std::vector<double> rigid_body_sums(const char* table, const std::string& row) {
 TEST(RigOneSeeds, SumsOfThePrintAreThoseOfAnIndependentTranscription) {
   const nlohmann::json golden = golden_case("seeds.json", "name", "rig_one_resonances");
   if (golden.is_null()) JOINTID_SKIP("no golden seeds");
-  for (const auto& [table, row] : {std::pair("7.2", "A1"), std::pair("7.2", "A2"), std::pair("7.3", "B1"), std::pair("7.3", "B2"),
-                                   std::pair("7.3", "B3")}) {
+  for (const auto& [table, row] :
+       {std::pair("7.2", "A1"), std::pair("7.2", "A2"), std::pair("7.3", "B1"), std::pair("7.3", "B2"), std::pair("7.3", "B3")}) {
     const nlohmann::json& expected = golden["expected"][std::string("rigid body ") + row];
     const std::vector<double> found = rigid_body_sums(table, row);
     for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(found[i], expected[i].get<double>(), 0.006) << row << i;
@@ -78,7 +79,8 @@ void expect_case(const std::vector<TableEntry>& entries, const std::vector<Repro
   std::size_t place = 0, inside = 0;
   for (std::size_t e = 0; e < entries.size(); ++e) {
     if (entries[e].row != row) continue;
-    const double unit = entries[e].unit, low = expected["q05"][place].get<double>() / unit, high = expected["q95"][place].get<double>() / unit;
+    const double unit = entries[e].unit, low = expected["q05"][place].get<double>() / unit,
+                 high = expected["q95"][place].get<double>() / unit;
     const double slack = 0.25 * (high - low);
     if (results[e].ours.median > low - slack && results[e].ours.median < high + slack) ++inside;
     ++place;
@@ -92,7 +94,8 @@ TEST(RigOneSeeds, DataSetsOfJointAAgreeWithEachOtherAndAreAllWrong) {
   if (golden.is_null()) JOINTID_SKIP("no golden seeds");
   const ThesisTable& table = thesis_table("7.2");
   const std::vector<Reproduced> results = reproduce(table, {.trials = 20});
-  for (const char* row : {"A1", "A2", "A3"}) expect_case(table.entries, results, row, golden["expected"]["main"][std::string("case ") + row]);
+  for (const char* row : {"A1", "A2", "A3"})
+    expect_case(table.entries, results, row, golden["expected"]["main"][std::string("case ") + row]);
   for (std::size_t e = 0; e < table.entries.size(); ++e) {
     if (table.entries[e].kind == restrictions::Kind::stiffness) {
       EXPECT_LT(std::abs(results[e].ours.median), 0.4 * 3.89) << e;  // the truth is 1.86 to 3.89
@@ -105,7 +108,8 @@ TEST(RigOneSeeds, DataSetsOfJointBAreBiasedAsAnIndependentProgramFound) {
   if (golden.is_null()) JOINTID_SKIP("no golden seeds");
   const ThesisTable& table = thesis_table("7.3");
   const std::vector<Reproduced> results = reproduce(table, {.trials = 20});
-  for (const char* row : {"B1", "B2", "B3"}) expect_case(table.entries, results, row, golden["expected"]["main"][std::string("case ") + row]);
+  for (const char* row : {"B1", "B2", "B3"})
+    expect_case(table.entries, results, row, golden["expected"]["main"][std::string("case ") + row]);
 }
 
 /// The sums that short B leaves determined, and which rows the print lies in.

@@ -42,7 +42,8 @@ TEST(ContactDetails, AmplitudeIsATableOverTheFrequency) {
   const nlohmann::json& table = golden["expected"]["amplitude_table"];
   nlohmann::json rows = nlohmann::json::array();
   for (std::size_t i = 0; i < table["hz"].size(); ++i) rows.push_back({table["hz"][i], table["amplitude"][i]});
-  SystemSpec spec = scene_of({.system = "amplitude = " + rows.dump() + "\nfrequency = 12.0\n", .friction = {}, .more = {}}).system;
+  SystemSpec spec =
+      scene_of({.system = "amplitude = " + rows.dump() + "\nfrequency = 12.0\n", .friction = {}, .more = {}}).system;
   for (std::size_t i = 0; i < table["at_hz"].size(); ++i) {
     set_swept(spec, "frequency", table["at_hz"][i]);
     EXPECT_NEAR(model_of(spec).drive.amplitude, table["value"][i].get<double>(), 1e-15);
@@ -70,7 +71,8 @@ TEST(ContactDetails, NormalVibrationsAndThickBeamAreOfTheResult) {
   const std::string normal =
       "[normal_vibrations]\nmass = 0.01551\nstiffness = 901.77536\nextension_stiffness = 282.774023437\nslope = -0.00545\n"
       "offset = 0.00122\nfrequencies = [5.0, 41.1]\n";
-  const OscillateResult found = run_oscillate(scene_of({.system = Keys{}.system + "poisson_ratio = 0.34\n", .friction = {}, .more = normal}));
+  const OscillateResult found =
+      run_oscillate(scene_of({.system = Keys{}.system + "poisson_ratio = 0.34\n", .friction = {}, .more = normal}));
   ASSERT_TRUE(found.normal_vibrations);
   ASSERT_EQ(found.normal_vibrations->motions.size(), 2u);
   EXPECT_NEAR(found.normal_vibrations->motions[0].force, 0.262630121991, 1e-11);
@@ -88,10 +90,13 @@ TEST(ContactDetails, MistakesAreErrorsWithRemedies) {
   EXPECT_THAT(error_of({"amplitude = [[12.0, 0.002], [5.0, 0.001]]\nfrequency = 8.0\n", "", ""}), HasSubstr("sort the rows"));
   EXPECT_THAT(error_of({"amplitude = [12.0, 0.002]\nfrequency = 8.0\n", "", ""}), HasSubstr("[12.0, 0.0023]"));
   const std::string sweep = "[sweep]\nparameter = \"amplitude\"\nrange = [0.001, 0.002]\npoints = 2\nlength = 10.0\n";
-  EXPECT_THAT(error_of({"amplitude = [[5.0, 0.002], [12.0, 0.001]]\nfrequency = 8.0\n", "", sweep}), HasSubstr("sweep frequency"));
+  EXPECT_THAT(error_of({"amplitude = [[5.0, 0.002], [12.0, 0.001]]\nfrequency = 8.0\n", "", sweep}),
+              HasSubstr("sweep frequency"));
   EXPECT_THAT(error_of({drive + "poisson_ratio = 30.0\n", "", ""}), HasSubstr("above 0.5"));
-  EXPECT_THAT(error_of({"velocity = 0.2\n", "", "[normal_vibrations]\nmass = 0.01\nstiffness = 1.0\nextension_stiffness = 1.0\nslope = 0.1\noffset = 0.1\n"}),
-              HasSubstr("no slider"));
+  EXPECT_THAT(
+      error_of({"velocity = 0.2\n", "",
+                "[normal_vibrations]\nmass = 0.01\nstiffness = 1.0\nextension_stiffness = 1.0\nslope = 0.1\noffset = 0.1\n"}),
+      HasSubstr("no slider"));
   EXPECT_THAT(error_of({drive, "", "[normal_vibrations]\nmas = 0.01\n"}), HasSubstr("mass"));
 }
 
