@@ -117,7 +117,7 @@ void read_damping(const scene::Table& table, SystemSpec& spec) {
 std::vector<std::array<double, 2>> read_amplitudes(const scene::Item& item) {
   std::vector<std::array<double, 2>> rows;
   for (const scene::Item& each : item.list_not_empty()) {
-    const std::vector<scene::Item> pair = each.list();
+    const std::vector<scene::Item> pair = each.is_list() ? each.list() : std::vector<scene::Item>();
     if (pair.size() != 2) each.fail("is not a row of frequency and amplitude", "write [12.0, 0.0023]: Hz, m");
     rows.push_back({pair[0].positive(), pair[1].positive()});
     if (rows.size() > 1 && !(rows[rows.size() - 2][0] < rows.back()[0]))

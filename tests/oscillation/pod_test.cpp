@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/random.hpp"
+#include "dense/cholesky.hpp"
 #include "dense/eigen.hpp"
 #include "dense/qr.hpp"
 #include "oscillation/pod/mode_comparison.hpp"
@@ -135,7 +136,8 @@ TEST(Pod, ContributionsAreTheCoordinatesInTheOtherModes) {
   EXPECT_NEAR(found.outside(0), 0.0, 1e-12);
   // What is at right angles to all of them.
   Eigen::VectorXd other = Eigen::Vector4d(0.3, -0.7, 0.1, 0.5);
-  other -= unit * (unit.transpose() * mass * unit).inverse() * (unit.transpose() * mass * other);
+  const Eigen::MatrixXd gram = unit.transpose() * mass * unit, right = unit.transpose() * mass * other;
+  other -= unit * dense::solve_positive(gram, right);
   EXPECT_NEAR(mode_contributions(other, psi, mass).outside(0), 1.0, 1e-12);
   Eigen::MatrixXd twice(4, 2);
   twice << psi.col(0), 2.0 * psi.col(0);
