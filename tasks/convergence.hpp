@@ -17,4 +17,21 @@ struct LineQuality {
 /// spread evenly. Empty when the scene tells no truth.
 std::vector<LineQuality> quality_by_line(const ident::Plan& plan, std::size_t points, const ident::Control& control = {});
 
+/// The unknowns from the first `lines` lines together, and from the last of these lines alone; empty where they do not fix every
+/// unknown.
+struct LineUnknowns {
+  std::size_t lines = 0;
+  double frequency_hz = 0.0;
+  std::vector<double> together, alone;  ///< in the order of `names`
+};
+struct UnknownsByLine {
+  std::vector<std::string> names;
+  std::vector<LineUnknowns> lines;
+};
+
+/// Each unknown over the accumulated lines, and from each line by itself (Ren's figures 6.4, 6.19, 6.20): lines that move an estimate
+/// or give another one are bad, which needs no truth. Points as of quality_by_line(). Throws InputError (usage) for methods that do
+/// not accumulate lines.
+UnknownsByLine unknowns_by_line(const ident::Plan& plan, std::size_t points, const ident::Control& control = {});
+
 }  // namespace jointid::tasks

@@ -53,6 +53,10 @@ void declare_fit(CLI::App& command, LoadingCurveArguments& arguments) {
   command.add_option("--minimiser", arguments.minimiser, "ceres, or pattern: the pattern search of Hooke and Jeeves")
       ->check(CLI::IsMember({"best", "ceres", "pattern"}))
       ->capture_default_str();
+  command
+      .add_option("--slopes", arguments.slopes,
+                  "Also the share h of the stiffness that has slipped, from slopes over so many samples, and which u(h) fits it")
+      ->check(CLI::Range(2, 1000));
 }
 
 void check_outputs(const LoadingCurveArguments& arguments) {

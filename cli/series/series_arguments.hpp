@@ -4,6 +4,7 @@
 #include "tasks/series/align.hpp"
 #include "tasks/series/contact.hpp"
 #include "tasks/series/delay.hpp"
+#include "tasks/series/reversal.hpp"
 #include "tasks/series/strain.hpp"
 
 namespace jointid::cli {
@@ -21,6 +22,11 @@ struct SeriesStrainArguments : tasks::StrainTask {
 /// `series friction`: the law of a contact from a record of it.
 struct SeriesFrictionArguments : tasks::ContactTask {
   Target json, csv, report;
+};
+
+/// `series reversal`: the stiffness of a contact from the slopes of its force after reversals.
+struct SeriesReversalArguments : tasks::ReversalTask {
+  Target json, report;
 };
 
 /// `series align`: how late the channels of a periodic record are.

@@ -86,6 +86,27 @@ void add_friction(CLI::App& series, Chosen& chosen) {
   command->footer("Example:\n  jointid series friction run.csv --velocity v --force F --load 1.86 --stick-speed 0.002");
 }
 
+void add_reversal(CLI::App& series, Chosen& chosen) {
+  auto [command, a] = add_command<SeriesReversalArguments>(series, chosen, "reversal",
+                                                           "Contact stiffness from the slopes of the friction force after reversals");
+  command->add_option("FILE", a->file, file_text)->required();
+  command->add_option("--displacement", a->displacement, "Column of the slider's displacement against the nub, m")->required();
+  command->add_option("--force", a->force, "Column of the friction force on the body, N")->required();
+  command->add_option("--slip-force", a->options.slip_force, "Friction force while it slips, N (default: from the record)")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--share", a->options.share, "Straight parts lie between plus and minus this share of the slip force")
+      ->check(CLI::Range(0.05, 0.99));
+  command
+      ->add_option("--body-stiffness", a->options.body_stiffness,
+                   "Stiffness of the body at the nub, N/m, where the displacement is that of the slider alone")
+      ->check(CLI::PositiveNumber);
+  add_rate(command, a->rate_hz);
+  command->add_option("--json", a->json, "Write the stiffness as JSON to a file, or - for stdout");
+  add_force(command);
+  command->add_option("--report", a->report, "Write one HTML page with the slopes to a file, or - for stdout");
+  command->footer("Example:\n  jointid series reversal run.csv --displacement d --force F");
+}
+
 void add_align(CLI::App& series, Chosen& chosen) {
   auto [command, a] = add_command<SeriesAlignArguments>(
       series, chosen, "align", "Time delays of the channels of a periodic record, and the record without them");
@@ -113,6 +134,7 @@ void add_series(CLI::App& app, Chosen& chosen) {
   add_strain(*series, chosen);
   add_friction(*series, chosen);
   add_align(*series, chosen);
+  add_reversal(*series, chosen);
 }
 
 }  // namespace jointid::cli

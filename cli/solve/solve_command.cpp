@@ -15,6 +15,7 @@
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "report/page/limits.hpp"
+#include "report/result/by_line.hpp"
 #include "report/result/solution_text.hpp"
 #include "report/result/solve_page.hpp"
 #include "report/solution_json.hpp"
@@ -26,7 +27,10 @@ namespace jointid::cli {
 namespace {
 
 void check_outputs(const SolveArguments& arguments, const ident::Scene& scene) {
-  check_targets(ident::files_of(scene), {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
+  check_targets(ident::files_of(scene), {{"--json", arguments.json},
+                                         {"--csv", arguments.csv},
+                                         {"--report", arguments.report},
+                                         {"--by-line", arguments.by_line}});
 }
 
 report::Display display_of(const SolveArguments& arguments) { return cli::display_of(arguments.units, arguments.quantity); }
@@ -76,6 +80,15 @@ void write_report(const std::string& target, const ident::Plan& plan, const iden
   write_target(target, report::solve_report(plan, solution, details, display), out);
 }
 
+void write_by_line(const std::string& target, const ident::Plan& plan, std::ostream& out) {
+  constexpr std::size_t most_points = 1000;
+  const tasks::UnknownsByLine found = [&] {
+    Progress progress;
+    return tasks::unknowns_by_line(plan, most_points, progress.control());
+  }();
+  write_target(target, target.ends_with(".json") ? report::by_line_json(found) : report::by_line_csv(found), out);
+}
+
 /// The entry of --plot, RESPONSE/REFERENCE. Throws InputError (usage) when the assembly has no such FRF.
 tasks::FrfEntry plotted_entry(const std::string& text, const ident::Plan& plan) {
   const std::size_t slash = text.find('/');
@@ -112,6 +125,10 @@ report::Display display_of(const SolveArguments& arguments, const ident::Plan& p
 
 void refuse_display(const SolveArguments& arguments) {
   refuse_units(arguments.units);
+  if (arguments.by_line) {
+    throw InputError({ErrorKind::usage, "", "--by-line", "does not apply to friction laws and joints at every line",
+                      "leave it out, or give a scene with [joint] and a linear method"});
+  }
   if (arguments.quantity == SolveArguments().quantity) return;
   throw InputError({ErrorKind::usage, "", "--quantity", "does not apply to friction laws and joints at every line",
                     "leave it out: their results are in SI units"});
@@ -124,6 +141,8 @@ SolveArguments& add_linear_solve(CLI::App& app, Chosen& chosen) {
   command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
   add_outputs(command, *arguments, "the solution", "the unknowns", "tables and plots");
   command->add_option("--plot", arguments->plot, "Plot an assembly FRF, measured and synthesised, e.g. 1:+Y/5:+Y");
+  command->add_option("--by-line", arguments->by_line,
+                      "Write each unknown over the accumulated lines and from each line alone to a file, CSV or .json; linear methods");
   add_units(command, arguments->units);
   add_quantity(command, arguments->quantity, "as the assembly's file");
   add_whole_number(command, "--threads", arguments->threads, "0 for all cores; the results do not depend on it", counts_of_threads());
@@ -163,6 +182,7 @@ ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
   const report::Display display = arguments.plot || arguments.report ? display_of(arguments, *plan) : report::Display();
   const bool has_text = !takes_output({arguments.json, arguments.csv, arguments.report});
   if (has_text && entry && !solution.bands.empty()) plot(*entry, *plan, solution, display, out);
+  if (arguments.by_line) write_by_line(*arguments.by_line, *plan, out);
   if (arguments.report) write_report(*arguments.report, *plan, solution, entry, display, out);
   return tell_status(arguments.scene.string(), solution.status, solution.message);
 }

@@ -23,6 +23,7 @@ struct SolveArguments {
   std::optional<std::string> plot;  ///< RESPONSE/REFERENCE of an assembly FRF
   std::string units = "SI";  ///< of text, CSV and page: SI or mm
   std::string quantity = "receptance";  ///< of plotted FRFs; "measured": that of the assembly's file
+  Target by_line;  ///< the unknowns over the lines: JSON where the name ends in .json, else CSV
   std::size_t threads = 0;
   LawSceneRun<SolveArguments> run_laws = nullptr;
 };

@@ -48,7 +48,7 @@ StickSlip::StickSlip(const ContactSystem& system, VectorXd start, std::optional<
   if (v != 0.0) {
     mode_ = v > 0.0 ? Mode::forward : Mode::backward;
   } else if (const double f = system.stick_force.dot(state_);
-             std::abs(f) <= system.friction.statical * system.normal.dot(state_)) {
+             system.holds(f, system.normal.dot(state_))) {
     mode_ = Mode::stick;
   } else {
     mode_ = f > 0.0 ? Mode::forward : Mode::backward;
@@ -76,18 +76,18 @@ std::optional<StickSlip::Found> StickSlip::slip_end(const Piece& piece) const {
   if (!system_.is_rigid()) return Found{*tau, r, Mode::stick, system_.on_stick[place(mode_)]};
   const VectorXd z = piece.at(*tau);
   const double f = system_.stick_force.dot(z);
-  if (std::abs(f) <= system_.friction.statical * system_.normal.dot(z))
+  if (system_.holds(f, system_.normal.dot(z)))
     return Found{*tau, r, Mode::stick, system_.on_stick[place(mode_)]};
   return Found{*tau, r, f > 0.0 ? Mode::forward : Mode::backward, {}};
 }
 
 std::optional<StickSlip::Found> StickSlip::stick_end(const Piece& piece) const {
   std::optional<Found> first;
-  const VectorXd limit = system_.friction.statical * piece.along(system_.normal), force = piece.along(system_.stick_force);
+  const VectorXd load = piece.along(system_.normal), force = piece.along(system_.stick_force);
   for (const Mode slip : {Mode::forward, Mode::backward}) {
-    const auto tau = root_of(limit - sign(slip) * force, piece.length, slip == before_ ? zeros_ : 0);
+    const auto tau = root_of(system_.statical(slip) * load - sign(slip) * force, piece.length, slip == before_ ? zeros_ : 0);
     if (!tau || (first && *tau >= first->tau)) continue;
-    first = Found{*tau, system_.friction.statical * system_.normal - sign(slip) * system_.stick_force, slip, system_.on_slip};
+    first = Found{*tau, system_.statical(slip) * system_.normal - sign(slip) * system_.stick_force, slip, system_.on_slip};
   }
   return first;
 }

@@ -83,7 +83,7 @@ void TaylorSeries::expand(Mode mode, const VectorXd& z, Piece& piece) {
   piece.coefficients.col(0) = z;
   if (falls_) {
     rate_ = *system_.friction.decay * sign(mode);
-    drop_ = sign(mode) * (system_.friction.statical - system_.friction.kinetic);
+    drop_ = sign(mode) * (system_.statical(mode) - system_.kinetic(mode));
   }
   double* const base = piece.coefficients.data();
   for (Index k = 0; k < order; ++k) {

@@ -19,8 +19,8 @@ namespace {
 struct Section {
   Section(const ContactSystem& system, const VectorXd& start) {
     const Index motion = 2 * system.degrees();
-    const double sigma = system.stick_force.dot(start) >= 0.0 ? 1.0 : -1.0;
-    gradient = system.stick_force - sigma * system.friction.statical * system.normal;
+    const Mode slip = system.stick_force.dot(start) >= 0.0 ? Mode::forward : Mode::backward;
+    gradient = system.stick_force - sign(slip) * system.statical(slip) * system.normal;
     MatrixXd normals(motion, 2);
     normals << system.relative[1].head(motion), gradient.head(motion);
     oscillation::orthonormalise(normals);

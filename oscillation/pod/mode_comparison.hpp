@@ -16,6 +16,16 @@ Eigen::MatrixXd mode_cosines(const Eigen::MatrixXd& phi, const Eigen::MatrixXd& 
 /// The square of mode_cosines() without a mass matrix: the modal assurance criterion.
 Eigen::MatrixXd mode_assurance(const Eigen::MatrixXd& phi, const Eigen::MatrixXd& psi);
 
+/// |v_k|/Σ|v| of φ_i = Σ v_k ψ_k, rows sum to 1, [modes of φ, modes of ψ]: how much each ψ contributes to a φ (Kappagantu's Tables
+/// 5.1, 5.2). ψ are scaled to length 1 in the inner product M, and v is the least-squares solution in it. `outside`: the part of |φ|²
+/// that the ψ do not reach, a share. A φ of zeros, or out of reach altogether, has a row of zeros. Throws InputError (data) for ψ that
+/// depend on each other.
+struct ModeContributions {
+  Eigen::MatrixXd shares;
+  Eigen::VectorXd outside;
+};
+ModeContributions mode_contributions(const Eigen::MatrixXd& phi, const Eigen::MatrixXd& psi, const Eigen::MatrixXd& mass = {});
+
 /// Each φ with the ψ that is most alike, largest cosines first, each ψ once.
 struct ModePair {
   std::size_t phi = 0, psi = 0;

@@ -1,6 +1,7 @@
 #include "oscillation/system/contact_system.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "base/error.hpp"
@@ -31,13 +32,25 @@ void check(const Mechanics& m, const Drive& drive, const Friction& friction) {
   if (friction.decay && !(*friction.decay > 0.0)) wrong("decay", "is not above 0");
   if (friction.contact_stiffness && !(*friction.contact_stiffness > 0.0)) wrong("contact_stiffness", "is not above 0");
   if (friction.contact_stiffness && friction.decay) wrong("decay", "of a compliant contact: its law is Coulomb's");
+  const double steep = std::abs(friction.tilt);
+  if (!(steep + std::atan(friction.statical) < std::numbers::pi / 2.0))
+    wrong("tilt", "locks the contact: tan(tilt) is 1/μ_S or more");
+  if (!(steep <= std::atan(friction.kinetic))) wrong("tilt", "lets the contact slide by its load alone: tan(tilt) is above μ_K");
 }
 
 }  // namespace
 
+double tilted(double coefficient, double tilt, Mode slip) {
+  return tilt == 0.0 ? coefficient : std::tan(std::atan(coefficient) + sign(slip) * tilt);
+}
+
 ContactSystem::ContactSystem(const Mechanics& m, const Drive& drive, const Friction& law)
     : friction(law), degrees_(m.contact.size()) {
   check(m, drive, law);
+  for (const Mode slip : {Mode::backward, Mode::stick, Mode::forward}) {
+    kinetic_[place(slip)] = tilted(law.kinetic, law.tilt, slip);
+    statical_[place(slip)] = tilted(law.statical, law.tilt, slip);
+  }
   const Index n = degrees_, one = 2 * n, sine = one + 1, cosine = one + 2, spring = one + 3;
   MatrixXd a = MatrixXd::Zero(size(), size());
   a.topRows(n).middleCols(n, n).setIdentity();
@@ -61,12 +74,12 @@ ContactSystem::ContactSystem(const Mechanics& m, const Drive& drive, const Frict
   const MatrixXd identity = MatrixXd::Identity(size(), size());
   on_slip = identity;
   for (const Mode slip : {Mode::backward, Mode::forward}) {
-    drift[place(slip)] = a + sign(slip) * law.kinetic * push * normal.transpose();
+    drift[place(slip)] = a + sign(slip) * kinetic(slip) * push * normal.transpose();
     relative[place(slip)] = r;
     if (law.contact_stiffness) {
-      relative[place(slip)].segment(n, n) *= 1.0 + sign(slip) * law.kinetic * law.normal_slope / *law.contact_stiffness;
+      relative[place(slip)].segment(n, n) *= 1.0 + sign(slip) * kinetic(slip) * law.normal_slope / *law.contact_stiffness;
       on_stick[place(slip)] = identity;
-      on_stick[place(slip)].row(spring) = sign(slip) * law.kinetic / *law.contact_stiffness * normal.transpose();
+      on_stick[place(slip)].row(spring) = sign(slip) * kinetic(slip) / *law.contact_stiffness * normal.transpose();
     } else {
       on_stick[place(slip)] = identity - push * r.transpose() / r.dot(push);
     }
@@ -95,15 +108,15 @@ VectorXd ContactSystem::state(const VectorXd& q, const VectorXd& v) const {
 
 VectorXd ContactSystem::field(Mode mode, const VectorXd& z) const {
   VectorXd out = drift[place(mode)] * z;
-  if (mode != Mode::stick && is_falling()) out += (force(mode, z) - sign(mode) * friction.kinetic * normal.dot(z)) * push;
+  if (mode != Mode::stick && is_falling()) out += (force(mode, z) - sign(mode) * kinetic(mode) * normal.dot(z)) * push;
   return out;
 }
 
 double ContactSystem::force(Mode mode, const VectorXd& z) const {
   if (mode == Mode::stick) return stick_force.dot(z);
-  double mu = friction.kinetic;
+  double mu = kinetic(mode);
   if (is_falling())
-    mu += (friction.statical - friction.kinetic) * std::exp(-*friction.decay * sign(mode) * relative[place(mode)].dot(z));
+    mu += (statical(mode) - kinetic(mode)) * std::exp(-*friction.decay * sign(mode) * relative[place(mode)].dot(z));
   return sign(mode) * mu * normal.dot(z);
 }
 

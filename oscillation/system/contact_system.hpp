@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -33,11 +34,16 @@ struct Friction {
   double normal_slope = 0.0;    ///< N_m, N/m: N = N₀ + N_m y
   std::optional<double>
       contact_stiffness;  ///< K_C > 0, N/m, of a massless spring before the slider (6.21–6.24); empty: rigid. Coulomb only
+  double tilt = 0.0;      ///< θ, rad, of the contact plane against the slider's motion (4.1); N is then the load across the motion
 };
 
 /// Which way the contact moves: the drive faster than the body (force on it positive), not at all, slower.
 enum class Mode { backward = -1, stick = 0, forward = 1 };
 constexpr double sign(Mode mode) { return static_cast<double>(static_cast<int>(mode)); }
+/// The force along the motion over the load N_Z across it, of a coefficient μ on a plane tilted by θ (Kappagantu 4.1):
+/// tan(θ + atan μ) forward, tan(atan μ − θ) backward; μ without tilt. A load on the plane is N_Z/(cos θ ∓ μ sin θ).
+double tilted(double coefficient, double tilt, Mode slip);
+
 constexpr std::size_t place(Mode mode) { return static_cast<std::size_t>(static_cast<int>(mode) + 1); }
 
 /// The same as z' = A z in each mode (beside the falling law), z = {q, q̇, 1, sin ωt, cos ωt, w}: constants and drive appended, w
@@ -51,6 +57,13 @@ struct ContactSystem {
   bool is_falling() const { return friction.decay && friction.statical > friction.kinetic; }
   /// {q, q̇} at t = 0 as a state.
   Eigen::VectorXd state(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const;
+  /// μ_K and μ_S along the motion, by the way the contact slips or would slip; one value without tilt.
+  double kinetic(Mode slip) const { return kinetic_[place(slip)]; }
+  double statical(Mode slip) const { return statical_[place(slip)]; }
+  /// Whether a force can hold the contact: |f| ≤ μ_S N, by the direction of f.
+  bool holds(double force, double load) const {
+    return std::abs(force) <= statical(force >= 0.0 ? Mode::forward : Mode::backward) * load;
+  }
   /// z' in a mode.
   Eigen::VectorXd field(Mode mode, const Eigen::VectorXd& z) const;
   /// Friction force on the body.
@@ -69,6 +82,7 @@ struct ContactSystem {
 
  private:
   Eigen::Index degrees_ = 0;
+  std::array<double, 3> kinetic_{}, statical_{};  ///< by place(mode)
 };
 
 }  // namespace jointid::oscillation

@@ -65,6 +65,7 @@ struct Case {
   std::string weighting = "WB";        ///< empty: the method has its own
   double delta = 0.0;
   std::optional<Matrix> start_stiffness;  ///< iterative methods
+  std::optional<Matrix> start_damping;    ///< hysteretic, beside start_stiffness
 
   ProblemNoise noise = frf::NoiseModel{};
   std::optional<HammerCoherence> hammer;  ///< with a hammer noise model

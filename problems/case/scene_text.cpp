@@ -106,8 +106,10 @@ std::string identify_text(const Case& definition) {
   if (!definition.equations.empty()) text += "equations = " + array(definition.equations, quoted) + "\n";
   if (!definition.weighting.empty()) text += "weighting = " + quoted(definition.weighting) + "\n";
   if (definition.delta > 0.0) text += "delta = " + number(definition.delta) + "\n";
-  if (definition.start_stiffness)
-    text += "start = { stiffness = " + array(*definition.start_stiffness) + " }\n";
+  if (definition.start_stiffness) {
+    text += "start = { stiffness = " + array(*definition.start_stiffness) +
+            (definition.start_damping ? ", hysteretic_damping = " + array(*definition.start_damping) : "") + " }\n";
+  }
   return text;
 }
 

@@ -8,6 +8,7 @@
 #include "problems/lines/line_problem.hpp"
 #include "problems/problem.hpp"
 #include "problems/thesis/loading_curves.hpp"
+#include "problems/thesis/mesh_joints.hpp"
 #include "problems/thesis/oscillations.hpp"
 #include "problems/thesis/pulses.hpp"
 #include "problems/thesis/two_beams.hpp"
@@ -54,6 +55,11 @@ WrittenProblem write_pulse(const std::string& name, const Path& directory, const
   return {scene, "response " + scene.string() + " --history motion.csv"};
 }
 
+WrittenProblem write_mesh_joint(const std::string& name, const Path& directory, const WriteOptions&) {
+  const auto scene = write(*find_mesh_joint(name), directory);
+  return {scene, "loading-curve " + scene.string() + " --csv curve.csv"};
+}
+
 WrittenProblem write_law_problem(const std::string& name, const Path& directory, const WriteOptions& options) {
   const auto scene = write(make_law_problem(name), directory, options);
   return {scene, "solve " + scene.string()};
@@ -81,6 +87,7 @@ constexpr std::array every_kind = {
     ProblemKind{list_modal_sets, write_modal_set},
     ProblemKind{[] { return infos_of(list_two_beams()); }, write_two_beams},
     ProblemKind{[] { return infos_of(list_pulses()); }, write_pulse},
+    ProblemKind{[] { return infos_of(list_mesh_joints()); }, write_mesh_joint},
     ProblemKind{list_law_problems, write_law_problem},
     ProblemKind{[] { return infos_of(list_oscillations()); }, write_oscillation},
 };

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <map>
 
+#include "frf/noise/noise.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/problem.hpp"
+#include "problems/thesis/median_floor.hpp"
 
 namespace jointid::problems {
 namespace {
@@ -21,12 +23,25 @@ ident::Scene scene_of(const TableRun& run, const Problem& problem) {
   if (!run.equations.empty()) result.identify.equations = run.equations;
   if (run.weighting) result.identify.weighting = *run.weighting;
   if (run.delta) result.identify.delta = *run.delta;
+  if (run.range_hz) result.frequency.range_hz = run.range_hz;
   return result;
+}
+
+std::shared_ptr<const study::TrialData> data_with_floor(const ident::Scene& scene, const Problem& problem, double share) {
+  const study::Measurements clean{problem.substructures, {problem.assembly}};
+  const auto pollute = [&problem, clean, share](std::uint64_t seed, std::uint64_t trial, study::Measurements& data) {
+    const auto& model = std::get<frf::NoiseModel>(problem.noise);
+    std::uint64_t set = 0;
+    for (frf::FrfSet& part : data.substructures) part = frf::polluted(part, model, seed, trial, set++);
+    for (frf::FrfSet& whole : data.assembly) whole = frf::polluted(whole, model, seed, trial, set++);
+    add_median_floor(data, clean, share, seed, trial);
+  };
+  return study::make_trial_data(scene, clean, pollute);
 }
 
 Outcome run_trials_of(const TableRun& run, const Problem& problem, const study::TrialOptions& options) {
   const ident::Scene chosen = scene_of(run, problem);
-  const auto data = trial_data(chosen, problem);
+  const auto data = run.median_floor > 0.0 ? data_with_floor(chosen, problem, run.median_floor) : trial_data(chosen, problem);
   return {study::run_trials(data, options), data->judged, restrictions::build(chosen.joints)};
 }
 
@@ -41,12 +56,16 @@ std::vector<double> figures(const Outcome& outcome, const TableEntry& entry) {
 }
 
 std::vector<double> elements(const Outcome& outcome, const TableEntry& entry, const Problem& problem) {
-  const double truth = problem.truth.at(entry.kind)[entry.i][entry.j];
+  const double unit = entry.unit > 0.0 ? entry.unit : problem.truth.at(entry.kind)[entry.i][entry.j];
+  const std::vector<TableTerm> terms = entry.sum.empty() ? std::vector<TableTerm>{{1.0, entry.i, entry.j}} : entry.sum;
   const std::size_t size = problem.joint_dofs.size();
   std::vector<double> values;
   for (const study::Trial& trial : outcome.trials) {
     if (!ident::is_usable(trial.status)) continue;
-    values.push_back(outcome.restriction.matrix(entry.kind, trial.values)[entry.i * size + entry.j] / truth);
+    const std::vector<double> matrix = outcome.restriction.matrix(entry.kind, trial.values);
+    double sum = 0.0;
+    for (const TableTerm& term : terms) sum += term.factor * matrix[term.i * size + term.j];
+    values.push_back(sum / unit);
   }
   return values;
 }

@@ -74,6 +74,18 @@ void add_cases(ThesisTable& table, Kind kind, const std::vector<TablePlace>& pla
   }
 }
 
+void add_row(ThesisTable& table, const TableRun& run, Kind kind, const std::vector<TablePlace>& places, double unit, const char* row) {
+  const Row read = read_rows(row).front();
+  assert(read.prints.size() == places.size());
+  // K and D of one case are of the same run.
+  const bool known = !table.entries.empty() && table.entries.back().row == read.label;
+  if (!known) table.runs.push_back(run);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    table.entries.push_back({read.label, restrictions::symbol(kind) + places[k].label, table.runs.size() - 1, kind, TableFigure::element,
+                             places[k].i, places[k].j, read.prints[k], unit, {}});
+  }
+}
+
 ThesisTable factor_pairs(std::string number, std::string title, Kind kind, const std::vector<ident::Equation>& equations,
                          const char* rows) {
   const std::array<std::pair<const char*, double>, 8> deltas = {

@@ -20,6 +20,10 @@ std::vector<TablePlace> upper_triangle();
 /// used again.
 void add_cases(ThesisTable& table, restrictions::Kind kind, const std::vector<TablePlace>& places, const char* rows);
 
+/// A problem's matrix in numbers of `unit`: one row of the table, one run. `row` is a label and the numbers, with the run's choices.
+void add_row(ThesisTable& table, const TableRun& run, restrictions::Kind kind, const std::vector<TablePlace>& places, double unit,
+             const char* row);
+
 /// The ways of Tables 6.6 to 6.11 on problem B: rows are weightings, with (RJCF, ARVF) per Δ.
 ThesisTable factor_pairs(std::string number, std::string title, restrictions::Kind kind,
                          const std::vector<ident::Equation>& equations, const char* rows);

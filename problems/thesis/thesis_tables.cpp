@@ -1,6 +1,7 @@
 #include "problems/thesis/thesis_tables.hpp"
 
 #include "base/error.hpp"
+#include "problems/thesis/rig_tables.hpp"
 #include "problems/thesis/table_layout.hpp"
 
 namespace jointid::problems {
@@ -208,6 +209,32 @@ ThesisTable table_6_14() {
   return table;
 }
 
+/// All ten elements over the spring's stiffness, and of D1 the sums that short B leaves determined (6.68).
+ThesisTable table_6_15() {
+  constexpr double spring = 1987.2;
+  ThesisTable table{"6.15",
+                    "Two rotary springs to a short substructure, over the stiffness of a spring",
+                    {},
+                    {},
+                    {"x8 to x10 of D1, and those of D3, depend on the random numbers; the sums do not.",
+                     "Substructure B is 0.1 m long; with the printed 0.3 m nothing is ill-conditioned.",
+                     "The print names neither equations nor weighting; ours are nn nj and WBG."}};
+  const std::vector<Equation> equations = {Equation::nn, Equation::nj};
+  const auto run = [&](const char* problem) { return TableRun{problem, equations, Weighting::wbg, {}}; };
+  add_row(table, run("D1"), Kind::stiffness, upper_triangle(), spring, "D1 0.99 -0.03 -0.65 -0.36 1.05 -0.27 -0.73 -58.30 59.48 -58.58");
+  const std::vector<std::pair<const char*, std::vector<TableTerm>>> sums = {
+      {"x3+x4", {{1.0, 0, 2}, {1.0, 0, 3}}}, {"x6+x7", {{1.0, 1, 2}, {1.0, 1, 3}}},
+      {"x8+2x9+x10", {{1.0, 2, 2}, {2.0, 2, 3}, {1.0, 3, 3}}}};
+  const std::vector<Print> prints = {{"-1.01", -1.01, 0.01}, {"-1.00", -1.0, 0.01}, {"2.08", 2.08, 0.02}};
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    table.entries.push_back(
+        {"D1 sums", sums[k].first, 0, Kind::stiffness, TableFigure::element, 0, 0, prints[k], spring, sums[k].second});
+  }
+  add_row(table, run("D2"), Kind::stiffness, upper_triangle(), spring, "D2 0.99 -0.03 -1.00 0.00 1.05 0.00 -1.00 0.99 0.00 1.10");
+  add_row(table, run("D3"), Kind::stiffness, upper_triangle(), spring, "D3 1.00 0.00 -1.00 0.00 1.00 0.00 -1.00 -4.15 5.04 -3.92");
+  return table;
+}
+
 ThesisTable table_6_16() {
   ThesisTable table{"6.16", "Relative stiffness, light substructure B", {}, {}, {open_weighting}};
   add_cases(table, Kind::stiffness, upper_triangle(), R"(
@@ -296,8 +323,9 @@ ThesisTable table_6_22() {
 const std::vector<ThesisTable>& thesis_tables() {
   static const std::vector<ThesisTable> tables = {
       table_6_3(),  table_6_4(),  table_6_5(),  table_6_6(),  table_6_7(),  table_6_8(),  table_6_9(),  table_6_10(),
-      table_6_11(), table_6_12(), table_6_13(), table_6_14(), table_6_16(), table_6_17(), table_6_18(), table_6_19(), table_6_20(),
-      table_6_21(), table_6_22()};
+      table_6_11(), table_6_12(), table_6_13(), table_6_14(), table_6_15(), table_6_16(), table_6_17(), table_6_18(), table_6_19(),
+      table_6_20(),
+      table_6_21(), table_6_22(), table_7_2(), table_7_3(), table_7_5()};
   return tables;
 }
 

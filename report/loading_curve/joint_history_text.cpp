@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "report/json_value.hpp"
@@ -24,6 +25,15 @@ Table parts_table(const tasks::JointHistory& history) {
   return table;
 }
 
+Table shares_table(const tasks::JointHistoryScene& scene, const tasks::JointHistory& history) {
+  Table table({{"share slipped"}, {"u m"}});
+  for (std::size_t i = 0; i < scene.shares.size(); ++i) {
+    const double u = history.slip_displacements[i];
+    table.add({number(scene.shares[i]), std::isfinite(u) ? number(u) : "never"});
+  }
+  return table;
+}
+
 template <class Of>
 Json column(const tasks::JointHistory& history, const Of& of) {
   Json list = Json::array();
@@ -41,6 +51,7 @@ std::string joint_history_text(const tasks::JointHistoryScene& scene, const task
   for (const tasks::HistoryPoint& kink : history.kinks) {
     if (history.kinks.size() <= 4) text += fmt::format("kink at {} m, {} N\n", number(kink.displacement), number(kink.force));
   }
+  if (!scene.shares.empty()) text += shares_table(scene, history).text();
   return text + parts_table(history).text() + fmt::format("{} points: --csv FILE or --json FILE\n", history.points.size());
 }
 
@@ -64,6 +75,8 @@ std::string joint_history_json(const tasks::JointHistoryScene& scene, const task
     }
     out["parts"].push_back(std::move(part));
   }
+  for (std::size_t i = 0; i < scene.shares.size(); ++i)
+    out["slip_shares"].push_back(Json::array({value(scene.shares[i]), value(history.slip_displacements[i])}));
   out["displacement"] = column(history, [](const tasks::HistoryPoint& p) { return p.displacement; });
   out["force"] = column(history, [](const tasks::HistoryPoint& p) { return p.force; });
   if (!scene.normal.empty()) out["normal_load"] = column(history, [](const tasks::HistoryPoint& p) { return p.load; });

@@ -112,6 +112,12 @@ std::string loading_curve_json(const tasks::LoadingCurveResult& result) {
   for (const friction::Curve& curve : result.data.curves) json["curves"].push_back(curve_json(curve));
   json["fits"] = Json::array();
   for (const Fit& fit : result.fits) json["fits"].push_back(fit_json(result, fit));
+  for (const friction::SlipShares& slopes : result.slopes) {
+    Json one = {{"stiffness", value(slopes.stiffness)}, {"displacement", values(slopes.u)}, {"share", values(slopes.h)}};
+    for (const friction::SlipForm& form : slopes.forms)
+      one["forms"].push_back({{"law", form.law}, {"parameters", values(form.parameters)}, {"rms", value(form.rms)}});
+    json["slopes"].push_back(std::move(one));
+  }
   if (!result.of_loops.empty()) {
     json["loops"] = Json::array();
     for (const auto& fits : result.of_loops) {

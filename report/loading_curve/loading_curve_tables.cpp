@@ -102,4 +102,14 @@ Table equivalents_table(const CurveFit& fit, std::size_t count) {
   return table;
 }
 
+Table slip_forms_table(const friction::SlipShares& shares) {
+  Table table({{"law", Align::left}, {"parameters", Align::left}, {"rms over the largest u %"}});
+  for (const friction::SlipForm& form : shares.forms) {
+    std::string parameters;
+    for (const double each : form.parameters) parameters += (parameters.empty() ? "" : ", ") + number(each);
+    table.add({form.law, parameters, fmt::format("{:.3g}", 100.0 * form.rms)});
+  }
+  return table;
+}
+
 }  // namespace jointid::report

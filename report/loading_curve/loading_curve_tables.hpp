@@ -15,6 +15,9 @@ Table parameters_table(const tasks::LoadingCurveResult& result, const friction::
 /// Of loops fitted one by one: smallest, median and largest limit, stiffness and energy error of each law.
 Table loops_table(const tasks::LoadingCurveResult& result);
 
+/// The forms of u(h), the best first.
+Table slip_forms_table(const friction::SlipShares& shares);
+
 /// Equivalents of an element over amplitude.
 Table equivalents_table(const friction::CurveFit& fit, std::size_t count);
 

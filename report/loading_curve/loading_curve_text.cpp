@@ -34,6 +34,10 @@ std::string best_text(const tasks::LoadingCurveResult& result, const friction::F
 
 std::string loading_curve_text(const tasks::LoadingCurveResult& result) {
   std::string text = curves_text(result) + "\n" + laws_table(result).text();
+  for (std::size_t i = 0; i < result.slopes.size(); ++i) {
+    text += fmt::format("\nu(h) of {} from its slopes, k = {:.6g}\n", result.data.curves[i].name, result.slopes[i].stiffness) +
+            slip_forms_table(result.slopes[i]).text();
+  }
   if (!result.fits.front().curves.empty()) text += best_text(result, result.fits.front());
   return text;
 }

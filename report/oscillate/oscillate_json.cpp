@@ -97,6 +97,34 @@ Json reduction_json(const tasks::ReductionTable& reduction) {
   return out;
 }
 
+Json normal_json(const tasks::NormalVibrationResult& result) {
+  Json out = {{"natural_frequency_hz", value(result.system.natural_hz())},
+              {"static_force", value(result.system.static_force())},
+              {"static_slope", value(result.system.static_slope())},
+              {"points", Json::array()}};
+  for (std::size_t k = 0; k < result.motions.size(); ++k) {
+    const oscillation::NormalMotion& motion = result.motions[k];
+    out["points"].push_back({{"frequency_hz", value(result.frequencies_hz[k])},
+                             {"amplitude", value(result.amplitudes[k])},
+                             {"rest", value(motion.rest)},
+                             {"first", {value(motion.first.real()), value(motion.first.imag())}},
+                             {"force", value(motion.force)},
+                             {"force_first", {value(motion.force_first.real()), value(motion.force_first.imag())}}});
+  }
+  return out;
+}
+
+Json thick_json(const std::vector<oscillation::ThickMode>& modes) {
+  Json out = Json::array();
+  for (const oscillation::ThickMode& mode : modes) {
+    out.push_back({{"euler_hz", value(mode.euler_hz)},
+                   {"rotary", value(mode.rotary)},
+                   {"shear", value(mode.shear)},
+                   {"timoshenko_hz", value(mode.timoshenko_hz)}});
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string oscillate_json(const tasks::OscillateResult& run) {
@@ -113,6 +141,8 @@ std::string oscillate_json(const tasks::OscillateResult& run) {
   if (run.exponents) out["exponents"] = exponents_json(*run.exponents);
   if (run.swept) out["sweep"] = sweep_json(run);
   if (run.reduction) out["reduction"] = reduction_json(*run.reduction);
+  if (run.normal_vibrations) out["normal_vibrations"] = normal_json(*run.normal_vibrations);
+  if (!run.thick_modes.empty()) out["thick_modes"] = thick_json(run.thick_modes);
   return json_text(out);
 }
 

@@ -70,6 +70,15 @@ std::string oscillate_report(const tasks::OscillateResult& run) {
     page.add(sweep_plot(run));
   }
   if (run.reduction) add_reduction(run, page);
+  if (run.normal_vibrations) {
+    page.section("Normal load");
+    page.add(Text{normal_line(*run.normal_vibrations)});
+    page.add(normal_table(*run.normal_vibrations));
+  }
+  if (!run.thick_modes.empty()) {
+    page.section("Shear and rotary inertia");
+    page.add(thick_table(run.thick_modes));
+  }
   return page.html();
 }
 

@@ -13,6 +13,11 @@ Table shapes_table(const tasks::OscillateResult& run);
 Table multipliers_table(const oscillation::PeriodicOrbit& orbit);
 Table exponents_table(const oscillation::Exponents& exponents, const std::string& unit);
 Table reduction_table(const tasks::ReductionTable& reduction);
+Table normal_table(const tasks::NormalVibrationResult& result);
+Table thick_table(const std::vector<oscillation::ThickMode>& modes);
+
+/// What the scene's [friction] should have for the normal load of slow sliders, in words.
+std::string normal_line(const tasks::NormalVibrationResult& result);
 
 /// "s", or "unit of time" of a chain without units.
 std::string time_unit(const tasks::OscillateResult& run);

@@ -94,6 +94,35 @@ Table reduction_table(const tasks::ReductionTable& reduction) {
   return table;
 }
 
+Table normal_table(const tasks::NormalVibrationResult& result) {
+  Table table({{"slider Hz"}, {"amplitude m"}, {"N0 N"}, {"N1 with the slider"}, {"N1 a quarter ahead"}, {"|N1|/N0 %"}, {"nub m"}});
+  for (std::size_t k = 0; k < result.motions.size(); ++k) {
+    const oscillation::NormalMotion& motion = result.motions[k];
+    table.add({number(result.frequencies_hz[k]), number(result.amplitudes[k]), number(motion.force), number(motion.force_first.real()),
+               number(motion.force_first.imag()), fmt::format("{:.3g}", 100.0 * std::abs(motion.force_first) / motion.force),
+               number(std::abs(motion.first))});
+  }
+  return table;
+}
+
+std::string normal_line(const tasks::NormalVibrationResult& result) {
+  return fmt::format("N = {:.6g} N {} {:.6g} N/m times the slider's displacement while nothing vibrates; the nub and the springs resonate "
+                     "at {:.4g} Hz, where this changes its sign",
+                     result.system.static_force(), result.system.static_slope() < 0.0 ? "−" : "+",
+                     std::abs(result.system.static_slope()), result.system.natural_hz());
+}
+
+Table thick_table(const std::vector<oscillation::ThickMode>& modes) {
+  Table table({{"mode"}, {"Euler Hz"}, {"rotary inertia %"}, {"shear %"}, {"both, first order Hz"}, {"Timoshenko Hz"}});
+  for (std::size_t k = 0; k < modes.size(); ++k) {
+    const oscillation::ThickMode& mode = modes[k];
+    table.add({fmt::format("{}", k + 1), fmt::format("{:.7g}", mode.euler_hz), fmt::format("{:.3g}", 100.0 * mode.rotary),
+               fmt::format("{:.3g}", 100.0 * mode.shear), fmt::format("{:.7g}", mode.euler_hz * (1.0 + mode.rotary + mode.shear)),
+               fmt::format("{:.7g}", mode.timoshenko_hz)});
+  }
+  return table;
+}
+
 std::string motion_line(const tasks::OscillateResult& run) {
   const tasks::SampledMotion& motion = *run.motion;
   return fmt::format("{} samples, {} events, {} {} of the Poincaré section, sticking {:.1f} % of the time; status {}",
@@ -172,6 +201,9 @@ std::string oscillate_text(const tasks::OscillateResult& run) {
     text +=
         fmt::format("\nthe same with {} of order {}\n", word(model.basis), model.order) + ranges_table(run, model.points).text();
   if (run.reduction) text += "\nreduced models\n" + reduction_table(*run.reduction).text();
+  if (run.normal_vibrations)
+    text += "\nnormal load: " + normal_line(*run.normal_vibrations) + "\n" + normal_table(*run.normal_vibrations).text();
+  if (!run.thick_modes.empty()) text += "\nthe beam with shear and rotary inertia\n" + thick_table(run.thick_modes).text();
   return text;
 }
 

@@ -28,6 +28,7 @@ std::string pod_page(const tasks::PodResult& report) {
   if (report.cosines.size() > 0) {
     page.section("Beside " + report.compared);
     page.add(pod_comparison_table(report));
+    page.add(pod_contributions_table(report), "Contributions to each mode, |v|/Σ|v|");
   }
   return page.html();
 }

@@ -64,6 +64,24 @@ Table pod_comparison_table(const tasks::PodResult& report) {
   return table;
 }
 
+Table pod_contributions_table(const tasks::PodResult& report) {
+  constexpr Eigen::Index most = 8;
+  const Eigen::MatrixXd& shares = report.contributions.shares;
+  std::vector<Column> columns = {{"mode"}};
+  for (Eigen::Index k = 0; k < std::min(shares.cols(), most); ++k) columns.push_back({fmt::format("of {}", k + 1)});
+  if (shares.cols() > most) columns.push_back({"of others"});
+  columns.push_back({"outside %"});
+  Table table(columns);
+  for (Eigen::Index i = 0; i < at(shown(report)); ++i) {
+    std::vector<std::string> row = {fmt::format("{}", i + 1)};
+    for (Eigen::Index k = 0; k < std::min(shares.cols(), most); ++k) row.push_back(fmt::format("{:.4f}", shares(i, k)));
+    if (shares.cols() > most) row.push_back(fmt::format("{:.4f}", shares.row(i).tail(shares.cols() - most).sum()));
+    row.push_back(fmt::format("{:.3g}", 100.0 * report.contributions.outside(i)));
+    table.add(row);
+  }
+  return table;
+}
+
 std::vector<std::string> pod_remarks(const tasks::PodResult& report) {
   std::vector<std::string> out;
   const oscillation::Pod& pod = report.pod;
@@ -91,7 +109,10 @@ std::string pod_text(const tasks::PodResult& report) {
   text += fmt::format("\nmodes for 99 % of Σσ²: {}; for 99.99 %: {}", pod.modes_for(0.99), pod.modes_for(0.9999));
   if (const auto rank = oscillation::rank_above_noise(pod)) text += fmt::format("; above white noise (Gavish and Donoho): {}", *rank);
   text += fmt::format("\n\nproper orthogonal modes\n{}", pod_shapes_table(report).text());
-  if (report.cosines.size() > 0) text += fmt::format("\nbeside {}\n{}", report.compared, pod_comparison_table(report).text());
+  if (report.cosines.size() > 0) {
+    text += fmt::format("\nbeside {}\n{}\ntheir contributions to each mode, |v|/Σ|v|\n{}", report.compared,
+                        pod_comparison_table(report).text(), pod_contributions_table(report).text());
+  }
   return text;
 }
 
@@ -119,6 +140,8 @@ std::string pod_json(const tasks::PodResult& report) {
   if (report.cosines.size() > 0) {
     out["cosines"] = matrix(report.cosines);
     out["mac"] = matrix(report.assurance);
+    out["contributions"] = matrix(report.contributions.shares);
+    out["outside"] = values(listed(report.contributions.outside));
     if (!report.frequencies_hz.empty()) out["normal_frequencies_hz"] = values(report.frequencies_hz);
   }
   return json_text(out);

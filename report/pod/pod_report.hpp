@@ -19,6 +19,8 @@ std::vector<std::string> pod_remarks(const tasks::PodResult& report);
 Table pod_values_table(const oscillation::Pod& pod);
 Table pod_shapes_table(const tasks::PodResult& report);
 Table pod_comparison_table(const tasks::PodResult& report);
+/// Rows: modes; columns: the first eight of those that they are compared with.
+Table pod_contributions_table(const tasks::PodResult& report);
 
 /// For people.
 std::string pod_text(const tasks::PodResult& report);

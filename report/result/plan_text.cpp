@@ -139,6 +139,22 @@ Json cost_json(const ident::Plan& plan) {
           {"expected_range_s", ident::expected_range_s(plan)}};
 }
 
+/// What delta lets pass by (6.62): right-hand sides c1 − c2 whose relative error is up to 2·level/delta.
+std::optional<double> error_passed(const ident::Plan& plan) {
+  const ident::Scene& scene = plan.scene;
+  if (!ident::weighs_equations(scene.identify.method) || !scene.noise || !(scene.noise->level > 0.0)) return std::nullopt;
+  if (!(scene.identify.delta > 0.0)) return std::nullopt;
+  return 2.0 * scene.noise->level / scene.identify.delta;
+}
+
+std::string delta_text(const ident::Plan& plan) {
+  const auto passed = error_passed(plan);
+  if (!passed) return {};
+  return fmt::format("delta = {:g} keeps equations whose right-hand side is wrong by up to {:.3g} % with errors of {:.3g} % (6.62); "
+                     "{:.2g} keeps those up to 100 %, 0.05 to 0.3 was best with WBS in Table 6.13",
+                     plan.scene.identify.delta, 100.0 * *passed, 100.0 * plan.scene.noise->level, 2.0 * plan.scene.noise->level);
+}
+
 }  // namespace
 
 std::string plan_text(const ident::Plan& plan) {
@@ -146,6 +162,7 @@ std::string plan_text(const ident::Plan& plan) {
   const auto& identify = plan.scene.identify;
   if (!plan.chosen.empty()) table.add({"chosen", plan.chosen});
   table.add({"method", method_text(identify.method, plan.equations, identify.weighting, identify.delta, name(plan.solver))});
+  if (const std::string delta = delta_text(plan); !delta.empty()) table.add({"equations", delta});
   table.add({"joint DOFs", dof_list(plan.coordinates.joint)});
   table.add({"other responses", dof_list(plan.coordinates.responses)});
   table.add({"other references", dof_list(plan.coordinates.references)});
@@ -167,6 +184,7 @@ std::string plan_json(const ident::Plan& plan, const std::optional<tasks::BoundR
                {"equations", equation_names(plan)},
                {"weighting", weighs ? Json(weighting::name(identify.weighting)) : Json(nullptr)},
                {"delta", weighs ? Json(identify.delta) : Json(nullptr)},
+               {"error_passed_by_delta", error_passed(plan) ? Json(*error_passed(plan)) : Json(nullptr)},
                {"solver", name(plan.solver)},
                {"dofs", frf::names(plan.coordinates.joint)},
                {"responses", frf::names(plan.coordinates.responses)},

@@ -29,6 +29,7 @@ struct JointHistoryScene {
   double amplitude = 0.0;          ///< instead of turns: x = amplitude · sin θ, m
   std::size_t cycles = 3, steps = 720;  ///< of it, a cycle
   std::vector<NormalLoad> normal{};     ///< of sine motion
+  std::vector<double> shares{};         ///< h of which u(h) is asked, 0 ≤ h < 1
   std::size_t sliders = 0;              ///< algorithm A with so many; 0: Masing paths, exact (algorithm B)
 };
 
@@ -56,6 +57,7 @@ struct JointHistory {
   std::vector<NodeState> nodes{};   ///< of a mesh, at each of the ends
   double stiffness = 0.0;           ///< T′(0), N/m
   std::optional<double> limit{};    ///< N; none where there is none
+  std::vector<double> slip_displacements{};  ///< u(h) of the shares, T′(u) = T′(0)(1 − h); infinite where it is nowhere so flat
   std::vector<HistoryPoint> kinks{};  ///< T at the displacements where it is not analytic
 };
 

@@ -127,9 +127,21 @@ void read_turns(const scene::Item& turns, const scene::Table& table, JointHistor
     scene.points = static_cast<std::size_t>(points->whole(1, most_points / static_cast<int>(scene.turns.size())));
 }
 
+/// h of which u(h) is asked.
+std::vector<double> read_shares(const scene::Item& item, const JointHistoryScene& scene) {
+  if (scene.mesh) item.fail("a mesh has no u(h): each node slips by its own law", "remove it");
+  std::vector<double> shares;
+  for (const scene::Item& each : item.list_not_empty()) {
+    shares.push_back(each.not_negative());
+    if (!(shares.back() < 1.0)) each.fail("is no share below 1", "u(1) is where all has slipped: take 0.999");
+  }
+  return shares;
+}
+
 void read_history(const scene::Item& item, JointHistoryScene& scene) {
   const scene::Table table =
-      item.table({"displacements", "forces", "points", "amplitude", "cycles", "steps", "normal", "algorithm", "sliders"});
+      item.table({"displacements", "forces", "points", "amplitude", "cycles", "steps", "normal", "algorithm", "sliders",
+                  "shares"});
   const auto displacements = table.find("displacements"), forces = table.find("forces"), amplitude = table.find("amplitude");
   if (int(displacements.has_value()) + int(forces.has_value()) + int(amplitude.has_value()) != 1)
     item.fail("give one of displacements, forces and amplitude");
@@ -155,7 +167,9 @@ JointHistoryScene parse_joint_history(const std::string& text, const std::filesy
   } else {
     scene.mesh = mesh->here([&] { return read_mesh(*mesh); });
   }
-  read_history(table.require("history"), scene);
+  const scene::Item history = table.require("history");
+  read_history(history, scene);
+  if (const auto shares = history.open_table().find("shares")) scene.shares = read_shares(*shares, scene);
   return scene;
 }
 

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "friction/curve/slip_shares.hpp"
 #include "friction/joint/distributed_slip.hpp"
 #include "friction/joint/fe_joint.hpp"
 #include "friction/path/path_energy.hpp"
@@ -183,6 +184,7 @@ void describe(const JointHistoryScene& scene, JointHistory& out) {
     for (const double u : scene.law->kinks()) out.kinks.push_back({u, scene.law->response(u).force, 1.0});
   }
   if (std::isfinite(limit)) out.limit = limit;
+  for (const double share : scene.shares) out.slip_displacements.push_back(friction::slip_displacement(*scene.law, share));
 }
 
 }  // namespace

@@ -60,6 +60,10 @@ class Fitting {
       throw InputError({ErrorKind::usage, "", "--friction-coefficient", "is for loading curves, not for loops",
                         "leave it out: with --normal-load the coefficient of every limit is printed"});
     }
+    if (task_.slopes) {
+      for (const friction::Curve& curve : result.data.curves)
+        result.slopes.push_back(friction::slip_shares(curve, {.points = *task_.slopes}));
+    }
     for (const std::string& law : laws(task_)) {
       result.fits.push_back(together(result.data.curves, law, several_loops));
       best_first(result.fits);
@@ -119,7 +123,7 @@ LoadingCurveResult fit_loading_curves(const LoadingCurveTask& task, const Fittin
   return with_usage_errors([&] {
     Fitting fitting(task, watch);
     return fitting.run(
-        {comma_list(task.files, [](const auto& file) { return file.filename().string(); }), read_curves(task), {}, {}});
+        {comma_list(task.files, [](const auto& file) { return file.filename().string(); }), read_curves(task), {}, {}, {}});
   });
 }
 
@@ -127,7 +131,7 @@ LoadingCurveResult fit_loading_curves(LoadingCurveData data, const LoadingCurveT
   if (data.curves.empty()) throw InputError({ErrorKind::usage, "", "loading-curve", "there is no curve", "give one or more"});
   return with_usage_errors([&] {
     std::ranges::for_each(data.curves, friction::validate);
-    return Fitting(task, watch).run({"", std::move(data), {}, {}});
+    return Fitting(task, watch).run({"", std::move(data), {}, {}, {}});
   });
 }
 

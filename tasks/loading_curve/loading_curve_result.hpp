@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "friction/curve/equivalent.hpp"
+#include "friction/curve/slip_shares.hpp"
 #include "friction/fit/fit.hpp"
 #include "tasks/loading_curve/loading_curve_data.hpp"
 
@@ -14,6 +15,7 @@ struct LoadingCurveResult {
   std::string title;  ///< names of the files; empty for curves in memory
   LoadingCurveData data;
   std::vector<friction::Fit> fits;                   ///< of all curves together, best by AIC first
+  std::vector<friction::SlipShares> slopes{};        ///< where they are asked for, one per curve
   std::vector<std::vector<friction::Fit>> of_loops;  ///< with several loops: by fit, the same law fitted to each loop alone
 };
 

@@ -25,6 +25,7 @@ struct LoadingCurveTask {
   std::optional<double> specimen_stiffness;  ///< N/m
   std::filesystem::path specimen;            ///< a loading curve, columns and units as FILE
   std::string weighting = "largest", minimiser = "best";
+  std::optional<std::size_t> slopes;  ///< u(h) from slopes over so many samples is asked for
 };
 
 /// Throws InputError (usage) for a task that cannot be carried out, as far as it can be seen without the data.

@@ -39,6 +39,13 @@ struct ReducedSweep {
   std::vector<oscillation::SweepPoint> points;
 };
 
+/// The normal load over the slider's frequency.
+struct NormalVibrationResult {
+  oscillation::NormalVibration system;
+  std::vector<double> frequencies_hz, amplitudes;   ///< of the slider
+  std::vector<oscillation::NormalMotion> motions;  ///< one per frequency
+};
+
 /// All that run_oscillate() found, as far as it came. SI units; a chain without units has its own unit of time. Parts that the
 /// scene does not ask for are empty.
 struct OscillateResult {
@@ -53,6 +60,8 @@ struct OscillateResult {
   std::vector<ReducedSweep> reduced_sweeps;    ///< the same of reduced models
   std::optional<double> sliding_limit;         ///< velocity in the range of the sweep below which steady sliding is unstable
   std::optional<ReductionTable> reduction;
+  std::optional<NormalVibrationResult> normal_vibrations;
+  std::vector<oscillation::ThickMode> thick_modes;  ///< of a cantilever with a Poisson's ratio
   std::vector<std::string> remarks;
   bool interrupted = false;
 };

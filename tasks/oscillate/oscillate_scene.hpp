@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ident/scene/scene_files.hpp"
+#include "oscillation/system/normal_vibration.hpp"
 #include "tasks/oscillate/oscillate_system.hpp"
 
 namespace jointid::tasks {
@@ -42,6 +43,12 @@ struct SweepSection {
   bool ranges() const { return continued || reduced; }
 };
 
+/// [normal_vibrations]: how the normal load varies where the slider's plane is not quite level.
+struct NormalVibrationSection {
+  oscillation::NormalVibration system;
+  std::vector<double> frequencies_hz;  ///< of the slider, > 0
+};
+
 enum class BasisKind { pod, normal_modes, craig_bampton };
 std::string word(BasisKind kind);
 
@@ -65,6 +72,7 @@ struct OscillateScene {
   std::optional<ExponentSection> exponents;
   std::optional<SweepSection> sweep;
   std::optional<ReductionSection> reduction;
+  std::optional<NormalVibrationSection> normal_vibrations;
 };
 
 /// The scene and every file that it names.

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "base/complex.hpp"
 #include "dense/eigen.hpp"
@@ -12,6 +14,8 @@ namespace jointid::tasks {
 namespace {
 
 using oscillation::Mechanics;
+
+constexpr double degree = std::numbers::pi / 180.0;
 
 /// A number that a sweep may vary.
 struct Swept {
@@ -29,6 +33,7 @@ constexpr std::array all_swept = {
     Swept{"kinetic", "", [](SystemSpec& s, double x) { s.friction.kinetic = x; }},
     Swept{"static", "", [](SystemSpec& s, double x) { s.friction.statical = x; }},
     Swept{"decay", "s/m", [](SystemSpec& s, double x) { s.friction.decay = x; }},
+    Swept{"tilt", "deg", [](SystemSpec& s, double x) { s.friction.tilt = x * degree; }},
 };
 
 const Swept& swept(std::string_view name) {
@@ -65,6 +70,26 @@ Eigen::RowVectorXd unit_row(Eigen::Index size, Eigen::Index place) { return Eige
 
 }  // namespace
 
+double SystemSpec::drive_amplitude() const {
+  if (amplitudes.empty()) return amplitude;
+  const auto above = std::ranges::lower_bound(amplitudes, frequency_hz, {}, [](const auto& row) { return row[0]; });
+  if (above == amplitudes.begin()) return amplitudes.front()[1];
+  if (above == amplitudes.end()) return amplitudes.back()[1];
+  const auto& below = *(above - 1);
+  return std::lerp(below[1], (*above)[1], (frequency_hz - below[0]) / ((*above)[0] - below[0]));
+}
+
+oscillation::ThickBeam thick_beam(const SystemSpec& spec) {
+  const oscillation::Cantilever& beam = spec.beam;
+  return {.length = beam.length,
+          .width = beam.width,
+          .thickness = beam.thickness,
+          .youngs_modulus = beam.youngs_modulus,
+          .density = beam.density,
+          .poisson_ratio = *spec.poisson_ratio,
+          .tip_mass = beam.tip_mass()};
+}
+
 std::vector<std::string> swept_names() {
   std::vector<std::string> out;
   for (const Swept& each : all_swept) out.emplace_back(each.name);
@@ -78,7 +103,7 @@ void set_swept(SystemSpec& spec, std::string_view name, double value) { swept(na
 oscillation::Model model_of(const SystemSpec& spec) {
   Mechanics m = undamped(spec);
   m.damping = damping_of(spec, m);
-  return {std::move(m), {spec.velocity, spec.amplitude, angular(spec.frequency_hz)}, spec.friction};
+  return {std::move(m), {spec.velocity, spec.drive_amplitude(), angular(spec.frequency_hz)}, spec.friction};
 }
 
 std::vector<SeenForm> seen_forms(const SystemSpec& spec) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "oscillation/reduction/reduction_error.hpp"
+#include "oscillation/system/timoshenko.hpp"
 #include "oscillation/system/thesis_systems.hpp"
 
 namespace jointid::tasks {
@@ -35,9 +36,13 @@ struct SystemSpec {
   DampingKind damping_kind = DampingKind::stiffness;
   double damping = 0.0;
   double velocity = 0.0, amplitude = 0.0, frequency_hz = 0.0;  ///< of what the contact slides on
+  std::vector<std::array<double, 2>> amplitudes;  ///< rows of Hz and m, Hz ascending: A by the frequency; empty: `amplitude`
+  std::optional<double> poisson_ratio;            ///< of a cantilever whose shear and rotary inertia are asked for
   oscillation::Friction friction;
 
-  bool is_driven() const { return amplitude != 0.0 && frequency_hz > 0.0; }
+  bool is_driven() const { return frequency_hz > 0.0 && drive_amplitude() != 0.0; }
+  /// A at the frequency, m: linear between the rows of `amplitudes`, constant outside.
+  double drive_amplitude() const;
 };
 
 /// Names of the numbers that a sweep may vary: "velocity", "frequency", "normal" …
@@ -46,6 +51,9 @@ std::vector<std::string> swept_names();
 std::string swept_unit(std::string_view name);
 /// Sets it; `name` is one of swept_names().
 void set_swept(SystemSpec& spec, std::string_view name, double value);
+
+/// The beam of a cantilever with all that hangs on its tip as a point mass. `poisson_ratio` must be there.
+oscillation::ThickBeam thick_beam(const SystemSpec& spec);
 
 /// The model, and the displacements seen of it. Throws InputError.
 oscillation::Model model_of(const SystemSpec& spec);

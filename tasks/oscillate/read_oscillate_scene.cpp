@@ -94,11 +94,13 @@ SweepSection read_sweep(const scene::Item& item, const SystemSpec& system) {
   out.parameter = parameter.word(swept_names());
   const bool slider = out.parameter == "amplitude" || out.parameter == "frequency";
   if (slider && !system.is_driven()) parameter.fail("there is no slider", "sweep velocity");
+  if (out.parameter == "amplitude" && !system.amplitudes.empty())
+    parameter.fail("the amplitude is a table over the frequency", "sweep frequency, or give amplitude as one number");
   if (out.parameter == "decay" && !system.friction.decay) parameter.fail("the law does not fall", "give [friction] decay");
   const scene::Item range = table.require("range");
   const Eigen::VectorXd ends = read_vector(range);
   if (ends.size() != 2 || ends(0) == ends(1)) range.fail("a range is two different numbers");
-  const bool positive = out.parameter != "velocity" && ends.minCoeff() <= 0.0;
+  const bool positive = out.parameter != "velocity" && out.parameter != "tilt" && ends.minCoeff() <= 0.0;
   if (positive) range.fail("has numbers that are not above 0");
   out.from = ends(0), out.to = ends(1);
   out.points = whole(table.require("points"), 2, 100000);
@@ -112,6 +114,26 @@ SweepSection read_sweep(const scene::Item& item, const SystemSpec& system) {
     if (out.back && !out.continued) back->fail("only a continued sweep has a way back", "give continued = true");
   }
   if (const auto reduced = table.find("reduced")) out.reduced = reduced->boolean();
+  return out;
+}
+
+NormalVibrationSection read_normal_vibrations(const scene::Item& item, const SystemSpec& system) {
+  const scene::Table table = item.table({"mass", "stiffness", "extension_stiffness", "damping", "extension_damping", "slope", "offset",
+                                         "frequencies"});
+  NormalVibrationSection out;
+  out.system.mass = table.require("mass").positive();
+  out.system.stiffness = table.require("stiffness").positive();
+  out.system.extension_stiffness = table.require("extension_stiffness").positive();
+  out.system.damping = not_negative_or(table, "damping", 0.0);
+  out.system.extension_damping = not_negative_or(table, "extension_damping", 0.0);
+  out.system.slope = table.require("slope").number();
+  out.system.offset = table.require("offset").positive();
+  out.frequencies_hz = {system.frequency_hz};
+  if (const auto frequencies = table.find("frequencies")) {
+    out.frequencies_hz.clear();
+    for (const scene::Item& each : frequencies->list_not_empty()) out.frequencies_hz.push_back(each.positive());
+  }
+  if (!system.is_driven()) item.fail("there is no slider whose plane could be tilted", "give [system] amplitude and frequency");
   return out;
 }
 
@@ -148,7 +170,8 @@ std::vector<ident::NamedFile> files_of(const OscillateScene& scene) {
 }
 
 OscillateScene parse_oscillate_scene(const std::string& text, const ident::Path& file) {
-  const scene::Document document(text, file, {"system", "friction", "start", "motion", "orbit", "exponents", "sweep", "reduction"});
+  const scene::Document document(text, file, {"system", "friction", "start", "motion", "orbit", "exponents", "sweep", "reduction",
+                                          "normal_vibrations"});
   const scene::Table& table = document.table();
   OscillateScene scene;
   scene.file = file;
@@ -162,6 +185,8 @@ OscillateScene parse_oscillate_scene(const std::string& text, const ident::Path&
   if (const auto exponents = table.find("exponents")) scene.exponents = read_exponents(*exponents, scene);
   if (const auto sweep = table.find("sweep")) scene.sweep = read_sweep(*sweep, scene.system);
   if (const auto reduction = table.find("reduction")) scene.reduction = read_reduction(*reduction, scene);
+  if (const auto normal = table.find("normal_vibrations"))
+    scene.normal_vibrations = read_normal_vibrations(*normal, scene.system);
   if (scene.sweep && scene.sweep->reduced && !scene.reduction)
     table.require("sweep").fail("reduced models are swept and there is no [reduction]", "give bases and orders there");
   return scene;

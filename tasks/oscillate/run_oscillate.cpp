@@ -44,6 +44,16 @@ oscillation::Samples recorded(const ident::Path& file, Eigen::Index degrees) {
   return out;
 }
 
+NormalVibrationResult vibrated(const NormalVibrationSection& asked, SystemSpec spec) {
+  NormalVibrationResult out{asked.system, asked.frequencies_hz, {}, {}};
+  for (const double hz : asked.frequencies_hz) {
+    spec.frequency_hz = hz;
+    out.amplitudes.push_back(spec.drive_amplitude());
+    out.motions.push_back(oscillation::normal_motion(asked.system, out.amplitudes.back(), angular(hz)));
+  }
+  return out;
+}
+
 /// Carries a scene out.
 class Oscillating {
  public:
@@ -55,6 +65,8 @@ class Oscillating {
   }
 
   OscillateResult run() {
+    if (scene_.system.poisson_ratio) run_.thick_modes = oscillation::thick_modes(thick_beam(scene_.system), scene_.system.beam.modes);
+    if (scene_.normal_vibrations) run_.normal_vibrations = vibrated(*scene_.normal_vibrations, scene_.system);
     const auto share = [&](double done) { count("motion", done); };
     run_.motion = std::make_shared<const SampledMotion>(sampled_motion(scene_, system_, share, control_.interrupted));
     run_.modes = modes_of(*run_.motion);
@@ -155,8 +167,9 @@ class Oscillating {
     const oscillation::Mechanics& m = model_.mechanics;
     const oscillation::Friction& friction = model_.friction;
     const Eigen::Index n = m.mass.rows();
-    const double slope =
-        (friction.statical - friction.kinetic) * friction.normal * *friction.decay * std::exp(-*friction.decay * velocity);
+    const oscillation::Mode slip = velocity < 0.0 ? oscillation::Mode::backward : oscillation::Mode::forward;
+    const double slope = (system_.statical(slip) - system_.kinetic(slip)) * friction.normal * *friction.decay *
+                         std::exp(-*friction.decay * std::abs(velocity));
     Eigen::MatrixXd right(n, 2 * n), all = Eigen::MatrixXd::Zero(2 * n, 2 * n);
     right << -m.stiffness, -m.damping + slope * m.contact * m.contact.transpose();
     all.topRightCorner(n, n).setIdentity();
@@ -219,9 +232,10 @@ class Oscillating {
     for (const BasisKind kind : scene_.reduction->bases) {
       for (const std::size_t order : scene_.reduction->orders) {
         ReductionBasis on = basis(kind, order, pod);
-        if (kind == BasisKind::normal_modes)
-          on.mean =
-              dense::solve_positive(model_.mechanics.stiffness, model_.mechanics.contact * friction.kinetic * friction.normal);
+        if (kind == BasisKind::normal_modes) {
+          const double force = system_.kinetic(oscillation::Mode::forward) * friction.normal;
+          on.mean = dense::solve_positive(model_.mechanics.stiffness, model_.mechanics.contact * force);
+        }
         run_.reduced_sweeps.push_back({kind, order, swept([&](double value) { return swept_case(value, on); }, options)});
         keep();
       }

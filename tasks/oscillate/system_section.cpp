@@ -1,5 +1,7 @@
+#include <cmath>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "tasks/oscillate/oscillate_sections.hpp"
@@ -24,9 +26,12 @@ std::vector<std::pair<std::string, double*>> beam_numbers(oscillation::Cantileve
           {"extension", &beam.extension},
           {"extension_free", &beam.extension_free},
           {"extension_width", &beam.extension_width},
-          {"extension_thickness", &beam.extension_thickness},
-          {"extension_density", &beam.extension_density},
-          {"fixture_mass", &beam.fixture_mass}};
+          {"extension_thickness", &beam.extension_thickness}};
+}
+
+/// Those that may be 0: a bare beam.
+std::vector<std::pair<std::string, double*>> tip_numbers(oscillation::Cantilever& beam) {
+  return {{"extension_density", &beam.extension_density}, {"fixture_mass", &beam.fixture_mass}};
 }
 
 /// A kind that is not given has other keys.
@@ -38,7 +43,8 @@ std::vector<std::string> keys_of(SystemSpec& spec) {
       break;
     case SystemKind::cantilever:
       for (const auto& [key, number] : beam_numbers(spec.beam)) keys.push_back(key);
-      keys.insert(keys.end(), {"modes", "points", "strain_at"});
+      for (const auto& [key, number] : tip_numbers(spec.beam)) keys.push_back(key);
+      keys.insert(keys.end(), {"modes", "points", "strain_at", "poisson_ratio"});
       break;
     case SystemKind::matrices:
       keys.insert(keys.end(), {"mass", "stiffness", "contact"});
@@ -56,6 +62,13 @@ void read_chain(const scene::Table& table, SystemSpec& spec) {
 void read_beam(const scene::Table& table, SystemSpec& spec) {
   for (const auto& [key, number] : beam_numbers(spec.beam)) {
     if (const auto item = table.find(key)) *number = item->positive();
+  }
+  for (const auto& [key, number] : tip_numbers(spec.beam)) {
+    if (const auto item = table.find(key)) *number = item->not_negative();
+  }
+  if (const auto ratio = table.find("poisson_ratio")) {
+    spec.poisson_ratio = ratio->not_negative();
+    if (*spec.poisson_ratio > 0.5) ratio->fail("is above 0.5, which no material has", "metals have about 0.3");
   }
   if (const auto modes = table.find("modes")) spec.beam.modes = static_cast<std::size_t>(modes->whole(1, 40));
   const auto place = [&](const scene::Item& item) {
@@ -100,15 +113,47 @@ void read_damping(const scene::Table& table, SystemSpec& spec) {
   }
 }
 
+/// Rows [Hz, m] of a table A(f).
+std::vector<std::array<double, 2>> read_amplitudes(const scene::Item& item) {
+  std::vector<std::array<double, 2>> rows;
+  for (const scene::Item& each : item.list_not_empty()) {
+    const std::vector<scene::Item> pair = each.is_list() ? each.list() : std::vector<scene::Item>();
+    if (pair.size() != 2) each.fail("is not a row of frequency and amplitude", "write [12.0, 0.0023]: Hz, m");
+    rows.push_back({pair[0].positive(), pair[1].positive()});
+    if (rows.size() > 1 && !(rows[rows.size() - 2][0] < rows.back()[0]))
+      each.fail("does not lie above the frequency before", "sort the rows by frequency");
+  }
+  return rows;
+}
+
 /// What the contact slides on: a belt, a slider, or the ground.
 void read_drive(const scene::Table& table, SystemSpec& spec) {
   const auto velocity = table.find("velocity"), amplitude = table.find("amplitude"), frequency = table.find("frequency");
   if (velocity) spec.velocity = velocity->number();
   if (amplitude.has_value() != frequency.has_value())
     (amplitude ? *amplitude : *frequency).fail("a slider A sin 2πft has amplitude and frequency", "give both");
-  if (amplitude) spec.amplitude = amplitude->positive(), spec.frequency_hz = frequency->positive();
+  if (frequency) spec.frequency_hz = frequency->positive();
+  if (amplitude && amplitude->is_list()) {
+    spec.amplitudes = read_amplitudes(*amplitude);
+  } else if (amplitude) {
+    spec.amplitude = amplitude->positive();
+  }
   if (!velocity && !amplitude)
     table.itself().fail("nothing moves the contact", "give velocity (a belt) or amplitude and frequency (a slider)");
+}
+
+/// Degrees, between the angles at which the contact locks and at which it slides by its load alone.
+double read_tilt(const scene::Item& item, const oscillation::Friction& law) {
+  constexpr double degree = std::numbers::pi / 180.0;
+  const double tilt = item.number() * degree, slides = std::atan(law.kinetic), locks = std::numbers::pi / 2.0 - std::atan(law.statical);
+  if (!(std::abs(tilt) <= slides)) {
+    item.fail("lets the contact slide by its load alone from " + scene::number_text(slides / degree) + " degrees on",
+              "tilt is in degrees, a few at most");
+  }
+  if (!(std::abs(tilt) < locks)) {
+    item.fail("locks the contact from " + scene::number_text(locks / degree) + " degrees on", "tilt is in degrees, a few at most");
+  }
+  return tilt;
 }
 
 }  // namespace
@@ -126,7 +171,7 @@ void read_system(const scene::Item& item, OscillateScene& scene) {
 }
 
 oscillation::Friction read_friction(const scene::Item& item) {
-  const scene::Table table = item.table({"kinetic", "static", "decay", "normal", "normal_slope", "contact_stiffness"});
+  const scene::Table table = item.table({"kinetic", "static", "decay", "normal", "normal_slope", "contact_stiffness", "tilt"});
   oscillation::Friction out;
   out.kinetic = table.require("kinetic").not_negative();
   const scene::Item statical = table.require("static");
@@ -139,6 +184,7 @@ oscillation::Friction read_friction(const scene::Item& item) {
     if (out.decay) stiffness->fail("of a compliant contact the law is Coulomb's", "remove decay");
     out.contact_stiffness = stiffness->positive();
   }
+  if (const auto tilt = table.find("tilt")) out.tilt = read_tilt(*tilt, out);
   return out;
 }
 

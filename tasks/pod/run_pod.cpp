@@ -42,11 +42,13 @@ PodResult run_pod(const PodTask& task, PodRecord record) {
                 "",
                 {},
                 {},
+                {},
                 {}};
   if (task.compare.empty() && task.stiffness.empty()) return out;
   const Eigen::MatrixXd modes = modes_to_compare(task, options.mass, out);
   out.cosines = oscillation::mode_cosines(out.pod.modes, modes, options.mass);
   out.assurance = oscillation::mode_assurance(out.pod.modes, modes);
+  out.contributions = oscillation::mode_contributions(out.pod.modes, modes, options.mass);
   return out;
 }
 

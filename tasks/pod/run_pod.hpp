@@ -7,6 +7,7 @@
 
 #include "ident/result/control.hpp"
 #include "ident/team/team.hpp"
+#include "oscillation/pod/mode_comparison.hpp"
 #include "oscillation/pod/pod.hpp"
 #include "tasks/pod/pod_record.hpp"
 #include "tasks/pod/pod_task.hpp"
@@ -22,6 +23,7 @@ struct PodResult {
   std::string compared;                ///< "the modes of --compare", "the normal modes of --stiffness and --mass"; or empty
   Eigen::MatrixXd cosines, assurance;  ///< cosines and MAC, [modes, compared modes]; empty if there is no comparison
   std::vector<double> frequencies_hz;  ///< of the normal modes, where they were computed
+  oscillation::ModeContributions contributions{};  ///< of the compared modes to each mode; empty if there is no comparison
 };
 
 /// Proper orthogonal modes of the files' samples, read block by block and not kept. `control.progress` gets the number of samples

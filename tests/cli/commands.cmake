@@ -177,6 +177,7 @@ command_test(series_strain CODE 0 OUT "2 gauges, 2 shapes, condition" AFTER osci
   ARGS series strain chain.csv --channels q1,q2 --length 0.4 --thickness 0.001 --gauges 0.05,0.1)
 command_test(series_strain_gauges CODE 3 ERR "channels for 1 gauges" AFTER oscillated
   ARGS series strain chain.csv --length 0.4 --thickness 0.001 --gauges 0.05)
+command_test(series_reversal CODE 3 ERR "no force" AFTER oscillated ARGS series reversal chain.csv --displacement q1 --force q1 --slip-force 1e9 --share 0.05)
 command_test(series_absent CODE 3 ERR "absent.csv" ARGS series delay absent.csv)
 command_test(series_nothing CODE 2 ERR "--help" ARGS series)
 command_test(response_absent CODE 2 ERR "absent.toml" ARGS response absent.toml)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
 #include "ident/identify.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/problem.hpp"
@@ -48,6 +49,32 @@ TEST(Convergence, ManyLinesGiveAsManyPointsAsAskedFor) {
   EXPECT_LE(points.size(), 20U);
   EXPECT_GE(points.size(), 15U);
   EXPECT_EQ(points.back().lines, plan->lines.size());
+}
+
+/// Together as the scene cut to its first lines, alone as the scene cut to that line; a truth is not needed.
+TEST(Convergence, UnknownsFollowTheLinesTogetherAndAlone) {
+  const auto plan = noisy_plan("A1");
+  plan->scene.truth.clear();
+  const tasks::UnknownsByLine found = tasks::unknowns_by_line(*plan, 1000);
+  const auto all = plan->lines;
+  const auto expect_values = [](const std::vector<double>& values, const Solution& solution) {
+    ASSERT_EQ(values.size(), solution.unknowns.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      EXPECT_NEAR(values[i], solution.unknowns[i].value, 1e-9 * std::abs(solution.unknowns[i].value) + 1e-6);
+    }
+  };
+  const auto point = std::ranges::find(found.lines, 10u, &tasks::LineUnknowns::lines);
+  ASSERT_NE(point, found.lines.end());
+  EXPECT_EQ(found.lines.back().lines, all.size());
+  plan->lines.assign(all.begin(), all.begin() + 10);
+  expect_values(point->together, solve(*plan));
+  plan->lines.assign(all.begin() + 9, all.begin() + 10);
+  expect_values(point->alone, solve(*plan));
+}
+
+TEST(Convergence, UnknownsOfOtherMethodsFollowNoLines) {
+  const auto plan = noisy_plan("H4");
+  EXPECT_THROW(tasks::unknowns_by_line(*plan, 10), InputError);
 }
 
 TEST(Convergence, WithoutATruthThereIsNone) {

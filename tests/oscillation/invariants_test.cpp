@@ -19,6 +19,7 @@ double uniform(double low, double high) {
 Friction friction_between(double most) {
   Friction out{uniform(0.05, most), 0.0, std::nullopt, uniform(0.2, 3.0), 0.0, std::nullopt};
   out.statical = out.kinetic * *rc::gen::element(1.0, 1.0 + 1e-9, 1.2, 2.0);
+  out.tilt = *rc::gen::element(0.0, uniform(-0.3, 0.3)) * std::atan(out.kinetic);
   return out;
 }
 
@@ -88,7 +89,9 @@ RC_GTEST_PROP(Motion, KeepsItsLaws, ()) {
         work += weights[g] * piece.length / 8.0 * power(piece.mode, z);
         scale = std::max(scale, z.head(2 * n).cwiseAbs().maxCoeff());
         if (piece.mode == Mode::stick) {
-          worst = std::max(worst, std::abs(system.stick_force.dot(z)) - system.friction.statical * system.normal.dot(z));
+          const double force = system.stick_force.dot(z);
+          const Mode towards = force >= 0.0 ? Mode::forward : Mode::backward;
+          worst = std::max(worst, std::abs(force) - system.statical(towards) * system.normal.dot(z));
           if (system.is_rigid()) worst = std::max(worst, std::abs(system.relative[place(Mode::stick)].dot(z)));
         } else {
           worst = std::max(worst, -sign(piece.mode) * system.relative[place(piece.mode)].dot(z));

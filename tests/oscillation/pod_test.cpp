@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/random.hpp"
+#include "dense/cholesky.hpp"
 #include "dense/eigen.hpp"
 #include "dense/qr.hpp"
 #include "oscillation/pod/mode_comparison.hpp"
@@ -117,6 +118,30 @@ TEST(Pod, OfFreeMotionIsTheNormalModesOnlyInTheirInnerProduct) {
   const auto pairs = matched_modes(good);
   for (const ModePair& pair : pairs) EXPECT_EQ(pair.phi, pair.psi);
   EXPECT_NEAR(mode_assurance(plain.modes, plain.modes)(0, 0), 1.0, 1e-14);
+}
+
+/// φ = Ψv with known v: shares |v|/Σ|v| of unit ψ, whatever their scale, and what lies outside.
+TEST(Pod, ContributionsAreTheCoordinatesInTheOtherModes) {
+  const Eigen::MatrixXd mass = Eigen::Vector4d(1.0, 4.0, 0.3, 2.0).asDiagonal();
+  Eigen::MatrixXd psi(4, 2);
+  psi << 1.0, 0.2, 0.5, -1.0, 0.3, 0.4, 0.1, 0.9;
+  Eigen::MatrixXd unit = psi;
+  for (int k = 0; k < 2; ++k) unit.col(k) /= std::sqrt(psi.col(k).dot(mass * psi.col(k)));
+  const Eigen::MatrixXd phi = unit * Eigen::Vector2d(0.9, -0.3);
+  Eigen::MatrixXd scaled = psi;
+  scaled.col(1) *= -70.0;
+  const ModeContributions found = mode_contributions(phi, scaled, mass);
+  EXPECT_NEAR(found.shares(0, 0), 0.75, 1e-12);
+  EXPECT_NEAR(found.shares(0, 1), 0.25, 1e-12);
+  EXPECT_NEAR(found.outside(0), 0.0, 1e-12);
+  // What is at right angles to all of them.
+  Eigen::VectorXd other = Eigen::Vector4d(0.3, -0.7, 0.1, 0.5);
+  const Eigen::MatrixXd gram = unit.transpose() * mass * unit, right = unit.transpose() * mass * other;
+  other -= unit * dense::solve_positive(gram, right);
+  EXPECT_NEAR(mode_contributions(other, psi, mass).outside(0), 1.0, 1e-12);
+  Eigen::MatrixXd twice(4, 2);
+  twice << psi.col(0), 2.0 * psi.col(0);
+  EXPECT_THROW(mode_contributions(phi, twice, mass), InputError);
 }
 
 TEST(Pod, FractionsOfBothConventions) {

@@ -74,6 +74,24 @@ TEST(Modules, NoneForTheVersionTheHelpOrTextFiles) {
   }
 }
 
+/// Scenes whose structures are inline and curves in text need no library of others, whatever the command has them for.
+TEST(Modules, NoneForResponsesOscillationsAndCurvesOfText) {
+  const InputFolder folder;
+  folder.write("response.toml",
+        "[structure]\nmass = [[1.0, 0.0], [0.0, 1.0]]\nstiffness = [[2.0, -1.0], [-1.0, 2.0]]\n"
+        "damping = [[0.02, -0.01], [-0.01, 0.02]]\n"
+        "[[joints]]\ndofs = [1, 2]\nlaw = \"ren\"\nparameters = [0.05, 2.0, 1.0]\n"
+        "[force]\ndof = 1\namplitudes = [0.1]\n[frequency]\nrange = [0.1, 0.3]\n[response]\ndofs = [2]\nharmonics = [1]\n");
+  folder.write("belt.toml",
+        "[system]\nkind = \"belt_chain\"\nmasses = 2\nvelocity = 0.2\n[friction]\nkinetic = 0.3\nstatic = 0.5\ndecay = 2.0\nnormal = 1.0\n"
+        "[motion]\nlength = 20.0\nstep = 0.1\n");
+  folder.write("joint.toml", "[joint]\nlaw = \"ren\"\nparameters = [5e-8, 3.0, 1e6]\n[history]\ndisplacements = [1e-6]\n");
+  EXPECT_THAT(loaded_by(folder, {"response", "response.toml"}), IsEmpty());
+  EXPECT_THAT(loaded_by(folder, {"oscillate", "belt.toml"}), IsEmpty());
+  EXPECT_THAT(loaded_by(folder, {"loading-curve", "joint.toml", "--csv", "curve.csv"}), IsEmpty());
+  EXPECT_THAT(loaded_by(folder, {"loading-curve", "curve.csv", "--law", "ren", "--minimiser", "pattern"}), IsEmpty());
+}
+
 TEST(Modules, ThatOfTheFilesOrTheSolver) {
   const InputFolder folder;
   EXPECT_THAT(loaded_by(folder, {"info", "a.h5"}), Contains("jointid_hdf5.so"));

@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "problems/thesis/mesh_joints.hpp"
 #include "tests/require.hpp"
+#include "tests/test_folder.hpp"
 
 /// Scenes of joints against golden/seeds.json, an independent program (formulas in seeds.md 5 to 9).
 namespace jointid::tasks {
@@ -49,6 +51,31 @@ std::string law(const std::string& name, const json& parameters) {
     comma = ", ";
   }
   return text + " }\n";
+}
+
+/// The built-in problems of Table 2.8 and case Three, by the scenes that are written.
+TEST(JointHistory, MeshProblemsHaveTheirTruth) {
+  for (const problems::MeshJoint& problem : problems::list_mesh_joints()) {
+    const TestFolder folder;
+    const JointHistory found = run_joint_history(read_joint_history(problems::write(problem, folder)));
+    ASSERT_EQ(found.ends.size(), 2u) << problem.name;
+    EXPECT_NEAR(*found.limit / problem.limit, 1.0, 1e-10) << problem.name;
+    const HistoryPoint &there = found.points[found.ends[0]], &back = found.points[found.ends[1]];
+    EXPECT_NEAR(there.displacement / problem.displacement, 1.0, 1e-9) << problem.name;
+    EXPECT_NEAR(back.displacement / problem.displacement, -1.0, 1e-9) << problem.name;
+  }
+}
+
+/// u(h) by the scene's key, against the independent program.
+TEST(JointHistory, SharesOfSlipAreThoseOfTheLaw) {
+  const json one = expected_of("uh_from_slopes_shoukry");
+  if (one.is_null()) JOINTID_SKIP("no reference file " << seeds_file());
+  const JointHistory found = history_of(law("shoukry", {{"a", one["a"]}, {"b", one["b"]}}) +
+                                        "[history]\ndisplacements = [1e-6]\nshares = " + one["h"].dump() + "\n");
+  ASSERT_EQ(found.slip_displacements.size(), one["u"].size());
+  for (std::size_t i = 0; i < one["u"].size(); ++i) EXPECT_NEAR(found.slip_displacements[i] / one["u"][i].get<double>(), 1.0, 1e-10);
+  EXPECT_THROW(history_of(law("shoukry", {{"a", one["a"]}, {"b", one["b"]}}) + "[history]\ndisplacements = [1e-6]\nshares = [1.0]\n"),
+               InputError);
 }
 
 /// The points of a history after each turn are those of `rows`, [u, F].

@@ -1,0 +1,35 @@
+#include "report/result/by_line.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "report/json_value.hpp"
+#include "report/text/table.hpp"
+
+namespace jointid::report {
+
+std::string by_line_csv(const tasks::UnknownsByLine& found) {
+  std::vector<std::string> titles = {"lines", "frequency_hz"};
+  titles.insert(titles.end(), found.names.begin(), found.names.end());
+  for (const std::string& name : found.names) titles.push_back(name + " alone");
+  std::string text = csv_line(titles);
+  for (const tasks::LineUnknowns& line : found.lines) {
+    std::vector<std::string> row = {std::to_string(line.lines), csv_number(line.frequency_hz)};
+    for (const double each : line.together) row.push_back(csv_number(each));
+    for (std::size_t i = 0; i < found.names.size(); ++i) row.push_back(line.alone.empty() ? "" : csv_number(line.alone[i]));
+    text += csv_line(row);
+  }
+  return text;
+}
+
+std::string by_line_json(const tasks::UnknownsByLine& found) {
+  Json out = {{"status", "ok"}, {"unknowns", found.names}, {"lines", Json::array()}};
+  for (const tasks::LineUnknowns& line : found.lines) {
+    out["lines"].push_back({{"lines", line.lines},
+                            {"frequency_hz", value(line.frequency_hz)},
+                            {"together", values(line.together)},
+                            {"alone", line.alone.empty() ? Json() : Json(values(line.alone))}});
+  }
+  return json_text(out);
+}
+
+}  // namespace jointid::report
