@@ -1,12 +1,12 @@
 #include "gui/records/record_tool.hpp"
 
-#include <QLocale>
-#include <cmath>
 #include <optional>
 
 #include "base/error.hpp"
 #include "gui/look/paths.hpp"
 #include "gui/look/said.hpp"
+#include "gui/records/frf_tool.hpp"
+#include "gui/records/tool_values.hpp"
 #include "gui/work/control_of.hpp"
 #include "report/pod/pod_page.hpp"
 #include "report/pod/pod_plots.hpp"
@@ -22,51 +22,6 @@ namespace {
 
 using Kind = ToolField::Kind;
 using Files = std::vector<std::filesystem::path>;
-
-std::string text_of(const ToolValues& values, const char* option) {
-  const auto place = values.find(option);
-  return place == values.end() ? std::string() : place->second.toStdString();
-}
-
-/// Throws InputError for what is no number.
-std::optional<double> number_of(const ToolValues& values, const char* option) {
-  const auto place = values.find(option);
-  if (place == values.end()) return std::nullopt;
-  bool is_number = false;
-  const double value = QLocale::c().toDouble(place->second, &is_number);
-  if (!is_number)
-    throw InputError({ErrorKind::usage, "", option, "'" + place->second.toStdString() + "' is no number", "write 0.002 or 2e-3"});
-  return value;
-}
-
-/// Throws InputError for what is no number above 0.
-std::optional<double> positive_of(const ToolValues& values, const char* option) {
-  const std::optional<double> value = number_of(values, option);
-  if (value && !(*value > 0.0))
-    throw InputError(
-        {ErrorKind::usage, "", option, values.at(option).toStdString() + " is not above 0", "give a number above 0"});
-  return value;
-}
-
-/// Throws InputError for what is no whole number of this range.
-std::size_t whole_of(const ToolValues& values, const char* option, std::size_t otherwise, std::size_t least, std::size_t most) {
-  const std::optional<double> value = number_of(values, option);
-  if (!value) return otherwise;
-  if (*value != std::floor(*value) || *value < static_cast<double>(least) || *value > static_cast<double>(most)) {
-    throw InputError({ErrorKind::usage, "", option, values.at(option).toStdString() + " is not allowed",
-                      "give a whole number from " + std::to_string(least) + " to " + std::to_string(most)});
-  }
-  return static_cast<std::size_t>(*value);
-}
-
-/// "0.05,0.1"; empty where there are none. Throws InputError for what is no number.
-std::vector<double> numbers_of(const ToolValues& values, const char* option) {
-  std::vector<double> out;
-  const auto place = values.find(option);
-  if (place == values.end()) return out;
-  for (const QString& word : place->second.split(',')) out.push_back(*number_of({{option, word.trimmed()}}, option));
-  return out;
-}
 
 std::vector<std::string> columns_of(const ToolValues& values, const char* option) {
   std::vector<std::string> out;
@@ -309,13 +264,17 @@ RecordTool align_tool() {
 
 }  // namespace
 
-std::vector<RecordTool> record_tools() { return {pod_tool(), delay_tool(), contact_tool(), strain_tool(), align_tool()}; }
+std::vector<RecordTool> record_tools() { return {pod_tool(), delay_tool(), contact_tool(), strain_tool(), align_tool(), frf_tool()}; }
 
 QString options_of(const RecordTool& tool, const ToolValues& values) {
   QString text;
   for (const ToolField& field : tool.fields) {
     const auto place = values.find(field.option);
     if (place == values.end()) continue;
+    if (field.kind == Kind::texts) {
+      for (const QString& each : parted(place->second)) text += " " + q(field.option) + " " + shell_word(each);
+      continue;
+    }
     text += " " + q(field.option);
     if (field.kind != Kind::flag) text += " " + shell_word(place->second);
   }
