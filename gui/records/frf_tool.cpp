@@ -18,7 +18,7 @@ using Kind = ToolField::Kind;
 constexpr std::size_t most_frfs_drawn = 64, most_points_drawn = 4000;
 
 void read_channels(const ToolValues& values, tasks::FrfTask& task) {
-  task.read.time = text_of(values, "--time");
+  task.read.time = option_text(values, "--time");
   task.read.rate_hz = positive_of(values, "--rate");
   if (const auto channels = values.find("--channel"); channels != values.end()) {
     for (const QString& each : parted(channels->second)) task.read.channels.push_back(records::parse_channel(each.toStdString()));
@@ -45,7 +45,7 @@ tasks::FrfTask task_of(const std::vector<std::filesystem::path>& files, const To
   options.remove_mean = values.contains("--remove-mean");
   options.keep_faulty = values.contains("--keep-faulty");
   options.highest_hz = positive_of(values, "--highest").value_or(options.highest_hz);
-  if (const std::string word = text_of(values, "--estimator"); !word.empty()) options.estimator = records::parse_estimator(word);
+  if (const std::string word = option_text(values, "--estimator"); !word.empty()) options.estimator = records::parse_estimator(word);
   for (const double number : numbers_of(values, "--reject")) {
     if (!(number >= 1.0)) throw InputError({ErrorKind::usage, "", "--reject", "is no number of a segment", "write 2,5"});
     options.reject.push_back(static_cast<std::size_t>(number));

@@ -33,7 +33,7 @@ std::vector<std::string> columns_of(const ToolValues& values, const char* option
 
 /// Throws InputError where none is chosen.
 std::string chosen_column(const ToolValues& values, const char* option) {
-  std::string column = text_of(values, option);
+  std::string column = option_text(values, option);
   if (column.empty()) throw InputError({ErrorKind::usage, "", option, "is not chosen", "choose the column"});
   return column;
 }
@@ -54,8 +54,8 @@ Findings find_modes(const Files& files, const ToolValues& values, const Worker::
   tasks::PodTask task;
   task.files = files;
   task.channels = columns_of(values, "--channels");
-  task.mass = text_of(values, "--mass"), task.stiffness = text_of(values, "--stiffness"),
-  task.compare = text_of(values, "--compare");
+  task.mass = option_text(values, "--mass"), task.stiffness = option_text(values, "--stiffness"),
+  task.compare = option_text(values, "--compare");
   task.keep_mean = values.contains("--keep-mean");
   const auto found = std::make_shared<const tasks::PodResult>(tasks::run_pod(task, control_of(watch)));
   Findings out;
@@ -77,7 +77,7 @@ Findings find_modes(const Files& files, const ToolValues& values, const Worker::
 Findings find_delays(const Files& files, const ToolValues& values, const Worker::Watch& watch) {
   tasks::DelayTask task;
   task.file = files.front();
-  task.channel = text_of(values, "--channel");
+  task.channel = option_text(values, "--channel");
   task.rate_hz = positive_of(values, "--rate");
   task.samples = whole_of(values, "--samples", task.samples, 100, 200'000);
   task.delay = whole_of(values, "--delay", task.delay, 0, 100'000);
@@ -103,7 +103,7 @@ Findings find_contact_law(const Files& files, const ToolValues& values, const Wo
   task.file = files.front();
   task.velocity = chosen_column(values, "--velocity");
   task.force = chosen_column(values, "--force");
-  task.normal = text_of(values, "--normal");
+  task.normal = option_text(values, "--normal");
   task.load = positive_of(values, "--load").value_or(0.0);
   task.stick_speed =
       required(positive_of(values, "--stick-speed"), "--stick-speed", "give the speed in m/s below which a sample sticks");

@@ -7,7 +7,7 @@
 
 namespace jointid::gui {
 
-std::string text_of(const ToolValues& values, const char* option) {
+std::string option_text(const ToolValues& values, const char* option) {
   const auto place = values.find(option);
   return place == values.end() ? std::string() : place->second.toStdString();
 }

@@ -10,7 +10,7 @@
 /// What was filled in, as the library wants it. All throw InputError (usage) with the option and what to write.
 namespace jointid::gui {
 
-std::string text_of(const ToolValues& values, const char* option);
+std::string option_text(const ToolValues& values, const char* option);
 
 /// Nothing where the field is empty.
 std::optional<double> number_of(const ToolValues& values, const char* option);
