@@ -21,7 +21,7 @@
 #include "gui/response/response_kind.hpp"
 #include "gui/solve/solve_page.hpp"
 #include "gui/study/study_page.hpp"
-#include "tasks/joint_springs.hpp"
+#include "tasks/joint/joint_springs.hpp"
 
 /// The pages of a project, and what they tell each other.
 namespace jointid::gui {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tasks/joint_layout.hpp"
+#include "tasks/joint/joint_layout.hpp"
 #include "tasks/propose_joint.hpp"
 #include "tasks/propose_range.hpp"
 #include "tasks/propose_roles.hpp"

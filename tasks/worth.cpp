@@ -9,7 +9,7 @@
 #include "dense/eigen.hpp"
 #include "ident/judgement/passivity.hpp"
 #include "ident/judgement/value_scales.hpp"
-#include "tasks/joint_springs.hpp"
+#include "tasks/joint/joint_springs.hpp"
 
 namespace jointid::tasks {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "tasks/joint_springs.hpp"
+#include "tasks/joint/joint_springs.hpp"
 
 namespace jointid::gui {
 

@@ -7,7 +7,7 @@
 
 #include "gui/work/worker.hpp"
 #include "tasks/joint_forecast.hpp"
-#include "tasks/joint_layout.hpp"
+#include "tasks/joint/joint_layout.hpp"
 
 class QCheckBox;
 class QComboBox;

@@ -7,7 +7,7 @@
 #include "gui/scene/toml_edit.hpp"
 #include "ident/scene/scene.hpp"
 #include "study/comparison.hpp"
-#include "tasks/joint_layout.hpp"
+#include "tasks/joint/joint_layout.hpp"
 
 namespace jointid::gui {
 

@@ -11,7 +11,7 @@
 #include "gui/look/named.hpp"
 #include "gui/look/said.hpp"
 #include "gui/table/cell_table.hpp"
-#include "tasks/run_difference.hpp"
+#include "tasks/joint/run_difference.hpp"
 
 namespace jointid::gui {
 namespace {

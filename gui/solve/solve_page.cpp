@@ -25,7 +25,7 @@
 #include "gui/solve/worth_row.hpp"
 #include "gui/table/cell_table.hpp"
 #include "ident/identify.hpp"
-#include "tasks/joint_layout.hpp"
+#include "tasks/joint/joint_layout.hpp"
 
 namespace jointid::gui {
 

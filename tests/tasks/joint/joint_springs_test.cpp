@@ -1,4 +1,4 @@
-#include "tasks/joint_springs.hpp"
+#include "tasks/joint/joint_springs.hpp"
 
 #include <gmock/gmock.h>
 
@@ -6,7 +6,7 @@
 #include "ident/scene/read_scene.hpp"
 #include "problems/problem.hpp"
 #include "tasks/joint_forecast.hpp"
-#include "tasks/run_difference.hpp"
+#include "tasks/joint/run_difference.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::tasks {

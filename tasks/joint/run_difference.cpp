@@ -1,10 +1,10 @@
-#include "tasks/run_difference.hpp"
+#include "tasks/joint/run_difference.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/statistics.hpp"
-#include "tasks/joint_springs.hpp"
+#include "tasks/joint/joint_springs.hpp"
 
 namespace jointid::tasks {
 

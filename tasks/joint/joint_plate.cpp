@@ -1,4 +1,4 @@
-#include "tasks/joint_plate.hpp"
+#include "tasks/joint/joint_plate.hpp"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tasks/node_pairs.hpp"
+#include "tasks/joint/node_pairs.hpp"
 
 namespace jointid::tasks {
 

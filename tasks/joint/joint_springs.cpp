@@ -1,4 +1,4 @@
-#include "tasks/joint_springs.hpp"
+#include "tasks/joint/joint_springs.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "tasks/joint_plate.hpp"
-#include "tasks/node_pairs.hpp"
+#include "tasks/joint/joint_plate.hpp"
+#include "tasks/joint/node_pairs.hpp"
 
 namespace jointid::tasks {
 
