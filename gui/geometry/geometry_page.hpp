@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "gui/geometry/mode_shapes.hpp"
+#include "tasks/joint/joint_springs.hpp"
 
 class QLabel;
 class QListWidget;
