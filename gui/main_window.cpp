@@ -12,10 +12,12 @@
 #include <QTextDocument>
 #include <QVBoxLayout>
 
+#include "gui/begin/example_dialog.hpp"
 #include "gui/data/data_page.hpp"
 #include "gui/geometry/geometry_page.hpp"
 #include "gui/look/dialogs.hpp"
 #include "gui/look/file_drop.hpp"
+#include "gui/look/job_progress.hpp"
 #include "gui/look/language.hpp"
 #include "gui/look/message_bar.hpp"
 #include "gui/look/named.hpp"
@@ -23,10 +25,13 @@
 #include "gui/look/quiet_wheel.hpp"
 #include "gui/look/said.hpp"
 #include "gui/open/dropped_files.hpp"
+#include "gui/open/variable_dialog.hpp"
 #include "gui/project.hpp"
 #include "gui/recent_files.hpp"
 #include "gui/scene/scene_editor.hpp"
 #include "gui/scene/scene_words.hpp"
+#include "gui/solve/difference_tab.hpp"
+#include "gui/solve/solve_page.hpp"
 #include "gui/work/worker.hpp"
 
 namespace jointid::gui {
@@ -56,8 +61,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   keep_wheel_from_fields(*this);
   let_drop_files(*this, [this](const QStringList& files) { open(files); });
   auto* hint = named(new QLabel(tr("Drop FRF files of the substructures and of the assembly here, one file to look at, or a scene.\n\n"
-                                   "Ctrl+O opens "
-                                   "files, Ctrl+N starts an empty scene.")),
+                                   "Ctrl+O opens files, Ctrl+N starts an empty scene, Ctrl+Shift+O opens an example.\n"
+                                   "File – New from template has scenes to be filled in.")),
                      "hint", tr("Getting started"));
   hint->setAlignment(Qt::AlignCenter);
   tabs_ = named(new QTabWidget, "projects", tr("Projects"));
@@ -97,7 +102,20 @@ Project* MainWindow::add_project() {
   tabs_->addTab(project, {});
   tabs_->setCurrentWidget(project);
   connect(project, &Project::title_changed, this, &MainWindow::show_titles);
+  project->solve_page()->differences()->set_elsewhere([this, project] { return runs_beside(*project); });
   return project;
+}
+
+/// Runs of all other projects, with the names of their scenes.
+std::vector<std::pair<QString, std::vector<ident::Estimate>>> MainWindow::runs_beside(const Project& project) const {
+  std::vector<std::pair<QString, std::vector<ident::Estimate>>> out;
+  for (int i = 0; i < tabs_->count(); ++i) {
+    const auto* const other = qobject_cast<Project*>(tabs_->widget(i));
+    if (other == &project) continue;
+    for (const Solved& run : other->solve_page()->runs())
+      out.emplace_back(tr("%1, run %2").arg(other->title(), q(run.name)), run.solution.unknowns);
+  }
+  return out;
 }
 
 void MainWindow::open_scene(const QString& file) {
@@ -126,18 +144,31 @@ void MainWindow::open(const QStringList& files) {
   if (!others.isEmpty()) open_data(others);
 }
 
-void MainWindow::open_data(const QStringList& files) {
+void MainWindow::open_data(const QStringList& files, const ChosenNames& variables) {
   QStringList whole;
   for (const QString& file : files) whole << QFileInfo(file).absoluteFilePath();
   const QString folder = QFileInfo(whole.front()).absolutePath();
   messages_->say(tr("Reading %n file(s) …", nullptr, static_cast<int>(files.size())));
-  worker_->add([this, whole, folder](const Worker::Watch& watch) -> Worker::Deliver {
-    return [this, folder, dropped = sort_dropped(whole, folder, watch.interrupted)] {
+  worker_->add([this, whole, folder, variables](const Worker::Watch& watch) -> Worker::Deliver {
+    return [this, whole, folder, variables, dropped = sort_dropped(whole, folder, watch.interrupted, variables)] {
       messages_->hide();
+      if (!dropped.undecided.empty()) return ask_for_variables(dropped, whole, variables);
       show_dropped(dropped, folder);
       if (!dropped.failed.isEmpty()) messages_->warn(dropped.failed.join(QLatin1Char('\n')));
     };
   });
+}
+
+/// A choice in place of an error.
+void MainWindow::ask_for_variables(const DroppedFiles& dropped, const QStringList& files, const ChosenNames& variables) {
+  auto* const dialog = new VariableDialog(dropped.undecided, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog, files, variables] {
+    ChosenNames all = dialog->chosen();
+    all.insert(variables.begin(), variables.end());
+    open_data(files, all);
+  });
+  dialog->open();
 }
 
 /// Each in its place: a scene in a tab, records and curves on their pages.
@@ -181,6 +212,19 @@ Project* MainWindow::project_for_pages() {
 
 void MainWindow::new_scene() { start_project(first_text, {}); }
 
+/// Its files go into a folder, its scene or its data into the window.
+void MainWindow::open_example() {
+  auto* const dialog = new ExampleDialog(this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, name = [dialog] { return std::pair(dialog->name(), dialog->folder()); }] {
+    messages_->say(tr("Writing the example …"));
+    worker_->add([this, wanted = name()](const Worker::Watch&) -> Worker::Deliver {
+      return [this, file = write_example(wanted.first, wanted.second)] { open({file}); };
+    });
+  });
+  dialog->open();
+}
+
 void MainWindow::choose_files() { open(choose_files_to_open(this)); }
 
 bool MainWindow::save(Project& project) { return project.file().isEmpty() ? save_as(project) : project.save(); }
@@ -191,8 +235,22 @@ bool MainWindow::save_as(Project& project) {
   return !file.isEmpty() && project.save_as(file);
 }
 
+/// Runs are of the session: those that took long are not lost without a word.
+bool MainWindow::may_lose_runs(Project& project) {
+  constexpr double long_s = 60.0;
+  const double seconds = project.seconds_of_runs();
+  if (seconds < long_s) return true;
+  tabs_->setCurrentWidget(&project);
+  const QString text = tr("The runs of %1 took %2. They are lost with it; JSON… and Report… on the page Solve keep them. Close it?")
+                           .arg(project.title(), duration_text(seconds));
+  const auto answer =
+      QMessageBox::question(this, tr("Runs are lost"), text, QMessageBox::Close | QMessageBox::Cancel, QMessageBox::Cancel);
+  return answer == QMessageBox::Close;
+}
+
 bool MainWindow::may_close(Project& project) {
   project.commit();
+  if (!may_lose_runs(project)) return false;
   if (!project.is_modified()) return true;
   tabs_->setCurrentWidget(&project);
   const auto answer = QMessageBox::question(this, tr("Unsaved scene"), tr("Save the changes of %1?").arg(project.title()),

@@ -1,8 +1,12 @@
 #pragma once
 
 #include <QMainWindow>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include "gui/look/theme.hpp"
+#include "ident/result/solution.hpp"
 
 class QStackedWidget;
 class QTabWidget;
@@ -10,6 +14,7 @@ class QTabWidget;
 namespace jointid::gui {
 
 struct DroppedFiles;
+class HelpWindow;
 class MessageBar;
 class Project;
 class Worker;
@@ -47,9 +52,14 @@ class MainWindow : public QMainWindow {
   void add_help_menu();
   QMenu* make_language_menu();
   Project* add_project();
+  std::vector<std::pair<QString, std::vector<ident::Estimate>>> runs_beside(const Project& project) const;
   void open_scene(const QString& file);
   void new_scene();
-  void open_data(const QStringList& files);
+  void open_data(const QStringList& files, const std::map<QString, QString>& variables = {});
+  void ask_for_variables(const DroppedFiles& dropped, const QStringList& files, const std::map<QString, QString>& variables);
+  QMenu* make_template_menu();
+  void open_example();
+  void show_help();
   void show_dropped(const DroppedFiles& dropped, const QString& folder);
   Project* start_project(const std::string& text, const QString& folder);
   Project* project_for_pages();
@@ -58,6 +68,7 @@ class MainWindow : public QMainWindow {
   bool save(Project& project);
   bool save_as(Project& project);
   bool may_close(Project& project);
+  bool may_lose_runs(Project& project);
   bool may_close_all();
   void ask_to_begin_anew();
   bool close_project(int index);
@@ -70,6 +81,7 @@ class MainWindow : public QMainWindow {
   QStackedWidget* stack_;
   QTabWidget* tabs_;
   Worker* worker_;
+  HelpWindow* help_ = nullptr;  ///< made when it is asked for
 };
 
 }  // namespace jointid::gui

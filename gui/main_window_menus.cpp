@@ -5,13 +5,16 @@
 #include <QSettings>
 #include <QTabWidget>
 
+#include "gui/help/help_window.hpp"
 #include "gui/look/language.hpp"
 #include "gui/main_window.hpp"
 #include "gui/plan/plan_page.hpp"
 #include "gui/project.hpp"
+#include "gui/records/records_page.hpp"
 #include "gui/recent_files.hpp"
 #include "gui/scene/scene_editor.hpp"
 #include "gui/solve/solve_page.hpp"
+#include "tasks/open/scene_templates.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -42,7 +45,9 @@ void MainWindow::add_menus() {
 void MainWindow::add_file_menu() {
   QMenu* const menu = menuBar()->addMenu(tr("&File"));
   menu->addAction(tr("&New scene"), QKeySequence::New, this, &MainWindow::new_scene);
+  menu->addMenu(make_template_menu());
   menu->addAction(tr("&Open…"), QKeySequence::Open, this, &MainWindow::choose_files);
+  menu->addAction(tr("Open &example…"), QKeySequence(tr("Ctrl+Shift+O")), this, &MainWindow::open_example);
   QMenu* const recent = menu->addMenu(tr("Open &recent"));
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { fill_recent(*recent); });
   menu->addSeparator();
@@ -52,6 +57,23 @@ void MainWindow::add_file_menu() {
   menu->addAction(tr("&Close"), QKeySequence(tr("Ctrl+W")), this, [this] { close_project(tabs_->currentIndex()); });
   menu->addSeparator();
   menu->addAction(tr("&Quit"), QKeySequence(tr("Ctrl+Q")), this, &QWidget::close);
+}
+
+/// Scenes to be filled in; records need none.
+QMenu* MainWindow::make_template_menu() {
+  auto* const menu = new QMenu(tr("New from &template"), this);
+  const std::map<std::string_view, QString> titles = {{"joint", tr("&Two substructures and a joint")},
+                                                      {"coupling", tr("&Coupling")},
+                                                      {"decoupling", tr("&Decoupling")},
+                                                      {"virtual-points", tr("&Isolator by virtual points")},
+                                                      {"friction", tr("&Friction from vibration")}};
+  for (const tasks::SceneTemplate& each : tasks::scene_templates())
+    menu->addAction(titles.at(each.name), this, [this, &each] { start_project(std::string(each.text), {}); });
+  menu->addAction(tr("&Records to FRFs"), this, [this] {
+    project_for_pages()->pages()->setCurrentWidget(current()->records_page());
+    current()->records_page()->choose_tool("frf");
+  });
+  return menu;
 }
 
 void MainWindow::fill_recent(QMenu& menu) {
@@ -95,6 +117,8 @@ void MainWindow::add_view_menu() {
     menu->addAction(text, QKeySequence(key), this, [this, page] { show_page(page); });
     ++page;
   }
+  menu->addAction(tr("Fold the te&xt"), QKeySequence(tr("Ctrl+B")), this,
+                  on_current(this, [](Project& project) { project.fold_text(); }));
   menu->addAction(tr("&Next project"), QKeySequence(tr("Ctrl+Tab")), this, [this] {
     if (tabs_->count() > 0) tabs_->setCurrentIndex((tabs_->currentIndex() + 1) % tabs_->count());
   });
@@ -141,8 +165,16 @@ void MainWindow::add_run_menu() {
                   on_current(this, [](Project& project) { project.cancel(); }));
 }
 
+/// Of the page in front.
+void MainWindow::show_help() {
+  if (help_ == nullptr) help_ = new HelpWindow(this);
+  const Project* const project = current();
+  help_->show_page(help_page_of(project == nullptr ? QString() : project->pages()->currentWidget()->objectName()));
+}
+
 void MainWindow::add_help_menu() {
   QMenu* const menu = menuBar()->addMenu(tr("&Help"));
+  menu->addAction(tr("&Documentation of this page"), QKeySequence(tr("F1")), this, &MainWindow::show_help);
   menu->addAction(tr("&About"), this, [this] {
     QMessageBox::about(this, tr("jointid workbench"),
                        tr("jointid workbench %1\n\nIdentifies joints from measured FRFs. Sources under BSD-3-Clause; this "

@@ -1,6 +1,8 @@
 #include "gui/project.hpp"
 
+#include <QFileInfo>
 #include <QLabel>
+#include <QPushButton>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QTextDocument>
@@ -18,6 +20,7 @@
 #include "gui/look/message_bar.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/paths.hpp"
+#include "gui/look/said.hpp"
 #include "gui/modal/modal_page.hpp"
 #include "gui/oscillate/oscillate_kind.hpp"
 #include "gui/page/scene_page.hpp"
@@ -30,8 +33,20 @@
 #include "gui/solve/solve_page.hpp"
 #include "gui/study/study_page.hpp"
 #include "gui/table/cell_table.hpp"
+#include "gui/work/control_of.hpp"
+#include "ident/scene/read_scene.hpp"
 
 namespace jointid::gui {
+namespace {
+
+/// As a path from the folder of the scene.
+std::string path_from(const QString& file, const std::filesystem::path& folder) {
+  std::error_code none;
+  const std::filesystem::path near = std::filesystem::proximate(as_path(file), folder.empty() ? "." : folder, none);
+  return (none ? as_path(file) : near).generic_string();
+}
+
+}  // namespace
 
 Project::Project(QWidget* parent) : QWidget(parent) {
   editor_ = new SceneEditor;
@@ -165,6 +180,29 @@ void Project::edit(const std::string& table, const std::string& key, const std::
   editor_->replace_text(value.empty() ? without_value(text, table, key) : with_value(text, table, key, value));
 }
 
+void Project::fold_text() {
+  QWidget* const text = splitter_->widget(0);
+  text->setVisible(!text->isVisible());
+  if (!text->isVisible()) pages_->currentWidget()->setFocus();
+}
+
+double Project::seconds_of_runs() const {
+  double seconds = 0.0;
+  for (const Solved& run : solve_page_->runs()) seconds += run.solution.runtime_s.total;
+  return seconds;
+}
+
+/// A command line names the file, in which unsaved edits are not.
+void Project::watch_commands(QWidget& page) {
+  for (QPushButton* button : page.findChildren<QPushButton*>()) {
+    if (!button->objectName().endsWith(QLatin1String("command"))) continue;
+    connect(button, &QPushButton::clicked, this, [this] {
+      if (is_modified() || file_.isEmpty())
+        messages_->say(tr("The command line is copied. It names the saved scene; your edits since are not in it. Ctrl+S saves them."));
+    });
+  }
+}
+
 void Project::cancel() {
   solve_page_->cancel();
   const auto cancel_made = [](const auto&... pages) { ((pages.made() != nullptr ? pages.made()->cancel() : void()), ...); };
@@ -178,6 +216,25 @@ void Project::open_way(const study::Way& way) {
   check();
   pages_->setCurrentWidget(solve_page_);
   solve_page_->solve();
+}
+
+/// A file more in [data], as an edit. A project without a scene gets one beside the file.
+void Project::take_frfs(const QString& file, bool of_assembly) {
+  if (editor_->document()->isEmpty() && file_.isEmpty()) folder_ = QFileInfo(file).absolutePath();
+  std::string text = editor_->text();
+  for (const char* key : {"substructures", "assembly"}) {
+    if (!value_of(text, "data", key) && !value_of(text, "data", "parts")) text = with_value(text, "data", key, "[]");
+  }
+  const std::string key = of_assembly ? "assembly" : value_of(text, "data", "parts") ? "parts" : "substructures";
+  const std::string name = '"' + path_from(file, path().parent_path()) + '"';
+  std::string list = value_of(text, "data", key).value_or("[]");
+  if (!list.starts_with('[')) list = "[" + list + "]";
+  const std::size_t end = list.rfind(']');
+  const std::size_t last = list.find_last_not_of(" \n\t,", end - 1);
+  list = list.substr(0, last + 1) + (last == 0 ? "" : ", ") + name + "]";
+  editor_->replace_text(with_value(text, "data", key, list));
+  check();
+  messages_->say(tr("%1 is in [data] %2 of the scene.").arg(QFileInfo(file).fileName(), q(key)));
 }
 
 void Project::open_curves(const QStringList& files) {
@@ -209,6 +266,9 @@ void Project::open_joint_assistant() {
   connect(assistant, &QDialog::accepted, this, [this, assistant] {
     editor_->replace_text(with_joint(editor_->text(), assistant->joint()));
     check();
+  });
+  assistant->set_forecast([text = editor_->text(), file = path()](const tasks::JointLayout& layout, const Worker::Watch& watch) {
+    return tasks::forecast_joint(ident::parse_scene(with_joint(text, layout), file), control_of(watch));
   });
   assistant->open();
 }

@@ -87,6 +87,10 @@ class Project : public QWidget {
   void open_joint_assistant();
   /// That the scene is a proposal, and how to change its joint.
   void say_proposed();
+  /// The pages alone, or the text beside them again.
+  void fold_text();
+  /// Seconds that the solutions of the session took, which are lost with it.
+  double seconds_of_runs() const;
   /// Stops what runs on any page.
   void cancel();
   const CheckedScene& checked() const { return checked_; }
@@ -109,6 +113,7 @@ class Project : public QWidget {
   template <class Page>
   void tell_other_kind(Page& page, bool is_of_kind);
   void protect_inputs(QWidget& page) const;
+  void watch_commands(QWidget& page);
   void link_cursors();
   void check();
   void check_other_kinds(const std::string& text);
@@ -116,6 +121,7 @@ class Project : public QWidget {
   void show_form();
   void edit(const std::string& table, const std::string& key, const std::string& value);
   void open_way(const study::Way& way);
+  void take_frfs(const QString& file, bool of_assembly);
   void offer_dofs();
   void show_failure(const InputError& error);
   void show_problem();

@@ -21,6 +21,7 @@
 #include "gui/response/response_kind.hpp"
 #include "gui/solve/solve_page.hpp"
 #include "gui/study/study_page.hpp"
+#include "tasks/joint/joint_springs.hpp"
 
 /// The pages of a project, and what they tell each other.
 namespace jointid::gui {
@@ -41,9 +42,14 @@ void Project::add_pages() {
   pages_->setElideMode(Qt::ElideRight);
   splitter_->addWidget(pages_);
   link_cursors();
+  watch_commands(*solve_page_);
   connect(solve_page_, &SolvePage::failed, this, &Project::show_failure);
   connect(data_page_, &DataPage::edit_wanted, this, &Project::edit);
   connect(geometry_page_, &GeometryPage::edit_wanted, this, &Project::edit);
+  connect(solve_page_, &SolvePage::run_shown, this, [this](std::size_t run) {
+    const Solved& shown = solve_page_->runs()[run];
+    geometry_page_->set_springs(tasks::joint_springs(shown.plan->restriction, shown.solution));
+  });
   connect(data_page_, &DataPage::files_opened, this, &Project::offer_dofs);
 }
 
@@ -55,6 +61,8 @@ void Project::add_later(Later<Page>& later, const QString& title, const QString&
   const auto make_protected = [this, make = std::move(make)] {
     Page* const page = make();
     protect_inputs(*page);
+    if (page->objectName() != QLatin1String("records_page") && page->objectName() != QLatin1String("loading_curve_page"))
+      watch_commands(*page);
     return page;
   };
   later.place(*pages_, title, hint, make_protected, std::move(tell));
@@ -126,7 +134,11 @@ void Project::add_other_pages() {
   add_kind(response_page_, "response_page", tr("Response"), response_kind);
   add_kind(laws_page_, "laws_page", tr("Laws"), law_kind);
   add_kind(oscillate_page_, "oscillate_page", tr("Stick-slip"), oscillate_kind);
-  const auto records = [] { return named(new RecordsPage, "records_page", tr("Time records")); };
+  const auto records = [this] {
+    auto* page = named(new RecordsPage, "records_page", tr("Time records"));
+    connect(page, &RecordsPage::frfs_written, this, &Project::take_frfs);
+    return page;
+  };
   add_later(records_page_, tr("Records"), tr("Time records"), records, [](RecordsPage&) {});
 }
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "base/text.hpp"
-#include "tasks/placed_nodes.hpp"
+#include "tasks/joint/placed_nodes.hpp"
 
 namespace jointid::tasks {
 namespace {

@@ -51,6 +51,14 @@ std::string files_text(const ProposedScene::Files& files, const fs::path& folder
   return list_text(items);
 }
 
+/// A table for each file of which the variable was chosen.
+std::string variables_text(const ChosenVariables& variables, const fs::path& folder) {
+  std::string text;
+  for (const auto& [file, variable] : variables)
+    text += "\n[data.files." + named_from(folder, file) + "]\nvariable = " + quoted(variable) + "\n";
+  return text;
+}
+
 /// No runs of one measurement.
 ProposedScene::Files each_alone(const std::vector<fs::path>& files) {
   ProposedScene::Files alone;
@@ -133,17 +141,21 @@ std::string comments(const ProposedScene& proposed) {
 
 }  // namespace
 
-ProposedScene propose_scene(const std::vector<fs::path>& files, const std::function<bool()>& interrupted) {
+ProposedScene propose_scene(const std::vector<fs::path>& files, const std::function<bool()>& interrupted,
+                            const ChosenVariables& variables) {
   std::vector<std::unique_ptr<frf::FrfSource>> sources;
   std::vector<const frf::FrfHeader*> headers;
   std::vector<frf::FrfSource*> all;
   for (const fs::path& file : files) {
-    sources.push_back(frf::open(file));
+    frf::OpenOptions options;
+    if (const auto chosen = variables.find(file); chosen != variables.end()) options.variable = chosen->second;
+    sources.push_back(frf::open(file, options));
     headers.push_back(&sources.back()->header());
     all.push_back(sources.back().get());
   }
   const ProposedRoles roles = propose_roles(headers);
   ProposedScene proposed;
+  proposed.variables = variables;
   const auto paths = [&](const std::vector<ProposedRoles::Group>& groups) {
     ProposedScene::Files named;
     for (const auto& group : groups) {
@@ -168,7 +180,7 @@ ProposedScene propose_scene(const std::vector<fs::path>& files, const std::funct
 std::string scene_text(const ProposedScene& proposed, const fs::path& folder) {
   std::string text = comments(proposed) + "\n[data]\n";
   text += "substructures = " + files_text(proposed.substructures, folder) + "\n";
-  text += "assembly = " + files_text(proposed.assembly, folder) + "\n";
+  text += "assembly = " + files_text(proposed.assembly, folder) + "\n" + variables_text(proposed.variables, folder);
   if (proposed.range_hz) {
     text += "\n[frequency]\nrange = [" + digits((*proposed.range_hz)[0], "%.12g") + ", " +
             digits((*proposed.range_hz)[1], "%.12g") + "]  # Hz\n";
@@ -176,8 +188,10 @@ std::string scene_text(const ProposedScene& proposed, const fs::path& folder) {
   return text + joint_text(proposed);
 }
 
-std::string look_text(const std::vector<fs::path>& files, const fs::path& folder, const std::string& why) {
-  return comment(why) + "\n[data]\nsubstructures = " + files_text(each_alone(files), folder) + "\nassembly = []\n";
+std::string look_text(const std::vector<fs::path>& files, const fs::path& folder, const std::string& why,
+                      const ChosenVariables& variables) {
+  return comment(why) + "\n[data]\nsubstructures = " + files_text(each_alone(files), folder) + "\nassembly = []\n" +
+         variables_text(variables, folder);
 }
 
 }  // namespace jointid::tasks

@@ -9,6 +9,7 @@
 #include "dense/eigen.hpp"
 #include "ident/judgement/passivity.hpp"
 #include "ident/judgement/value_scales.hpp"
+#include "tasks/joint/joint_springs.hpp"
 
 namespace jointid::tasks {
 namespace {
@@ -21,12 +22,6 @@ constexpr double likely_misfit = 1.5;     // squares of residuals over expected 
 constexpr double poor_misfit = 4.0;
 constexpr double no_effect = 0.8;         // JointVisibility::effect; 0.7 is expected of no joint
 constexpr std::size_t compared_frfs = 9;
-
-/// Half the 95 % interval, or what the noise makes of a linear method's value.
-std::optional<double> half_width(const ident::Estimate& estimate) {
-  if (estimate.ci95) return 0.5 * ((*estimate.ci95)[1] - (*estimate.ci95)[0]);
-  return estimate.error_estimate;
-}
 
 std::vector<double> values_of(const Solution& solution) {
   std::vector<double> values;

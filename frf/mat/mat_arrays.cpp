@@ -12,6 +12,7 @@
 
 #include "frf/mat/mat_lookup.hpp"
 #include "frf/mat/mat_polar.hpp"
+#include "frf/mat/several_variables.hpp"
 #include "frf/text/remarks.hpp"
 #include "frf/text/unit_names.hpp"
 
@@ -222,9 +223,22 @@ class FrfFinder {
     const bool one =
         std::ranges::all_of(arrays, [&](const ComplexArray& array) { return field(array) == field(arrays.front()); });
     if (one) return arrays;
-    lookup_.fail(structure.empty() ? std::string() : place_of(structure),
-                 "several variables may be the FRFs: " + listed(file_, infos(arrays)),
-                 "name one of them, --variable, in a scene variable");
+    try {
+      lookup_.fail(structure.empty() ? std::string() : place_of(structure),
+                   "several variables may be the FRFs: " + listed(file_, infos(arrays)),
+                   "name one of them, --variable, in a scene variable");
+    } catch (const InputError& error) {
+      throw SeveralVariables(error.parts(), names_of(arrays));
+    }
+  }
+
+  static std::vector<std::string> names_of(const Arrays& arrays) {
+    std::vector<std::string> out;
+    for (const ComplexArray& array : arrays) {
+      std::string name = without_numbers(array.name);
+      if (std::ranges::find(out, name) == out.end()) out.push_back(std::move(name));
+    }
+    return out;
   }
 
   static std::vector<const MatInfo*> infos(const Arrays& arrays) {

@@ -53,6 +53,8 @@ DataPage::DataPage(QWidget* parent) : QWidget(parent) {
   add_left();
   connect(worker_, &Worker::failed, this, [this](const InputError& error) { about_->setText(QString::fromUtf8(error.what())); });
   connect(plot_, &FrfPlot::band_chosen, this, &DataPage::exclude);
+  connect(plot_, &FrfPlot::band_unwanted, this, &DataPage::include);
+  connect(plot_, &FrfPlot::next_wanted, this, &DataPage::choose_next);
   connect(plot_, &FrfPlot::view_changed, this, [this] {
     if (is_indicator(plot_->view()) || is_indicator(read_for_)) read_curves();
   });
@@ -222,6 +224,23 @@ void DataPage::read_curves() {
 
 void DataPage::exclude(double low_hz, double high_hz) {
   Q_EMIT edit_wanted("frequency", "exclude", written(with_range(scene_.frequency.exclude_hz, {low_hz, high_hz})));
+}
+
+void DataPage::include(double low_hz, double high_hz) {
+  std::vector<ident::Range> left = scene_.frequency.exclude_hz;
+  std::erase(left, ident::Range{low_hz, high_hz});
+  Q_EMIT edit_wanted("frequency", "exclude", left.empty() ? std::string() : written(left));
+}
+
+/// Row by row, as the grid has them; from the last chosen FRF.
+void DataPage::choose_next(int step) {
+  const QModelIndexList chosen = table_->selectionModel()->selectedIndexes();
+  const int columns = model_->columnCount({}), all = columns * model_->rowCount({});
+  if (all == 0) return;
+  const int now = chosen.isEmpty() ? (step > 0 ? -1 : all) : chosen.back().row() * columns + chosen.back().column();
+  const int next = std::clamp(now + step, 0, all - 1);
+  choose_frfs({{next / columns, next % columns}});
+  table_->scrollTo(model_->index(next / columns, next % columns));
 }
 
 void DataPage::use_as_joint() {

@@ -51,6 +51,8 @@ class DataPage : public QWidget {
   std::size_t most_wanted() const;
   void read_curves();
   void exclude(double low_hz, double high_hz);
+  void include(double low_hz, double high_hz);
+  void choose_next(int step);
   void use_as_joint();
 
   QTreeWidget* tree_;

@@ -18,6 +18,11 @@ void Camera::show_all() {
   zoom_ = 1.0;
 }
 
+void Camera::look_from(Side side) {
+  azimuth_ = side == Side::side ? -std::numbers::pi / 2.0 : 0.0;
+  elevation_ = side == Side::top ? std::numbers::pi / 2.0 : 0.0;
+}
+
 void Camera::turn(double azimuth_rad, double elevation_rad) {
   azimuth_ += azimuth_rad;
   elevation_ = std::clamp(elevation_ + elevation_rad, -std::numbers::pi / 2.0, std::numbers::pi / 2.0);

@@ -10,8 +10,12 @@ namespace jointid::gui {
 /// From where a structure is looked at: turned about the z-axis, then about the picture's horizontal axis, without perspective.
 class Camera {
  public:
+  /// Along y, along −x, along −z: the horizontal axes of the picture are x, y and x.
+  enum class Side { front, side, top };
+
   /// Looks at the whole from the side and a little from above.
   void show_all();
+  void look_from(Side side);
   void look_at(const Extent& extent) { extent_ = extent; }
   void set_size(const QSizeF& size) { size_ = size; }
   void turn(double azimuth_rad, double elevation_rad);  ///< from straight below to straight above

@@ -74,14 +74,19 @@ GeometryPage::GeometryPage(QWidget* parent) : QWidget(parent) {
 }
 
 QLayout* GeometryPage::make_foot() {
+  auto* front = push_button("geometry_front", tr("Front"), tr("Look along y: x to the right, z up (F)"));
+  auto* side = push_button("geometry_side", tr("Side"), tr("Look along x: y to the right, z up (S)"));
+  auto* top = push_button("geometry_top", tr("Top"), tr("Look down: x to the right, y up (T)"));
   auto* copy = push_button("geometry_copy", tr("Copy"), tr("Copy the nodes for a spreadsheet, and the picture"));
   auto* save = push_button("geometry_save", tr("Save…"), tr("Save as PNG, SVG, PDF or CSV"));
   auto* row = new QHBoxLayout;
   row->addWidget(status_, 1);
-  row->addWidget(copy);
-  row->addWidget(save);
+  for (QPushButton* each : {front, side, top, copy, save}) row->addWidget(each);
+  connect(front, &QPushButton::clicked, this, [this] { view_->look(Camera::Side::front); });
+  connect(side, &QPushButton::clicked, this, [this] { view_->look(Camera::Side::side); });
+  connect(top, &QPushButton::clicked, this, [this] { view_->look(Camera::Side::top); });
   connect(copy, &QPushButton::clicked, this, [this] { copy_plot(saveable(*view_)); });
-  connect(save, &QPushButton::clicked, this, [this] { ask_and_save(this, saveable(*view_), inputs_); });
+  connect(save, &QPushButton::clicked, this, [this] { ask_and_save(this, saveable(*view_), inputs_, QStringLiteral("geometry.png")); });
   return row;
 }
 
@@ -144,7 +149,9 @@ void GeometryPage::show_structure(const Structure& structure) {
     }
   }
   motion_->set_references(references_of(*files_));
-  status_->setText(tr("%1 nodes, %2 lines, %3 DOFs. Click an arrow, or tick a DOF, to add it to the joint or remove it.")
+  const QString springs = springs_text(view_->springs());
+  status_->setText((springs.isEmpty() ? QString() : springs + QLatin1Char('\n')) +
+                   tr("%1 nodes, %2 lines, %3 DOFs. Click an arrow, or tick a DOF, to add it to the joint or remove it.")
                        .arg(structure.nodes.size())
                        .arg(structure.lines.size())
                        .arg(structure.dofs.size() + structure.unplaced.size()));
@@ -193,6 +200,11 @@ void GeometryPage::set_frequency(double frequency_hz) { motion_->set_frequency(f
 void GeometryPage::set_modes(std::vector<NamedShape> shapes) {
   fitted_ = std::move(shapes);
   offer_modes();
+}
+
+void GeometryPage::set_springs(const std::vector<tasks::JointSpring>& springs) {
+  view_->set_springs(drawn_springs(springs));
+  if (const QString text = springs_text(view_->springs()); !text.isEmpty()) status_->setText(text);
 }
 
 void GeometryPage::open_shapes(const QString& file) {

@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "gui/geometry/mode_shapes.hpp"
+#include "tasks/joint/joint_springs.hpp"
 
 class QLabel;
 class QListWidget;
@@ -29,6 +30,8 @@ class GeometryPage : public QWidget {
   bool is_busy() const;
   /// Modes of the modal fit, to choose from beside those of files.
   void set_modes(std::vector<NamedShape> shapes);
+  /// Springs of the joint as a solution found them; none: no solution.
+  void set_springs(const std::vector<tasks::JointSpring>& springs);
   /// Those of a universal file (dataset 55).
   void open_shapes(const QString& file);
 

@@ -13,11 +13,21 @@ namespace {
 constexpr double step = 0.12, radians_per_pixel = 0.01, wheel_factor = 1.2;
 constexpr double nearest_px = 9.0;
 
+double size_of(const std::array<std::complex<double>, 3>& motion) {
+  return std::sqrt(std::norm(motion[0]) + std::norm(motion[1]) + std::norm(motion[2]));
+}
+
 double largest(const Shape& shape) {
   double most = 0.0;
   for (const auto& [node, motion] : shape) {
     for (const auto& part : motion) most = std::max(most, std::abs(part));
   }
+  return most;
+}
+
+double largest_motion(const Shape& shape) {
+  double most = 0.0;
+  for (const auto& [node, motion] : shape) most = std::max(most, size_of(motion));
   return most;
 }
 
@@ -51,6 +61,7 @@ void StructureView::set_current(const std::optional<frf::Dof>& dof) {
 void StructureView::set_shape(Shape shape, double amplitude) {
   shape_ = std::move(shape);
   const double most = largest(shape_);
+  largest_ = largest_motion(shape_);
   scale_ = most > 0.0 ? amplitude * camera_.extent().radius / most : 0.0;
   update();
 }
@@ -70,6 +81,22 @@ void StructureView::set_names(bool on) {
   update();
 }
 
+void StructureView::set_springs(std::vector<DrawnSpring> springs) {
+  springs_ = std::move(springs);
+  update();
+}
+
+void StructureView::look(Camera::Side side) {
+  camera_.look_from(side);
+  update();
+}
+
+/// How far a node moves beside the one that moves most, 0 to 1.
+double StructureView::share_of(const frf::Node& node) const {
+  const auto found = shape_.find(node.id);
+  return found == shape_.end() || !(largest_ > 0.0) ? 0.0 : size_of(found->second) / largest_;
+}
+
 Vector StructureView::moved(const frf::Node& node) const {
   const auto found = shape_.find(node.id);
   if (found == shape_.end()) return node.position;
@@ -79,18 +106,22 @@ Vector StructureView::moved(const frf::Node& node) const {
   return out;
 }
 
-Vector StructureView::position_of(std::int64_t node) const { return structure_.nodes[place_.at(node)].position; }
+Vector StructureView::drawn_position(std::int64_t node) const {
+  const frf::Node& found = structure_.nodes[place_.at(node)];
+  return shape_.empty() ? found.position : moved(found);
+}
 
+/// Arrows move with their nodes.
 QPointF StructureView::tip_of(const frf::Dof& dof) const {
   const frf::Node& node = structure_.nodes[place_.at(dof.node)];
-  return camera_.project(plus(node.position, direction_of(node, dof), camera_.arrow_length()));
+  return camera_.project(plus(drawn_position(dof.node), direction_of(node, dof), camera_.arrow_length()));
 }
 
 std::optional<frf::Dof> StructureView::dof_at(const QPointF& at) const {
   double nearest = nearest_px;
   std::optional<frf::Dof> found;
   for (const frf::Dof& dof : structure_.dofs) {
-    const double distance = distance_to(at, camera_.project(position_of(dof.node)), tip_of(dof));
+    const double distance = distance_to(at, camera_.project(drawn_position(dof.node)), tip_of(dof));
     if (distance >= nearest) continue;
     nearest = distance;
     found = dof;
@@ -163,6 +194,12 @@ void StructureView::keyPressEvent(QKeyEvent* event) {
       return zoom(1.0 / wheel_factor);
     case Qt::Key_Home:
       return show_all();
+    case Qt::Key_F:
+      return look(Camera::Side::front);
+    case Qt::Key_S:
+      return look(Camera::Side::side);
+    case Qt::Key_T:
+      return look(Camera::Side::top);
     default:
       QWidget::keyPressEvent(event);
   }

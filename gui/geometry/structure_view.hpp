@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "gui/geometry/camera.hpp"
+#include "gui/geometry/drawn_springs.hpp"
 
 class QPainter;
 
@@ -29,6 +30,11 @@ class StructureView : public QWidget {
   void set_phase(double phase_rad);
   void set_undeformed(bool on);
   void set_names(bool on);
+  /// Springs of the joint as a solution found them: loose ones red, with their share of the others.
+  void set_springs(std::vector<DrawnSpring> springs);
+  const std::vector<DrawnSpring>& springs() const { return springs_; }
+  /// Looks along an axis, or from above one side.
+  void look(Camera::Side side);
 
   /// As it stands, PNG, SVG or PDF.
   QByteArray picture(const QString& ending) const;
@@ -54,13 +60,16 @@ class StructureView : public QWidget {
 
  private:
   Vector moved(const frf::Node& node) const;
-  Vector position_of(std::int64_t node) const;
+  Vector drawn_position(std::int64_t node) const;
   void turn(double azimuth, double elevation);
   void zoom(double factor);
   void show_all();
   void paint(QPainter& painter) const;
   void draw_lines(QPainter& painter, bool deflected) const;
   void draw_nodes(QPainter& painter) const;
+  void draw_springs(QPainter& painter) const;
+  void draw_scale(QPainter& painter) const;
+  double share_of(const frf::Node& node) const;
   void draw_arrows(QPainter& painter) const;
   void draw_axes(QPainter& painter) const;
   std::optional<frf::Dof> dof_at(const QPointF& at) const;
@@ -74,6 +83,8 @@ class StructureView : public QWidget {
   double scale_ = 0.0;  ///< m of picture for a unit of the shape
   double phase_ = 0.0;
   bool undeformed_ = true, names_ = true;
+  double largest_ = 0.0;  ///< motion of a node in the shape
+  std::vector<DrawnSpring> springs_;
   QPointF pressed_, last_;
   bool turned_ = false;
 };

@@ -24,11 +24,63 @@ void draw_arrow(QPainter& painter, const QPointF& from, const QPointF& to, bool 
   }
 }
 
+/// Of a node by its motion: grey at rest, over blue and yellow to red where it moves most.
+QColor motion_colour(Theme theme, double share) {
+  const double hue = 220.0 * (1.0 - share);  // degrees
+  const double depth = std::min(1.0, 0.25 + share);
+  return QColor::fromHsvF(static_cast<float>(hue / 360.0), static_cast<float>(depth), theme == Theme::dark ? 0.95F : 0.80F);
+}
+
+QColor tightness_colour(tasks::Tightness tightness, const Colours& use) {
+  switch (tightness) {
+    case tasks::Tightness::alike: return use.good;
+    case tasks::Tightness::doubtful: return use.warning;
+    case tasks::Tightness::loose: break;
+  }
+  return use.error;
+}
+
 }  // namespace
+
+/// A loose spring is thin and red, one like the others broad and green.
+void StructureView::draw_springs(QPainter& painter) const {
+  constexpr double thinnest = 2.5, broadest = 8.0, nearest_px = 14.0;
+  const Colours use = colours(theme_of(palette()));
+  for (const DrawnSpring& spring : springs_) {
+    if (!place_.contains(spring.first) || !place_.contains(spring.second)) continue;
+    const QPointF from = camera_.project(drawn_position(spring.first)), to = camera_.project(drawn_position(spring.second));
+    const QPointF middle = (from + to) / 2.0;
+    const QColor colour = tightness_colour(spring.tightness, use);
+    const double width = thinnest + (broadest - thinnest) * std::clamp(spring.share, 0.0, 1.0);
+    painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
+    painter.setBrush(Qt::NoBrush);
+    if (std::hypot(to.x() - from.x(), to.y() - from.y()) < nearest_px)
+      painter.drawEllipse(middle, 9.0, 9.0);
+    else
+      painter.drawLine(from, to);
+    if (spring.label.isEmpty()) continue;
+    painter.setPen(colour);
+    painter.drawText(middle + QPointF(13.0, -8.0), spring.label);
+  }
+}
+
+/// What the colours of a motion mean.
+void StructureView::draw_scale(QPainter& painter) const {
+  constexpr int steps = 40, step_px = 3, height_px = 8;
+  const QPointF corner(width() - steps * step_px - 14.0, height() - 30.0);
+  for (int i = 0; i < steps; ++i) {
+    const QRectF step(corner.x() + i * step_px, corner.y(), step_px, height_px);
+    painter.fillRect(step, motion_colour(theme_of(palette()), (i + 0.5) / steps));
+  }
+  painter.setPen(colours(theme_of(palette())).weak_text);
+  painter.drawText(corner + QPointF(0.0, 20.0), tr("at rest"));
+  painter.drawText(QRectF(corner.x(), corner.y() + 8.0, steps * step_px, 16.0), Qt::AlignRight, tr("most"));
+}
 
 void StructureView::draw_lines(QPainter& painter, bool deflected) const {
   for (const frf::NodeLine& line : structure_.lines) {
     const frf::Node &from = structure_.nodes[place_.at(line[0])], &to = structure_.nodes[place_.at(line[1])];
+    if (deflected) painter.setPen(QPen(motion_colour(theme_of(palette()), (share_of(from) + share_of(to)) / 2.0), 2.5));
     painter.drawLine(camera_.project(deflected ? moved(from) : from.position),
                      camera_.project(deflected ? moved(to) : to.position));
   }
@@ -42,7 +94,7 @@ void StructureView::draw_nodes(QPainter& painter) const {
   for (const frf::Node& node : structure_.nodes) {
     const QPointF at = camera_.project(shape_.empty() ? node.position : moved(node));
     painter.setPen(Qt::NoPen);
-    painter.setBrush(in_joint(node) ? use.error : use.text);
+    painter.setBrush(in_joint(node) ? use.error : shape_.empty() ? use.text : motion_colour(theme_of(palette()), share_of(node)));
     painter.drawEllipse(at, in_joint(node) ? 4.0 : 2.5, in_joint(node) ? 4.0 : 2.5);
     if (!names_) continue;
     painter.setPen(use.weak_text);
@@ -56,7 +108,7 @@ void StructureView::draw_arrows(QPainter& painter) const {
   for (const frf::Dof& dof : structure_.dofs) {
     const bool is_joint = frf::has(joint_, dof), is_current = current_ && current_->same_coordinate(dof);
     painter.setPen(QPen(is_joint ? use.error : curve_colour(theme_of(palette()), 0), is_current ? 3.0 : is_joint ? 2.0 : 1.0));
-    draw_arrow(painter, camera_.project(position_of(dof.node)), tip_of(dof), dof.is_rotation());
+    draw_arrow(painter, camera_.project(drawn_position(dof.node)), tip_of(dof), dof.is_rotation());
     if (!is_current) continue;
     painter.setPen(use.text);
     painter.drawText(tip_of(dof) + QPointF(6.0, -4.0), q(dof.name()));
@@ -90,10 +142,11 @@ void StructureView::paint(QPainter& painter) const {
   }
   painter.setPen(QPen(shape_.empty() ? use.text : use.weak_text, shape_.empty() ? 1.5 : 1.0));
   if (shape_.empty() || undeformed_) draw_lines(painter, false);
-  painter.setPen(QPen(curve_colour(theme_of(palette()), 2), 2.0));
   if (!shape_.empty()) draw_lines(painter, true);
+  draw_springs(painter);
   draw_arrows(painter);
   draw_nodes(painter);
+  if (!shape_.empty()) draw_scale(painter);
   draw_axes(painter);
 }
 

@@ -11,10 +11,13 @@
 #include <QSignalBlocker>
 #include <QTreeWidget>
 #include <algorithm>
+#include <cmath>
 
+#include "base/error.hpp"
 #include "base/text.hpp"
 #include "frf/text/direction_names.hpp"
 #include "gui/look/buttons.hpp"
+#include "gui/look/job_progress.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/said.hpp"
 
@@ -24,6 +27,7 @@ namespace {
 using tasks::JointForm;
 using tasks::NodePair;
 
+constexpr int forecast_after_ms = 400;
 constexpr int node_role = Qt::UserRole, part_role = Qt::UserRole + 1;
 
 QString direction_name(std::size_t i) {
@@ -44,6 +48,18 @@ std::vector<NodePair> found_in(const std::vector<frf::FrfHeader>& parts) {
   return tasks::propose_pairs(all);
 }
 
+/// Why the pairs are no plates, or nothing.
+QString plate_fault(const tasks::JointLayout& layout, const std::vector<frf::FrfHeader>& parts) {
+  try {
+    tasks::plate_of(layout.pairs, parts);
+  } catch (const InputError& error) {
+    return QString::fromUtf8(error.what());
+  }
+  return {};
+}
+
+QString percent_text(double share) { return std::isfinite(share) ? q(percent(share)) : JointAssistant::tr("without limit"); }
+
 }  // namespace
 
 JointAssistant::JointAssistant(std::vector<frf::FrfHeader> parts, QWidget* parent) : QDialog(parent), parts_(std::move(parts)) {
@@ -56,6 +72,15 @@ JointAssistant::JointAssistant(std::vector<frf::FrfHeader> parts, QWidget* paren
   hint->setWordWrap(true);
   word_ = named(new QLabel, "joint_word", tr("About the number of unknowns"));
   word_->setWordWrap(true);
+  forecast_text_ = named(new QLabel, "joint_forecast", tr("Expected time and intervals"));
+  forecast_text_->setWordWrap(true);
+  forecast_text_->setTextFormat(Qt::PlainText);
+  worker_ = new Worker(this);
+  later_.setSingleShot(true);
+  later_.setInterval(forecast_after_ms);
+  connect(&later_, &QTimer::timeout, this, &JointAssistant::ask_forecast);
+  connect(worker_, &Worker::failed, this,
+          [this](const InputError& error) { forecast_text_->setText(tr("No forecast: %1").arg(QString::fromUtf8(error.what()))); });
   buttons_ = named(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel), "joint_buttons",
                    tr("Write the joint, or leave it"));
   auto* all = new QVBoxLayout(this);
@@ -65,6 +90,7 @@ JointAssistant::JointAssistant(std::vector<frf::FrfHeader> parts, QWidget* paren
   all->addLayout(make_directions());
   all->addLayout(make_forms());
   all->addWidget(word_);
+  all->addWidget(forecast_text_);
   all->addWidget(buttons_);
   for (const NodePair& pair : found_in(parts_)) add(pair);
   if (pairs_.empty()) hint->setText(tr("No two nodes of different parts lie near each other. Add the pairs that are joined."));
@@ -112,9 +138,9 @@ QLayout* JointAssistant::make_directions() {
 }
 
 QLayout* JointAssistant::make_forms() {
-  const char* const names[] = {"joint_springs", "joint_equal", "joint_full"};
+  const char* const names[] = {"joint_springs", "joint_equal", "joint_full", "joint_plate"};
   const QString titles[] = {tr("A spring for every pair and direction"), tr("Equal bolts: a spring for every direction"),
-                            tr("Full symmetric matrices")};
+                            tr("Full symmetric matrices"), tr("Rigid plates: six springs between two virtual points")};
   auto* column = new QVBoxLayout;
   for (std::size_t i = 0; i < forms_.size(); ++i) {
     forms_[i] = named(new QRadioButton, names[i], titles[i]);
@@ -171,6 +197,7 @@ tasks::JointLayout JointAssistant::joint_in(JointForm form) const {
     std::erase_if(pair.directions, [this](frf::Direction each) { return !directions_[static_cast<std::size_t>(each) - 1]->isChecked(); });
     if (!pair.directions.empty()) out.pairs.push_back(std::move(pair));
   }
+  if (form == JointForm::plate && plate_fault(out, parts_).isEmpty()) out.plate = tasks::plate_of(out.pairs, parts_);
   return out;
 }
 
@@ -179,10 +206,45 @@ void JointAssistant::show_counts() {
     const auto unknowns = static_cast<int>(tasks::unknowns_of(joint_in(static_cast<JointForm>(i))));
     forms_[i]->setText(tr("%1: %n unknown(s)", nullptr, unknowns).arg(forms_[i]->accessibleName()));
   }
+  show_word();
+  if (!forecast_) return;
+  ++asked_;
+  worker_->cancel();
+  forecast_text_->clear();
+  if (buttons_->button(QDialogButtonBox::Ok)->isEnabled()) later_.start();
+}
+
+void JointAssistant::show_word() {
   const tasks::JointLayout now = joint();
-  buttons_->button(QDialogButtonBox::Ok)->setEnabled(!now.pairs.empty());
+  const bool no_plate = now.form == JointForm::plate && !now.plate;
+  buttons_->button(QDialogButtonBox::Ok)->setEnabled(!now.pairs.empty() && !no_plate);
+  if (no_plate) return word_->setText(plate_fault(now, parts_));
   const bool many = tasks::unknowns_of(now) > tasks::many_unknowns;
   word_->setText(many ? tr("Few tests determine more than %1 unknowns, and solving takes long.").arg(tasks::many_unknowns) : QString());
+}
+
+void JointAssistant::set_forecast(Forecast forecast) {
+  forecast_ = std::move(forecast);
+  show_counts();
+}
+
+QString JointAssistant::forecast() const { return forecast_text_->text(); }
+
+void JointAssistant::ask_forecast() {
+  forecast_text_->setText(tr("Forecasting time and intervals …"));
+  worker_->add([this, number = asked_, layout = joint(), forecast = forecast_](const Worker::Watch& watch) -> Worker::Deliver {
+    return [this, number, found = forecast(layout, watch)] {
+      if (number == asked_) show_forecast(found);
+    };
+  });
+}
+
+void JointAssistant::show_forecast(const tasks::JointForecast& found) {
+  const QString time = found.seconds < 1.0 ? tr("Less than a second") : tr("About %1").arg(duration_text(found.seconds));
+  if (found.bounds.empty()) return forecast_text_->setText(tr("%1. No intervals: %2.").arg(time, q(found.why)));
+  const auto [middle, worst] = tasks::relative_intervals(found);
+  forecast_text_->setText(tr("%1. 95 % intervals, about: ± %2 in the middle, ± %3 of the worst unknown.")
+                              .arg(time, percent_text(middle), percent_text(worst)));
 }
 
 }  // namespace jointid::gui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <filesystem>
 #include <functional>
 #include <initializer_list>
 #include <memory>
@@ -26,6 +27,7 @@ struct Findings {
   std::vector<PlotMenu::Named> plots;
   std::vector<TableMenu::Named> tables;
   Outputs outputs;
+  std::function<void(const std::filesystem::path&)> write_frfs{};  ///< by the ending of the name; empty where it made none
 };
 
 /// A page that asks what a command of the library answers: runs it in a worker, shows diagrams and tables, and writes what the

@@ -39,7 +39,8 @@ void OutputButtons::show_state() {
 }
 
 void OutputButtons::ask_and_write(const QString& filter, const QString& ending) {
-  const QString file = choose_file_to_save(this, tr("Save the results"), QStringLiteral("results.") + ending, filter, ending);
+  const QString proposed = objectName().section(QLatin1Char('_'), 0, 0) + QLatin1Char('.') + ending;
+  const QString file = choose_file_to_save(this, tr("Save the results"), proposed, filter, ending);
   if (!file.isEmpty()) write(file, ending);
 }
 

@@ -59,7 +59,9 @@ void Chart::add_controls() {
   }
   static_cast<QVBoxLayout*>(layout())->addLayout(row);
   connect(copy, &QToolButton::clicked, this, [this] { copy_plot(saveable()); });
-  connect(save, &QToolButton::clicked, this, [this] { ask_and_save(this, saveable(), inputs_); });
+  connect(save, &QToolButton::clicked, this, [this] {
+    ask_and_save(this, saveable(), inputs_, plot_->objectName() + QStringLiteral(".png"));
+  });
 }
 
 Saveable Chart::saveable() const {

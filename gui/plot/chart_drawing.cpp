@@ -117,6 +117,15 @@ void draw_scatter(QCustomPlot& plot, const report::ScatterPlot& scatter, Theme t
     front->setPen(QPen(colours(theme).weak_text, 1, Qt::DashLine));
     front->addToLegend(plot.legend);
   }
+  std::vector<double> across, up;
+  for (const report::PointGroup& group : scatter.groups) {
+    for (const report::Point& point : group.points) {
+      across.push_back(point.x);
+      up.push_back(point.y);
+    }
+  }
+  give_room(*x, across);
+  give_room(*y, up);
   widen(*x);
   widen(*y);
   if (scatter.backdrop) draw_backdrop(plot, *rect, *scatter.backdrop, theme);

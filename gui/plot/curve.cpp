@@ -83,13 +83,27 @@ std::string unit_of(const std::vector<Curve>& curves, frf::Quantity quantity) {
   return alike ? first : "SI";
 }
 
-std::vector<Panel> panels(const std::vector<Curve>& curves, View view, frf::Quantity quantity) {
+namespace {
+
+/// Magnitudes of a panel in dB over one unit.
+void to_decibel(Panel& panel, const std::string& name, const std::string& unit) {
+  panel.logarithmic = false;
+  panel.label = name + " (dB re 1 " + unit + ")";
+  for (std::vector<double>& ordinates : panel.ordinates) {
+    for (double& each : ordinates) each = 20.0 * std::log10(each);
+  }
+}
+
+}  // namespace
+
+std::vector<Panel> panels(const std::vector<Curve>& curves, View view, frf::Quantity quantity, bool decibel) {
   const std::string in = " (" + unit_of(curves, quantity) + ")";
   if (view == View::nyquist) return {};
   if (view == View::difference) return {difference_panel(curves)};
   if (is_indicator(view)) {
     Panel panel{(view == View::sum ? Said::tr("sum of |H|").toStdString() : "CMIF") + in, true, {}, 0.0};
     for (const Curve& curve : curves) panel.ordinates.push_back(report::magnitudes(converted(curve, quantity)));
+    if (decibel) to_decibel(panel, view == View::sum ? Said::tr("sum of |H|").toStdString() : "CMIF", unit_of(curves, quantity));
     return {panel};
   }
   if (view == View::coherence) {
@@ -98,7 +112,7 @@ std::vector<Panel> panels(const std::vector<Curve>& curves, View view, frf::Quan
     return {panel};
   }
   const bool polar = view == View::magnitude_phase;
-  Panel first{polar ? frf::name(quantity) + in : Said::tr("real part").toStdString() + in, polar, {}, 0.0};
+  Panel first{polar ? said(frf::name(quantity).c_str()).toStdString() + in : Said::tr("real part").toStdString() + in, polar, {}, 0.0};
   Panel second{polar ? phase_label : Said::tr("imaginary part").toStdString() + in, false, {}, 0.0};
   for (const Curve& curve : curves) {
     const std::vector<Complex> values = converted(curve, quantity);
@@ -107,6 +121,7 @@ std::vector<Panel> panels(const std::vector<Curve>& curves, View view, frf::Quan
     second.ordinates.push_back(polar ? phases(values) : parts(values, [](const Complex& value) { return value.imag(); }));
   }
   if (polar) choose_branch(second);
+  if (polar && decibel) to_decibel(first, said(frf::name(quantity).c_str()).toStdString(), unit_of(curves, quantity));
   return {first, second};
 }
 
@@ -118,24 +133,42 @@ std::size_t nearest_line(const Curve& curve, double frequency_hz) {
   return axis[above] - frequency_hz < frequency_hz - axis[above - 1] ? above : above - 1;
 }
 
-std::string readout(const std::vector<Curve>& curves, double frequency_hz, frf::Quantity quantity, std::size_t most) {
+namespace {
+
+std::string magnitude_text(const Curve& curve, const Complex& value, frf::Quantity quantity, bool decibel) {
+  const std::string in = unit(curve, quantity);
+  if (!decibel) return digits(std::abs(value), "%.4g") + " " + in;
+  return digits(20.0 * std::log10(std::abs(value)), "%.2f") + " dB re 1 " + in;
+}
+
+std::string value_text(const Curve& curve, double at, frf::Quantity quantity, const ReadoutStyle& style) {
+  const auto value = [&](std::size_t line) { return curve.values[line] * frf::from_receptance(quantity, curve.frequency_hz[line]); };
+  const std::size_t line = nearest_line(curve, at);
+  const double size = std::abs(value(line));
+  if (!std::isfinite(size)) return Said::tr("not measured").toStdString();
+  std::string text = magnitude_text(curve, value(line), quantity, style.decibel);
+  if (curve.has_phase) text += " ∠ " + digits(std::arg(value(line)) * 180.0 / std::numbers::pi, "%.1f") + "°";
+  if (!style.mark_hz) return text;
+  const double ratio = size / std::abs(value(nearest_line(curve, *style.mark_hz)));
+  return std::isfinite(ratio) && ratio > 0.0 ? text + ", Δ " + digits(20.0 * std::log10(ratio), "%+.2f") + " dB" : text;
+}
+
+}  // namespace
+
+std::string readout(const std::vector<Curve>& curves, double frequency_hz, frf::Quantity quantity, const ReadoutStyle& style) {
   if (curves.empty()) return "";
   const double at = curves.front().frequency_hz[nearest_line(curves.front(), frequency_hz)];
   std::string text = digits(at, "%.6g") + " Hz";
-  for (std::size_t i = 0; i < std::min(most, curves.size()); ++i) {
+  if (style.mark_hz)
+    text += Said::tr(", Δ %1 Hz from %2 Hz")
+                .arg(QString::fromStdString(digits(at - *style.mark_hz, "%+.6g")), QString::fromStdString(digits(*style.mark_hz, "%.6g")))
+                .toStdString();
+  for (std::size_t i = 0; i < std::min(style.most, curves.size()); ++i) {
     const Curve& curve = curves[i];
-    const std::size_t line = nearest_line(curve, at);
-    const Complex value = curve.values[line] * frf::from_receptance(quantity, curve.frequency_hz[line]);
-    text += "\n" + curve.name + ":  ";
-    if (!std::isfinite(std::abs(value)))
-      text += Said::tr("not measured").toStdString();
-    else
-      text += digits(std::abs(value), "%.4g") + " " + unit(curve, quantity);
-    if (curve.has_phase && std::isfinite(std::abs(value)))
-      text += " ∠ " + digits(std::arg(value) * 180.0 / std::numbers::pi, "%.1f") + "°";
-    if (!curve.coherence.empty()) text += ", γ² " + digits(curve.coherence[line], "%.3f");
+    text += "\n" + curve.name + ":  " + value_text(curve, at, quantity, style);
+    if (!curve.coherence.empty()) text += ", γ² " + digits(curve.coherence[nearest_line(curve, at)], "%.3f");
   }
-  if (curves.size() > most) text += "\n" + Said::tr("… and %1 more").arg(curves.size() - most).toStdString();
+  if (curves.size() > style.most) text += "\n" + Said::tr("… and %1 more").arg(curves.size() - style.most).toStdString();
   return text;
 }
 

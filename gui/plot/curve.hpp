@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,7 +40,8 @@ inline constexpr const char* coherence_label = "coherence";
 /// The diagrams of a view, one below the other, of FRFs as `quantity`; none for nyquist; for sum and CMIF the magnitudes. The
 /// difference, in dB, is that of each curve that is not measured from the last one before it that is, which has to be over the
 /// same lines.
-std::vector<Panel> panels(const std::vector<Curve>& curves, View view, frf::Quantity quantity);
+/// `decibel`: magnitudes in dB over one unit, on a linear axis.
+std::vector<Panel> panels(const std::vector<Curve>& curves, View view, frf::Quantity quantity, bool decibel = false);
 
 /// The FRF as `quantity`.
 std::vector<Complex> converted(const Curve& curve, frf::Quantity quantity);
@@ -50,8 +52,15 @@ std::string unit_of(const std::vector<Curve>& curves, frf::Quantity quantity);
 /// The line nearest to a frequency; curves have one at least.
 std::size_t nearest_line(const Curve& curve, double frequency_hz);
 
-/// "1.23e-06 m/N ∠ −12.3°" of every curve at a frequency, at most `most` of them, and of which frequency.
-std::string readout(const std::vector<Curve>& curves, double frequency_hz, frf::Quantity quantity, std::size_t most = 6);
+/// What a readout states beside the values.
+struct ReadoutStyle {
+  bool decibel = false;
+  std::optional<double> mark_hz{};  ///< a second cursor: the difference of the frequencies, and of every curve that of the magnitudes in dB
+  std::size_t most = 6;             ///< curves
+};
+
+/// "1.23e-06 m/N ∠ −12.3°" of every curve at a frequency, a line each, below the frequency.
+std::string readout(const std::vector<Curve>& curves, double frequency_hz, frf::Quantity quantity, const ReadoutStyle& style = {});
 
 /// frequency_hz and the real and imaginary part of every curve, a column each; lines that a curve lacks are empty. Columns are
 /// parted by a comma in files and a tab for spreadsheets.

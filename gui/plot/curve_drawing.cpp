@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "base/text.hpp"
@@ -70,6 +71,12 @@ void fit_ordinates(QCPAxis& y, const report::CurvePlot& shown) {
   y.scaleRange(y.scaleType() == QCPAxis::stLogarithmic ? 1.02 : 1.08);
 }
 
+std::vector<double> ordinates_of(const report::CurvePlot& shown) {
+  std::vector<double> out;
+  for (const report::Series& series : shown.series) out.insert(out.end(), series.y.begin(), series.y.end());
+  return out;
+}
+
 /// Colours of curves with the same name are the same in all diagrams.
 class Names {
  public:
@@ -108,6 +115,7 @@ QCPAxisRect* draw_one(QCustomPlot& plot, const report::CurvePlot& shown, Names& 
     graph->rescaleAxes(found);
     found = true;
   }
+  for (QCPAxis* axis : {x, y}) give_room(*axis, axis == x ? shown.x_values : ordinates_of(shown));
   fit_ordinates(*y, shown);
   if (shown.level) draw_level(plot, *rect, *shown.level, theme);
   return rect;
@@ -136,8 +144,24 @@ void leave_room(const QCustomPlot& plot, const std::vector<QCPAxisRect*>& rects)
 
 }  // namespace
 
+void give_room(QCPAxis& axis, const std::vector<double>& values) {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  if (!(least == most)) return;
+  constexpr double share = 0.2, factor = 10.0;
+  const double room = most == 0.0 ? 1.0 : share * std::abs(most);
+  if (axis.scaleType() == QCPAxis::stLogarithmic && most > 0.0)
+    axis.setRange(most / factor, most * factor);
+  else
+    axis.setRange(most - room, most + room);
+}
+
 void set_axis(QCPAxis& axis, const report::Axis& wanted) {
-  axis.setLabel(QString::fromStdString(wanted.label));
+  axis.setLabel(axis_text(wanted.label));
   if (!wanted.log) return;
   axis.setScaleType(QCPAxis::stLogarithmic);
   axis.setTicker(QSharedPointer<QCPAxisTickerLog>::create());

@@ -40,7 +40,11 @@ class FrfPlot : public QWidget {
   View view() const;
 
   void set_cursor(double frequency_hz);
-  QString readout() const;
+  QString readout() const { return readout_text_; }
+  /// Magnitudes in dB.
+  void set_decibel(bool on);
+  /// The curves and their view in a window of their own.
+  FrfPlot* pop_out();
   PlotCanvas& canvas() const { return *canvas_; }
 
   /// PNG, SVG or PDF by the ending of the name, CSV of the curves. Throws InputError (usage) for another ending, and where the
@@ -51,18 +55,27 @@ class FrfPlot : public QWidget {
   void band_chosen(double low_hz, double high_hz);
   void cursor_moved(double frequency_hz);
   void view_changed();
+  void band_unwanted(double low_hz, double high_hz);
+  /// The FRF behind the one that is drawn (1), or before it (−1).
+  void next_wanted(int step);
 
  private:
   void add_controls();
   frf::Quantity quantity() const;
   void redraw();
   void show_cursor(double frequency_hz);
+  void show_readout();
+  void offer_peaks();
+  QString proposed_name() const;
   Saveable saveable() const;
 
   QComboBox* views_;
   QComboBox* quantities_;
-  QToolButton* exclude_;
+  QToolButton *exclude_, *decibel_, *peaks_;
   QLabel* readout_;
+  QString readout_text_;
+  std::optional<double> cursor_hz_;
+  int hovered_ = -1;  ///< curve under the mouse
   PlotCanvas* canvas_;
   std::vector<std::filesystem::path> inputs_;
 };

@@ -6,11 +6,27 @@
 #include <limits>
 
 #include "gui/look/said.hpp"
+#include "gui/plot/distinct_ticker.hpp"
 
 namespace jointid::gui {
 namespace {
 
 constexpr std::size_t most_in_legend = 10;
+constexpr const char* curve_property = "curve";
+
+/// Axes of pages, and names of quantities, that the window has in other languages.
+[[maybe_unused]] constexpr const char* axis_words[] = {
+    QT_TRANSLATE_NOOP("Said", "frequency (Hz)"), QT_TRANSLATE_NOOP("Said", "time (s)"), QT_TRANSLATE_NOOP("Said", "phase (°)"),
+    QT_TRANSLATE_NOOP("Said", "mode"), QT_TRANSLATE_NOOP("Said", "force (N)"), QT_TRANSLATE_NOOP("Said", "singular value"),
+    QT_TRANSLATE_NOOP("Said", "shape"), QT_TRANSLATE_NOOP("Said", "relative velocity (m/s)"), QT_TRANSLATE_NOOP("Said", "radius"),
+    QT_TRANSLATE_NOOP("Said", "over the amplitude"), QT_TRANSLATE_NOOP("Said", "order (pole pairs)"),
+    QT_TRANSLATE_NOOP("Said", "of critical (%)"), QT_TRANSLATE_NOOP("Said", "mean square λ"),
+    QT_TRANSLATE_NOOP("Said", "mean ln distance"),
+    QT_TRANSLATE_NOOP("Said", "loop"), QT_TRANSLATE_NOOP("Said", "lag (s)"), QT_TRANSLATE_NOOP("Said", "frequency lines used"),
+    QT_TRANSLATE_NOOP("Said", "displacement (m)"), QT_TRANSLATE_NOOP("Said", "dimension"), QT_TRANSLATE_NOOP("Said", "coordinates"),
+    QT_TRANSLATE_NOOP("Said", "condition number"), QT_TRANSLATE_NOOP("Said", "coherence"), QT_TRANSLATE_NOOP("Said", "channel"),
+    QT_TRANSLATE_NOOP("Said", "amplitude (m)"), QT_TRANSLATE_NOOP("Said", "receptance"), QT_TRANSLATE_NOOP("Said", "mobility"),
+    QT_TRANSLATE_NOOP("Said", "accelerance")};
 
 QVector<QCPGraphData> points(const std::vector<double>& x, const std::vector<double>& y) {
   QVector<QCPGraphData> data;
@@ -38,7 +54,7 @@ void add_panel(QCustomPlot& plot, const Drawing& drawing, int row, const Panel& 
   QCPAxis* const x = rect->axis(QCPAxis::atBottom);
   QCPAxis* const y = rect->axis(QCPAxis::atLeft);
   style_axes(*rect, drawing.theme);
-  y->setLabel(QString::fromStdString(panel.label));
+  y->setLabel(axis_text(panel.label));
   if (last) x->setLabel(Said::tr("frequency (Hz)"));
   x->setTickLabels(last);
   if (panel.logarithmic) {
@@ -51,6 +67,7 @@ void add_panel(QCustomPlot& plot, const Drawing& drawing, int row, const Panel& 
     if (panel.ordinates[i].empty()) continue;
     QCPGraph* const graph = plot.addGraph(x, y);
     graph->setName(QString::fromStdString(drawing.curves[i].name));
+    graph->setProperty(curve_property, static_cast<qulonglong>(i));
     graph->setPen(pen_of(drawing, i));
     graph->data()->set(points(drawing.curves[i].frequency_hz, panel.ordinates[i]), true);
   }
@@ -85,9 +102,14 @@ QVector<QCPCurveData> locus(const Curve& curve, const Drawing& drawing) {
 
 }  // namespace
 
+QString axis_text(const std::string& label) { return said(label.c_str()); }
+
+std::size_t curve_of(const QCPGraph& graph) { return graph.property(curve_property).toULongLong(); }
+
 void style_axes(QCPAxisRect& rect, Theme theme) {
   const Colours use = colours(theme);
   for (QCPAxis* axis : rect.axes()) {
+    axis->setTicker(QSharedPointer<DistinctTicker>::create());
     axis->setBasePen(QPen(use.weak_text));
     axis->setTickPen(QPen(use.weak_text));
     axis->setSubTickPen(QPen(use.weak_text));
@@ -122,7 +144,7 @@ void add_legend(QCustomPlot& plot, Theme theme) {
 }
 
 void draw_panels(QCustomPlot& plot, const Drawing& drawing) {
-  const std::vector<Panel> all = panels(drawing.curves, drawing.view, drawing.quantity);
+  const std::vector<Panel> all = panels(drawing.curves, drawing.view, drawing.quantity, drawing.decibel);
   for (std::size_t row = 0; row < all.size(); ++row) {
     add_panel(plot, drawing, static_cast<int>(row), all[row], row + 1 == all.size());
   }

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <QString>
+#include <string>
 
 #include "gui/look/theme.hpp"
 #include "gui/plot/curve.hpp"
 #include "ident/scene/scene.hpp"
 
 class QCPAxisRect;
+class QCPGraph;
 class QCustomPlot;
 
 /// How curves become diagrams of a QCustomPlot.
@@ -18,9 +20,16 @@ struct Drawing {
   frf::Quantity quantity;
   ident::Range shown_hz;
   Theme theme;
+  bool decibel = false;
 };
 
-/// Colours of axes and grids.
+/// The text of an axis in the language of the window, where that knows it.
+QString axis_text(const std::string& label);
+
+/// The curve of a Drawing that a graph shows.
+std::size_t curve_of(const QCPGraph& graph);
+
+/// Colours of axes and grids; ticks that tell neighbours apart.
 void style_axes(QCPAxisRect& rect, Theme theme);
 
 /// What to do, in the middle of an empty plot.

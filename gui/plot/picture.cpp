@@ -86,9 +86,9 @@ void save_plot(const QString& file, const Saveable& plot, const std::vector<std:
   write_output(file, {bytes.data(), static_cast<std::size_t>(bytes.size())}, inputs);
 }
 
-void ask_and_save(QWidget* parent, const Saveable& plot, const std::vector<std::filesystem::path>& inputs) {
+void ask_and_save(QWidget* parent, const Saveable& plot, const std::vector<std::filesystem::path>& inputs, const QString& proposed) {
   const QString filter = Said::tr("Pictures and tables (*.png *.svg *.pdf *.csv)");
-  const QString file = choose_file_to_save(parent, Said::tr("Save the plot"), QStringLiteral("plot.png"), filter, QStringLiteral("png"));
+  const QString file = choose_file_to_save(parent, Said::tr("Save the plot"), proposed, filter, QStringLiteral("png"));
   if (file.isEmpty()) return;
   try {
     save_plot(file, plot, inputs);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <QString>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -29,8 +30,8 @@ struct Saveable {
 /// take it or the file is one of `inputs`.
 void save_plot(const QString& file, const Saveable& plot, const std::vector<std::filesystem::path>& inputs);
 
-/// Asks for the name, and says what went wrong.
-void ask_and_save(QWidget* parent, const Saveable& plot, const std::vector<std::filesystem::path>& inputs);
+/// Asks for the name, which is proposed, and says what went wrong.
+void ask_and_save(QWidget* parent, const Saveable& plot, const std::vector<std::filesystem::path>& inputs, const QString& proposed);
 
 /// Numbers for a spreadsheet, and the picture.
 void copy_plot(const Saveable& plot);

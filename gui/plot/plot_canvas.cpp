@@ -40,11 +40,12 @@ PlotCanvas::PlotCanvas(const QString& hint, QWidget* parent) : QWidget(parent), 
   redraw();
 }
 
-void PlotCanvas::draw(const std::vector<Curve>& curves, View view, frf::Quantity quantity) {
+void PlotCanvas::draw(const std::vector<Curve>& curves, View view, frf::Quantity quantity, bool decibel) {
   const bool anew = curves_.empty();
   curves_ = curves;
   view_ = view;
   quantity_ = quantity;
+  decibel_ = decibel;
   if (anew) shown_.reset();
   redraw();
 }
@@ -60,7 +61,7 @@ void PlotCanvas::set_marked(std::vector<double> marked_hz) {
   redraw();
 }
 
-Drawing PlotCanvas::drawing() const { return {curves_, view_, quantity_, shown_hz(), theme_of(palette())}; }
+Drawing PlotCanvas::drawing() const { return {curves_, view_, quantity_, shown_hz(), theme_of(palette()), decibel_}; }
 
 void PlotCanvas::redraw() {
   plot_->clearItems();
@@ -90,7 +91,51 @@ void PlotCanvas::draw_diagrams() {
 }
 
 void PlotCanvas::show_cursor() {
-  if (cursor_ && !curves_.empty()) draw_cursor(*plot_, *overlay_, drawing(), *cursor_);
+  if (curves_.empty()) return;
+  for (const auto& at : {cursor_, mark_hz_}) {
+    if (at) draw_cursor(*plot_, *overlay_, drawing(), *at);
+  }
+}
+
+void PlotCanvas::zoom_ordinates(double factor) {
+  if (curves_.empty() || plot_->axisRectCount() == 0) return;
+  plot_->axisRects().front()->axis(QCPAxis::atLeft)->scaleRange(factor);
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+ident::Range PlotCanvas::shown_ordinates() const {
+  if (plot_->axisRectCount() == 0) return {};
+  const QCPRange range = plot_->axisRects().front()->axis(QCPAxis::atLeft)->range();
+  return {range.lower, range.upper};
+}
+
+/// The band that the cursor is in.
+void PlotCanvas::drop_band() {
+  for (const auto& [low, high] : excluded_) {
+    if (cursor_ && *cursor_ >= low && *cursor_ <= high) return Q_EMIT band_unwanted(low, high);
+  }
+}
+
+/// The curve nearest to the mouse, if it is near.
+void PlotCanvas::hover(const QPointF& at) {
+  constexpr double nearest_px = 12.0;
+  double nearest = nearest_px;
+  int found = -1;
+  for (const QCPAxisRect* rect : plot_->axisRects()) {
+    if (!rect->rect().contains(at.toPoint()) || view_ == View::nyquist) continue;
+    const double x = rect->axis(QCPAxis::atBottom)->pixelToCoord(at.x());
+    for (const QCPGraph* graph : rect->graphs()) {
+      const auto point = graph->data()->findBegin(x);
+      if (point == graph->data()->constEnd() || !std::isfinite(point->value)) continue;
+      const double distance = std::abs(rect->axis(QCPAxis::atLeft)->coordToPixel(point->value) - at.y());
+      if (distance >= nearest) continue;
+      nearest = distance;
+      found = static_cast<int>(curve_of(*graph));
+    }
+  }
+  if (found == hovered_) return;
+  hovered_ = found;
+  Q_EMIT curve_hovered(found);
 }
 
 void PlotCanvas::move_cursor(double frequency_hz) {
@@ -140,26 +185,53 @@ void PlotCanvas::end_drag(const QRect& rectangle) {
   const ident::Range span = span_of(curves_);
   const double low = std::max(span[0], x->pixelToCoord(normal.left())), high = std::min(span[1], x->pixelToCoord(normal.right()));
   if (!(low < high)) return;
+  const auto on_line = [this](double hz) { return curves_.front().frequency_hz[nearest_line(curves_.front(), hz)]; };
   if (excluding_)
-    Q_EMIT band_chosen(low, high);
+    Q_EMIT band_chosen(on_line(low), on_line(high));
   else
     show_range({low, high});
 }
 
-bool PlotCanvas::press(int key, bool far) {
-  if (curves_.empty()) return false;
+bool PlotCanvas::move_by(int key, bool far) {
   const std::vector<double>& axis = curves_.front().frequency_hz;
   const auto line = static_cast<std::ptrdiff_t>(nearest_line(curves_.front(), cursor_.value_or(shown_hz()[0])));
   const auto last = static_cast<std::ptrdiff_t>(axis.size()) - 1;
   const std::ptrdiff_t step = (key == Qt::Key_Left ? -1 : 1) * (far ? far_lines : 1);
+  move_cursor(axis[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(line + step, 0, last))]);
+  Q_EMIT cursor_moved(*cursor_);
+  return true;
+}
+
+/// Keys that do not move.
+bool PlotCanvas::press_other(int key) {
+  switch (key) {
+    case Qt::Key_M:
+      mark_hz_ = mark_hz_ ? std::nullopt : cursor_;
+      move_cursor(cursor_.value_or(shown_hz()[0]));
+      Q_EMIT mark_changed();
+      return true;
+    case Qt::Key_Delete:
+      drop_band();
+      return true;
+    case Qt::Key_PageDown:
+    case Qt::Key_PageUp:
+      Q_EMIT next_wanted(key == Qt::Key_PageDown ? 1 : -1);
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool PlotCanvas::press(int key, bool far) {
+  if (curves_.empty()) return false;
   switch (key) {
     case Qt::Key_Left:
-    case Qt::Key_Right: {
-      const auto next = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(line + step, 0, last));
-      move_cursor(axis[next]);
-      Q_EMIT cursor_moved(*cursor_);
+    case Qt::Key_Right:
+      return move_by(key, far);
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+      zoom_ordinates(key == Qt::Key_Up ? wheel_factor : 1.0 / wheel_factor);
       return true;
-    }
     case Qt::Key_Plus:
       zoom(wheel_factor);
       return true;
@@ -170,7 +242,7 @@ bool PlotCanvas::press(int key, bool far) {
       show_all();
       return true;
     default:
-      return false;
+      return press_other(key);
   }
 }
 
@@ -182,7 +254,12 @@ bool PlotCanvas::eventFilter(QObject* watched, QEvent* event) {
     return press(key->key(), (key->modifiers() & Qt::ShiftModifier) != 0);
   }
   if (event->type() == QEvent::Wheel && !rects.isEmpty()) {
-    zoom(static_cast<QWheelEvent*>(event)->angleDelta().y() > 0 ? wheel_factor : 1.0 / wheel_factor);
+    const auto* wheel = static_cast<QWheelEvent*>(event);
+    const double factor = wheel->angleDelta().y() > 0 ? wheel_factor : 1.0 / wheel_factor;
+    if ((wheel->modifiers() & Qt::ControlModifier) != 0)
+      zoom_ordinates(factor);
+    else
+      zoom(factor);
     return true;
   }
   if (event->type() == QEvent::MouseMove && !rects.isEmpty() && view_ != View::nyquist && !curves_.empty()) {
@@ -191,6 +268,7 @@ bool PlotCanvas::eventFilter(QObject* watched, QEvent* event) {
       move_cursor(x);
       Q_EMIT cursor_moved(*cursor_);
     }
+    hover(static_cast<QMouseEvent*>(event)->position());
   }
   return false;
 }

@@ -21,7 +21,7 @@ class PlotCanvas : public QWidget {
  public:
   explicit PlotCanvas(const QString& hint, QWidget* parent = nullptr);
 
-  void draw(const std::vector<Curve>& curves, View view, frf::Quantity quantity);
+  void draw(const std::vector<Curve>& curves, View view, frf::Quantity quantity, bool decibel = false);
   void set_bands(std::vector<ident::Range> excluded, std::optional<ident::Range> range);
   /// Lines to be seen at once, those that outlie.
   void set_marked(std::vector<double> marked_hz);
@@ -30,6 +30,11 @@ class PlotCanvas : public QWidget {
   const std::vector<Curve>& curves() const { return curves_; }
 
   void move_cursor(double frequency_hz);
+  /// The second cursor, from which the first is told; M sets it and takes it away.
+  const std::optional<double>& mark_hz() const { return mark_hz_; }
+  /// The axis of magnitudes round its middle, by a factor; all of it again where the frequencies change.
+  void zoom_ordinates(double factor);
+  ident::Range shown_ordinates() const;  ///< of the upper diagram
   void show_all();
   ident::Range shown_hz() const;
   void show_range(const ident::Range& range);
@@ -42,6 +47,13 @@ class PlotCanvas : public QWidget {
  Q_SIGNALS:
   void cursor_moved(double frequency_hz);
   void band_chosen(double low_hz, double high_hz);
+  /// Delete was pressed with the cursor in an excluded band.
+  void band_unwanted(double low_hz, double high_hz);
+  void mark_changed();
+  /// The curve under the mouse, or −1.
+  void curve_hovered(int curve);
+  /// Page Down asks for the next FRF, Page Up for the one before.
+  void next_wanted(int step);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -56,6 +68,10 @@ class PlotCanvas : public QWidget {
   bool press(int key, bool far);
   void zoom(double factor);
   void end_drag(const QRect& rectangle);
+  bool press_other(int key);
+  bool move_by(int key, bool far);
+  void drop_band();
+  void hover(const QPointF& at);
 
   QString hint_;
   QCustomPlot* plot_;
@@ -66,8 +82,9 @@ class PlotCanvas : public QWidget {
   std::vector<ident::Range> excluded_;
   std::vector<double> marked_hz_;
   std::optional<ident::Range> range_, shown_;
-  std::optional<double> cursor_;
-  bool excluding_ = false;
+  std::optional<double> cursor_, mark_hz_;
+  bool excluding_ = false, decibel_ = false;
+  int hovered_ = -1;
 };
 
 }  // namespace jointid::gui

@@ -1,12 +1,12 @@
 #include "gui/records/record_tool.hpp"
 
-#include <QLocale>
-#include <cmath>
 #include <optional>
 
 #include "base/error.hpp"
 #include "gui/look/paths.hpp"
 #include "gui/look/said.hpp"
+#include "gui/records/frf_tool.hpp"
+#include "gui/records/tool_values.hpp"
 #include "gui/work/control_of.hpp"
 #include "report/pod/pod_page.hpp"
 #include "report/pod/pod_plots.hpp"
@@ -23,51 +23,6 @@ namespace {
 using Kind = ToolField::Kind;
 using Files = std::vector<std::filesystem::path>;
 
-std::string text_of(const ToolValues& values, const char* option) {
-  const auto place = values.find(option);
-  return place == values.end() ? std::string() : place->second.toStdString();
-}
-
-/// Throws InputError for what is no number.
-std::optional<double> number_of(const ToolValues& values, const char* option) {
-  const auto place = values.find(option);
-  if (place == values.end()) return std::nullopt;
-  bool is_number = false;
-  const double value = QLocale::c().toDouble(place->second, &is_number);
-  if (!is_number)
-    throw InputError({ErrorKind::usage, "", option, "'" + place->second.toStdString() + "' is no number", "write 0.002 or 2e-3"});
-  return value;
-}
-
-/// Throws InputError for what is no number above 0.
-std::optional<double> positive_of(const ToolValues& values, const char* option) {
-  const std::optional<double> value = number_of(values, option);
-  if (value && !(*value > 0.0))
-    throw InputError(
-        {ErrorKind::usage, "", option, values.at(option).toStdString() + " is not above 0", "give a number above 0"});
-  return value;
-}
-
-/// Throws InputError for what is no whole number of this range.
-std::size_t whole_of(const ToolValues& values, const char* option, std::size_t otherwise, std::size_t least, std::size_t most) {
-  const std::optional<double> value = number_of(values, option);
-  if (!value) return otherwise;
-  if (*value != std::floor(*value) || *value < static_cast<double>(least) || *value > static_cast<double>(most)) {
-    throw InputError({ErrorKind::usage, "", option, values.at(option).toStdString() + " is not allowed",
-                      "give a whole number from " + std::to_string(least) + " to " + std::to_string(most)});
-  }
-  return static_cast<std::size_t>(*value);
-}
-
-/// "0.05,0.1"; empty where there are none. Throws InputError for what is no number.
-std::vector<double> numbers_of(const ToolValues& values, const char* option) {
-  std::vector<double> out;
-  const auto place = values.find(option);
-  if (place == values.end()) return out;
-  for (const QString& word : place->second.split(',')) out.push_back(*number_of({{option, word.trimmed()}}, option));
-  return out;
-}
-
 std::vector<std::string> columns_of(const ToolValues& values, const char* option) {
   std::vector<std::string> out;
   const auto place = values.find(option);
@@ -78,7 +33,7 @@ std::vector<std::string> columns_of(const ToolValues& values, const char* option
 
 /// Throws InputError where none is chosen.
 std::string chosen_column(const ToolValues& values, const char* option) {
-  std::string column = text_of(values, option);
+  std::string column = option_text(values, option);
   if (column.empty()) throw InputError({ErrorKind::usage, "", option, "is not chosen", "choose the column"});
   return column;
 }
@@ -99,8 +54,8 @@ Findings find_modes(const Files& files, const ToolValues& values, const Worker::
   tasks::PodTask task;
   task.files = files;
   task.channels = columns_of(values, "--channels");
-  task.mass = text_of(values, "--mass"), task.stiffness = text_of(values, "--stiffness"),
-  task.compare = text_of(values, "--compare");
+  task.mass = option_text(values, "--mass"), task.stiffness = option_text(values, "--stiffness"),
+  task.compare = option_text(values, "--compare");
   task.keep_mean = values.contains("--keep-mean");
   const auto found = std::make_shared<const tasks::PodResult>(tasks::run_pod(task, control_of(watch)));
   Findings out;
@@ -122,7 +77,7 @@ Findings find_modes(const Files& files, const ToolValues& values, const Worker::
 Findings find_delays(const Files& files, const ToolValues& values, const Worker::Watch& watch) {
   tasks::DelayTask task;
   task.file = files.front();
-  task.channel = text_of(values, "--channel");
+  task.channel = option_text(values, "--channel");
   task.rate_hz = positive_of(values, "--rate");
   task.samples = whole_of(values, "--samples", task.samples, 100, 200'000);
   task.delay = whole_of(values, "--delay", task.delay, 0, 100'000);
@@ -148,7 +103,7 @@ Findings find_contact_law(const Files& files, const ToolValues& values, const Wo
   task.file = files.front();
   task.velocity = chosen_column(values, "--velocity");
   task.force = chosen_column(values, "--force");
-  task.normal = text_of(values, "--normal");
+  task.normal = option_text(values, "--normal");
   task.load = positive_of(values, "--load").value_or(0.0);
   task.stick_speed =
       required(positive_of(values, "--stick-speed"), "--stick-speed", "give the speed in m/s below which a sample sticks");
@@ -309,13 +264,17 @@ RecordTool align_tool() {
 
 }  // namespace
 
-std::vector<RecordTool> record_tools() { return {pod_tool(), delay_tool(), contact_tool(), strain_tool(), align_tool()}; }
+std::vector<RecordTool> record_tools() { return {pod_tool(), delay_tool(), contact_tool(), strain_tool(), align_tool(), frf_tool()}; }
 
 QString options_of(const RecordTool& tool, const ToolValues& values) {
   QString text;
   for (const ToolField& field : tool.fields) {
     const auto place = values.find(field.option);
     if (place == values.end()) continue;
+    if (field.kind == Kind::texts) {
+      for (const QString& each : parted(place->second)) text += " " + q(field.option) + " " + shell_word(each);
+      continue;
+    }
     text += " " + q(field.option);
     if (field.kind != Kind::flag) text += " " + shell_word(place->second);
   }

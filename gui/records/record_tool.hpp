@@ -12,7 +12,7 @@ namespace jointid::gui {
 
 /// What a tool wants to know beside its files: an option of the command.
 struct ToolField {
-  enum class Kind { column, columns, number, file, flag };
+  enum class Kind { column, columns, number, file, flag, texts };  ///< texts: parted by semicolons, an option each
   Kind kind = Kind::number;
   std::string option;   ///< "--load"
   QString title, hint;  ///< what stands in it while it is empty; what it means
@@ -30,10 +30,11 @@ struct RecordTool {
   /// Throws InputError, and Interrupted.
   std::function<Findings(const std::vector<std::filesystem::path>& files, const ToolValues& values, const Worker::Watch& watch)>
       run;
+  bool runs_again = false;  ///< when a field changes, after it was run once
 };
 
 /// Proper orthogonal modes; delay, dimension and exponents of one channel; the friction law of a contact; displacements from
-/// strain gauges; channels that are late.
+/// strain gauges; channels that are late; FRFs of impacts or of a shaker.
 std::vector<RecordTool> record_tools();
 
 /// " --load 3 --keep-mean", in the order of the fields.

@@ -6,11 +6,13 @@
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "gui/look/buttons.hpp"
 #include "gui/look/dialogs.hpp"
 #include "gui/look/file_drop.hpp"
 #include "gui/look/named.hpp"
+#include "gui/look/output.hpp"
 #include "gui/look/paths.hpp"
 #include "gui/look/said.hpp"
 #include "gui/page/job_line.hpp"
@@ -48,7 +50,11 @@ RecordsPage::RecordsPage(QWidget* parent)
   let_drop_files(*this, [this](const QStringList& files) { open(files); });
   add_above(make_top());
   forms_ = named(new QStackedWidget, "records_forms", tr("Options of the analysis"));
-  for (const RecordTool& each : all_) forms_->addWidget(new ToolForm(each));
+  for (const RecordTool& each : all_) {
+    auto* const form = new ToolForm(each);
+    forms_->addWidget(form);
+    if (each.runs_again) connect(form, &ToolForm::changed, this, &RecordsPage::run_again);
+  }
   forms_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   add_above(forms_);
   connect(tool_, &QComboBox::currentIndexChanged, this, &RecordsPage::show_tool);
@@ -67,13 +73,17 @@ QWidget* RecordsPage::make_top() {
   auto* rows = new QVBoxLayout(top);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->addLayout(buttons_behind({choose, run_}));
-  rows->addLayout(row_of({tool_}, {}));
+  role_ = named(new QComboBox, "records_role", tr("What the FRFs are of"));
+  role_->addItems({tr("of a substructure"), tr("of the assembly")});
+  to_scene_ = push_button("records_to_scene", tr("To the scene…"), tr("Write the FRFs into a file, and name it in [data] of the scene"));
+  rows->addLayout(row_of({tool_}, {role_, to_scene_}));
   rows->addWidget(names_);
   connect(choose, &QPushButton::clicked, this, [this] {
     const QStringList files = choose_files_to_open(this);
     if (!files.isEmpty()) open(files);
   });
   connect(run_, &QPushButton::clicked, this, &RecordsPage::run);
+  connect(to_scene_, &QPushButton::clicked, this, &RecordsPage::ask_and_write_frfs);
   return top;
 }
 
@@ -81,15 +91,50 @@ const RecordTool& RecordsPage::tool() const { return all_[static_cast<std::size_
 
 ToolForm& RecordsPage::form() const { return *static_cast<ToolForm*>(forms_->widget(tool_->currentIndex())); }
 
+void RecordsPage::choose_tool(const std::string& name) {
+  const auto found = std::ranges::find(all_, name, &RecordTool::name);
+  if (found != all_.end()) tool_->setCurrentIndex(static_cast<int>(found - all_.begin()));
+}
+
+/// What was set since, where something is shown and the tool is quick.
+void RecordsPage::run_again() {
+  if (shown() == nullptr || !tool().runs_again || form().values() == used_) return;
+  line()->cancel();
+  begin();
+}
+
+void RecordsPage::ask_and_write_frfs() {
+  const QFileInfo record(files_.front());
+  const QString file = choose_file_to_save(this, tr("Save the FRFs"), record.absolutePath() + "/" + record.completeBaseName() + "_frf.h5",
+                                           tr("FRFs (*.h5 *.uff)"), QStringLiteral("h5"));
+  if (!file.isEmpty()) write_frfs(file);
+}
+
+void RecordsPage::write_frfs(const QString& file) {
+  if (shown() == nullptr || !shown()->write_frfs) return;
+  try {
+    check_output(file, paths_of(files_));
+    shown()->write_frfs(as_path(file));
+  } catch (const InputError& error) {
+    return line()->say(QString::fromUtf8(error.what()), true);
+  }
+  line()->say(tr("Written to %1.").arg(file));
+  Q_EMIT frfs_written(file, role_->currentIndex() == 1);
+}
+
 void RecordsPage::show_tool() {
   forms_->setCurrentIndex(tool_->currentIndex());
   line()->say(tool().plot_hint);
+  show_buttons();
 }
 
 void RecordsPage::show_buttons() {
   run_->setEnabled(!files_.isEmpty() && !is_busy());
   tool_->setEnabled(!is_busy());
   command()->setEnabled(!files_.isEmpty());
+  const bool makes_frfs = tool().runs_again;
+  for (QWidget* each : std::initializer_list<QWidget*>{role_, to_scene_}) each->setVisible(makes_frfs);
+  to_scene_->setEnabled(!is_busy() && shown() != nullptr && shown()->write_frfs != nullptr);
 }
 
 /// The channels of the first file are offered.
@@ -111,12 +156,16 @@ void RecordsPage::open(const QStringList& files) {
 }
 
 void RecordsPage::run() {
-  if (files_.isEmpty() || is_busy()) return;
+  if (!files_.isEmpty() && !is_busy()) begin();
+}
+
+void RecordsPage::begin() {
   if (files_.size() > 1 && !tool().takes_several) {
     line()->say(tr("%1 takes one file; %2 were opened.").arg(tool().title).arg(files_.size()), true);
     return;
   }
   const ToolValues values = form().values();
+  used_ = values;
   outputs()->protect(inputs_of(tool(), files_, values));
   ask([find = tool().run, files = paths_of(files_), values](const Worker::Watch& watch) { return find(files, values, watch); });
 }

@@ -23,20 +23,33 @@ class RecordsPage : public FindingsPage {
   void run() override;
   QComboBox* tools() const { return tool_; }
   QString command_line() const override;
+  /// The tool of that name (RecordTool::name).
+  void choose_tool(const std::string& name);
+  /// Writes the FRFs that were found, and tells where.
+  void write_frfs(const QString& file);
+
+ Q_SIGNALS:
+  /// FRFs of a structure to be taken into the scene.
+  void frfs_written(const QString& file, bool of_assembly);
 
  private:
   QWidget* make_top();
   const RecordTool& tool() const;
   ToolForm& form() const;
   void show_tool();
+  void begin();
+  void run_again();
+  void ask_and_write_frfs();
   void show_buttons() override;
 
   std::vector<RecordTool> all_;
   QPushButton* run_;
-  QComboBox* tool_;
+  QComboBox *tool_, *role_;
+  QPushButton* to_scene_;
   QLabel* names_;
   QStackedWidget* forms_;
   QStringList files_;
+  ToolValues used_;  ///< by the last run
 };
 
 }  // namespace jointid::gui

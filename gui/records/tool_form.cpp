@@ -28,6 +28,7 @@ QString text_in(const ToolField& field, const QWidget& widget) {
     case ToolField::Kind::columns:
       return static_cast<const ChoiceButton&>(widget).chosen().join(',');
     case ToolField::Kind::number:
+    case ToolField::Kind::texts:
     case ToolField::Kind::file:
       return static_cast<const QLineEdit&>(widget).text().trimmed();
     case ToolField::Kind::flag:
@@ -43,10 +44,22 @@ ToolForm::ToolForm(const RecordTool& tool, QWidget* parent) : QWidget(parent) {
   auto* rows = new QGridLayout(this);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setColumnStretch(fields_in_a_row, 1);
-  for (int k = 0; k < static_cast<int>(tool.fields.size()); ++k) {
-    const ToolField& field = tool.fields[static_cast<std::size_t>(k)];
-    rows->addWidget(make_field(field, "records_" + tool.name + "_" + field.option.substr(2)), k / fields_in_a_row,
-                    k % fields_in_a_row);
+  int place = 0;
+  for (const ToolField& field : tool.fields) {
+    const int span = field.kind == ToolField::Kind::texts ? fields_in_a_row : 1;
+    rows->addWidget(make_field(field, "records_" + tool.name + "_" + field.option.substr(2)), place / fields_in_a_row,
+                    place % fields_in_a_row, 1, span);
+    place += span;
+  }
+  tell_changes();
+}
+
+/// Columns that are offered anew change nothing.
+void ToolForm::tell_changes() {
+  for (const auto& [field, widget] : fields_) {
+    if (auto* box = qobject_cast<QComboBox*>(widget)) connect(box, &QComboBox::activated, this, &ToolForm::changed);
+    if (auto* edit = qobject_cast<QLineEdit*>(widget)) connect(edit, &QLineEdit::editingFinished, this, &ToolForm::changed);
+    if (auto* box = qobject_cast<QCheckBox*>(widget)) connect(box, &QCheckBox::clicked, this, &ToolForm::changed);
   }
 }
 
@@ -65,10 +78,11 @@ QWidget* ToolForm::make_field(const ToolField& field, const std::string& name) {
       out = new ChoiceButton(name.c_str(), field.title, {}, tr("all"), field.hint);
       out->setMaximumWidth(field_width_px);
       break;
-    case ToolField::Kind::number: {
+    case ToolField::Kind::number:
+    case ToolField::Kind::texts: {
       auto* edit = named(new QLineEdit, name.c_str(), field.hint, field.hint);
       edit->setPlaceholderText(field.title);
-      edit->setMaximumWidth(field_width_px);
+      if (field.kind == ToolField::Kind::number) edit->setMaximumWidth(field_width_px);
       out = edit;
       break;
     }

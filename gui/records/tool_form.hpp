@@ -18,7 +18,12 @@ class ToolForm : public QWidget {
   void offer(const QStringList& channels);
   ToolValues values() const;
 
+ Q_SIGNALS:
+  /// A field was filled in, and left.
+  void changed();
+
  private:
+  void tell_changes();
   QWidget* make_field(const ToolField& field, const std::string& name);
   QWidget* make_file_field(const ToolField& field, const std::string& name);
 

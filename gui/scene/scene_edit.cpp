@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text.hpp"
+#include "gui/scene/several_edit.hpp"
 #include "gui/scene/toml_edit.hpp"
 
 namespace jointid::gui {
@@ -50,7 +51,19 @@ std::string without_matrix(std::string text, const std::string& matrix) {
 
 }  // namespace
 
+namespace {
+
+/// The virtual points of a plate in place of those that the text had.
+std::string with_plate(std::string text, const tasks::Plate& plate) {
+  while (several_in(text, "virtual_points") > 0) text = without_one(text, "virtual_points", 1);
+  for (const std::size_t side : {0U, 1U}) text = with_one_more(std::move(text), "virtual_points", tasks::virtual_point_text(plate, side));
+  return text;
+}
+
+}  // namespace
+
 std::string with_joint(std::string text, const tasks::JointLayout& layout) {
+  if (layout.plate) text = with_plate(std::move(text), *layout.plate);
   const bool full = layout.form == tasks::JointForm::full;
   const std::string form = full ? "pattern" : "springs", value = full ? "\"symmetric\"" : tasks::springs_text(layout);
   text = with_value(text, "joint", "dofs", written(tasks::dofs_of(layout)));

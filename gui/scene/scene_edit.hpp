@@ -7,7 +7,7 @@
 #include "gui/scene/toml_edit.hpp"
 #include "ident/scene/scene.hpp"
 #include "study/comparison.hpp"
-#include "tasks/joint_layout.hpp"
+#include "tasks/joint/joint_layout.hpp"
 
 namespace jointid::gui {
 
@@ -19,7 +19,7 @@ std::string written(const std::vector<frf::Dof>& dofs);
 std::string with_way(std::string text, const study::Way& way);
 
 /// The text with the DOFs of [joint], and its stiffness and hysteretic damping, as the layout has them; without hysteretic damping where
-/// it has none. All other keys and comments stay.
+/// it has none; the virtual points of a plate replace those of the text. All other keys and comments stay.
 std::string with_joint(std::string text, const tasks::JointLayout& layout);
 
 /// The ranges with one more: those that overlap or touch are one, ascending.

@@ -396,6 +396,95 @@ Sie braucht eine Szene mit [data] parts und [couple]. Gemessene FRFs lassen sich
     </message>
 </context>
 <context>
+    <name>DifferenceTab</name>
+    <message>
+        <source>The other run</source>
+        <translation>Der andere Lauf</translation>
+    </message>
+    <message>
+        <source>Runs of this scene, and of the other scenes that are open</source>
+        <translation>Läufe dieser Szene und der anderen offenen Szenen</translation>
+    </message>
+    <message>
+        <source>About the differences</source>
+        <translation>Zu den Unterschieden</translation>
+    </message>
+    <message>
+        <source>Differences of the unknowns</source>
+        <translation>Unterschiede der Unbekannten</translation>
+    </message>
+    <message>
+        <source>run %1</source>
+        <translation>Lauf %1</translation>
+    </message>
+    <message>
+        <source>Two runs are compared here: solve this scene twice, or solve another scene that is open, of another tightening.</source>
+        <translation>Hier werden zwei Läufe verglichen: Lösen Sie diese Szene zweimal, oder eine andere offene Szene, etwa nach neuem Anziehen.</translation>
+    </message>
+    <message>
+        <source>The two runs have no unknown in common.</source>
+        <translation>Die beiden Läufe haben keine gemeinsame Unbekannte.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unknown(s) differ beyond the intervals of both. ± is 95 %.</source>
+        <translation>
+            <numerusform>%n Unbekannte unterscheidet sich über die Intervalle beider hinaus. ± ist 95 %.</numerusform>
+            <numerusform>%n Unbekannte unterscheiden sich über die Intervalle beider hinaus. ± ist 95 %.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ExampleDialog</name>
+    <message>
+        <source>Open example</source>
+        <translation>Beispiel öffnen</translation>
+    </message>
+    <message>
+        <source>Words that the example has</source>
+        <translation>Wörter des Beispiels</translation>
+    </message>
+    <message>
+        <source>Search: bolt, rubber, friction …</source>
+        <translation>Suche: bolt, rubber, friction …</translation>
+    </message>
+    <message>
+        <source>Examples with known answers</source>
+        <translation>Beispiele mit bekannter Lösung</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Worum es geht</translation>
+    </message>
+    <message>
+        <source>Open the example, or leave it</source>
+        <translation>Das Beispiel öffnen oder nicht</translation>
+    </message>
+    <message>
+        <source>Folder of the examples</source>
+        <translation>Ordner der Beispiele</translation>
+    </message>
+    <message>
+        <source>The files go into a folder of their own below this one</source>
+        <translation>Die Dateien kommen in einen eigenen Ordner darunter</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>Ordner…</translation>
+    </message>
+    <message>
+        <source>Choose the folder of the examples</source>
+        <translation>Den Ordner der Beispiele wählen</translation>
+    </message>
+    <message>
+        <source>Files to</source>
+        <translation>Dateien nach</translation>
+    </message>
+</context>
+<context>
     <name>Field</name>
     <message>
         <source>Error in %1</source>
@@ -511,10 +600,6 @@ Sie braucht eine Szene mit [data] parts und [couple]. Gemessene FRFs lassen sich
         <translation>Auslassen</translation>
     </message>
     <message>
-        <source>While pressed, drag to leave a band out of the identification</source>
-        <translation>Solange gedrückt: Ziehen lässt ein Band bei der Identifikation aus</translation>
-    </message>
-    <message>
         <source>All</source>
         <translation>Alles</translation>
     </message>
@@ -537,6 +622,42 @@ Sie braucht eine Szene mit [data] parts und [couple]. Gemessene FRFs lassen sich
     <message>
         <source>Save as PNG, SVG, PDF or CSV</source>
         <translation>Als PNG, SVG, PDF oder CSV speichern</translation>
+    </message>
+    <message>
+        <source>While pressed, drag to leave a band out of the identification. Delete takes the band at the cursor in again</source>
+        <translation>Gedrückt: Ziehen lässt ein Band bei der Identifikation weg. Entf nimmt das Band am Cursor wieder auf</translation>
+    </message>
+    <message>
+        <source>dB</source>
+        <translation>dB</translation>
+    </message>
+    <message>
+        <source>Magnitudes in decibel</source>
+        <translation>Beträge in Dezibel</translation>
+    </message>
+    <message>
+        <source>Peaks</source>
+        <translation>Spitzen</translation>
+    </message>
+    <message>
+        <source>Peaks of the first curve; a choice moves the cursor there</source>
+        <translation>Spitzen der ersten Kurve; eine Auswahl setzt den Cursor dorthin</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Show the curves in a window of their own</source>
+        <translation>Die Kurven in einem eigenen Fenster zeigen</translation>
+    </message>
+    <message>
+        <source>%1 Hz: %2 %3</source>
+        <translation>%1 Hz: %2 %3</translation>
+    </message>
+    <message>
+        <source>no peak</source>
+        <translation>keine Spitze</translation>
     </message>
 </context>
 <context>
@@ -640,6 +761,49 @@ Fügestelle: %1</translation>
     <message>
         <source>Save as PNG, SVG, PDF or CSV</source>
         <translation>Als PNG, SVG, PDF oder CSV speichern</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Look along y: x to the right, z up (F)</source>
+        <translation>Blick entlang y: x nach rechts, z nach oben (F)</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Look along x: y to the right, z up (S)</source>
+        <translation>Blick entlang x: y nach rechts, z nach oben (S)</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Look down: x to the right, y up (T)</source>
+        <translation>Blick nach unten: x nach rechts, y nach oben (T)</translation>
+    </message>
+</context>
+<context>
+    <name>HelpWindow</name>
+    <message>
+        <source>Documentation</source>
+        <translation>Dokumentation</translation>
+    </message>
+    <message>
+        <source>Page of the documentation</source>
+        <translation>Seite der Dokumentation</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>To the page before (Alt+Left)</source>
+        <translation>Zur Seite davor (Alt+Links)</translation>
     </message>
 </context>
 <context>
@@ -792,6 +956,42 @@ Fügestelle: %1</translation>
     <message>
         <source>Few tests determine more than %1 unknowns, and solving takes long.</source>
         <translation>Wenige Versuche bestimmen mehr als %1 Unbekannte, und das Lösen dauert lange.</translation>
+    </message>
+    <message>
+        <source>without limit</source>
+        <translation>unbegrenzt</translation>
+    </message>
+    <message>
+        <source>Expected time and intervals</source>
+        <translation>Erwartete Zeit und Intervalle</translation>
+    </message>
+    <message>
+        <source>No forecast: %1</source>
+        <translation>Keine Vorhersage: %1</translation>
+    </message>
+    <message>
+        <source>Rigid plates: six springs between two virtual points</source>
+        <translation>Starre Platten: sechs Federn zwischen zwei virtuellen Punkten</translation>
+    </message>
+    <message>
+        <source>Forecasting time and intervals …</source>
+        <translation>Zeit und Intervalle werden vorhergesagt …</translation>
+    </message>
+    <message>
+        <source>Less than a second</source>
+        <translation>Weniger als eine Sekunde</translation>
+    </message>
+    <message>
+        <source>About %1</source>
+        <translation>Etwa %1</translation>
+    </message>
+    <message>
+        <source>%1. No intervals: %2.</source>
+        <translation>%1. Keine Intervalle: %2.</translation>
+    </message>
+    <message>
+        <source>%1. 95 % intervals, about: ± %2 in the middle, ± %3 of the worst unknown.</source>
+        <translation>%1. 95-%-Intervalle, etwa: ± %2 in der Mitte, ± %3 der schlechtesten Unbekannten.</translation>
     </message>
 </context>
 <context>
@@ -1311,14 +1511,6 @@ Identifiziert Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; d
         <translation>Z&amp;eitverläufe</translation>
     </message>
     <message>
-        <source>Drop FRF files of the substructures and of the assembly here, one file to look at, or a scene.
-
-Ctrl+O opens files, Ctrl+N starts an empty scene.</source>
-        <translation>Ziehen Sie FRF-Dateien der Substrukturen und des Zusammenbaus hierher, eine Datei zum Ansehen oder eine Szene.
-
-Strg+O öffnet Dateien, Strg+N beginnt eine leere Szene.</translation>
-    </message>
-    <message>
         <source>These files have nodes and no FRFs.</source>
         <translation>Diese Dateien haben Knoten und keine FRFs.</translation>
     </message>
@@ -1337,6 +1529,84 @@ Strg+O öffnet Dateien, Strg+N beginnt eine leere Szene.</translation>
     <message>
         <source>Data, Geometry and Modes show the files. %1</source>
         <translation>Daten, Geometrie und Moden zeigen die Dateien. %1</translation>
+    </message>
+    <message>
+        <source>Drop FRF files of the substructures and of the assembly here, one file to look at, or a scene.
+
+Ctrl+O opens files, Ctrl+N starts an empty scene, Ctrl+Shift+O opens an example.
+File – New from template has scenes to be filled in.</source>
+        <translation>Ziehen Sie FRF-Dateien der Teilstrukturen und der Gesamtstruktur hierher, eine einzelne Datei oder eine Szene.
+
+Strg+O öffnet Dateien, Strg+N beginnt eine leere Szene, Strg+Umschalt+O öffnet ein Beispiel.
+Datei – Neu aus Vorlage hat Szenen zum Ausfüllen.</translation>
+    </message>
+    <message>
+        <source>%1, run %2</source>
+        <translation>%1, Lauf %2</translation>
+    </message>
+    <message>
+        <source>Writing the example …</source>
+        <translation>Das Beispiel wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>Runs are lost</source>
+        <translation>Läufe gehen verloren</translation>
+    </message>
+    <message>
+        <source>The runs of %1 took %2. They are lost with it; JSON… and Report… on the page Solve keep them. Close it?</source>
+        <translation>Die Läufe von %1 brauchten %2. Sie gehen mit ihr verloren; JSON… und Bericht… auf der Seite Lösen bewahren sie. Schließen?</translation>
+    </message>
+    <message>
+        <source>Open &amp;example…</source>
+        <translation>&amp;Beispiel öffnen…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+O</source>
+        <translation>Ctrl+Shift+O</translation>
+    </message>
+    <message>
+        <source>New from &amp;template</source>
+        <translation>Neu aus &amp;Vorlage</translation>
+    </message>
+    <message>
+        <source>&amp;Two substructures and a joint</source>
+        <translation>&amp;Zwei Teilstrukturen und eine Fuge</translation>
+    </message>
+    <message>
+        <source>&amp;Coupling</source>
+        <translation>&amp;Kopplung</translation>
+    </message>
+    <message>
+        <source>&amp;Decoupling</source>
+        <translation>&amp;Entkopplung</translation>
+    </message>
+    <message>
+        <source>&amp;Isolator by virtual points</source>
+        <translation>&amp;Isolator mit virtuellen Punkten</translation>
+    </message>
+    <message>
+        <source>&amp;Friction from vibration</source>
+        <translation>&amp;Reibung aus Schwingungen</translation>
+    </message>
+    <message>
+        <source>&amp;Records to FRFs</source>
+        <translation>&amp;Zeitsignale zu FRFs</translation>
+    </message>
+    <message>
+        <source>Fold the te&amp;xt</source>
+        <translation>Te&amp;xt einklappen</translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
+    </message>
+    <message>
+        <source>&amp;Documentation of this page</source>
+        <translation>&amp;Dokumentation dieser Seite</translation>
+    </message>
+    <message>
+        <source>F1</source>
+        <translation>F1</translation>
     </message>
 </context>
 <context>
@@ -2009,6 +2279,14 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode entfern
         <source>Replace the file</source>
         <translation>Datei ersetzen</translation>
     </message>
+    <message>
+        <source>The command line is copied. It names the saved scene; your edits since are not in it. Ctrl+S saves them.</source>
+        <translation>Die Befehlszeile ist kopiert. Sie nennt die gespeicherte Szene; Ihre Änderungen seither stehen nicht darin. Strg+S speichert sie.</translation>
+    </message>
+    <message>
+        <source>%1 is in [data] %2 of the scene.</source>
+        <translation>%1 steht in [data] %2 der Szene.</translation>
+    </message>
 </context>
 <context>
     <name>QDoubleSpinBox</name>
@@ -2091,6 +2369,38 @@ Eine Auswertung und die Kanäle wählen, dann ausführen.</translation>
     <message>
         <source>%1 takes one file; %2 were opened.</source>
         <translation>%1 nimmt eine Datei; %2 wurden geöffnet.</translation>
+    </message>
+    <message>
+        <source>What the FRFs are of</source>
+        <translation>Wovon die FRFs sind</translation>
+    </message>
+    <message>
+        <source>of a substructure</source>
+        <translation>einer Teilstruktur</translation>
+    </message>
+    <message>
+        <source>of the assembly</source>
+        <translation>der Gesamtstruktur</translation>
+    </message>
+    <message>
+        <source>To the scene…</source>
+        <translation>In die Szene…</translation>
+    </message>
+    <message>
+        <source>Write the FRFs into a file, and name it in [data] of the scene</source>
+        <translation>Die FRFs in eine Datei schreiben und sie in [data] der Szene nennen</translation>
+    </message>
+    <message>
+        <source>Save the FRFs</source>
+        <translation>FRFs speichern</translation>
+    </message>
+    <message>
+        <source>FRFs (*.h5 *.uff)</source>
+        <translation>FRFs (*.h5 *.uff)</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Geschrieben nach %1.</translation>
     </message>
 </context>
 <context>
@@ -3491,6 +3801,302 @@ Eine Auswertung und die Kanäle wählen, dann ausführen.</translation>
         <source>k beside the others of its direction</source>
         <translation>k neben den anderen seiner Richtung</translation>
     </message>
+    <message>
+        <source>%1 – %2: %3 of the others (%4)</source>
+        <translation>%1 – %2: %3 der anderen (%4)</translation>
+    </message>
+    <message>
+        <source>Loose, red: %1.</source>
+        <translation>Lose, rot: %1.</translation>
+    </message>
+    <message>
+        <source>Perhaps loose, brown: %1.</source>
+        <translation>Vielleicht lose, braun: %1.</translation>
+    </message>
+    <message>
+        <source>No spring is looser than half of the others of its direction.</source>
+        <translation>Keine Feder ist lockerer als die Hälfte der anderen ihrer Richtung.</translation>
+    </message>
+    <message>
+        <source>, Δ %1 Hz from %2 Hz</source>
+        <translation>, Δ %1 Hz von %2 Hz</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>Zeit (s)</translation>
+    </message>
+    <message>
+        <source>phase (°)</source>
+        <translation>Phase (°)</translation>
+    </message>
+    <message>
+        <source>mode</source>
+        <translation>Mode</translation>
+    </message>
+    <message>
+        <source>force (N)</source>
+        <translation>Kraft (N)</translation>
+    </message>
+    <message>
+        <source>singular value</source>
+        <translation>Singulärwert</translation>
+    </message>
+    <message>
+        <source>shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>relative velocity (m/s)</source>
+        <translation>Relativgeschwindigkeit (m/s)</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>over the amplitude</source>
+        <translation>über der Amplitude</translation>
+    </message>
+    <message>
+        <source>order (pole pairs)</source>
+        <translation>Ordnung (Polpaare)</translation>
+    </message>
+    <message>
+        <source>of critical (%)</source>
+        <translation>der kritischen (%)</translation>
+    </message>
+    <message>
+        <source>mean square λ</source>
+        <translation>quadratisches Mittel λ</translation>
+    </message>
+    <message>
+        <source>mean ln distance</source>
+        <translation>mittlerer ln-Abstand</translation>
+    </message>
+    <message>
+        <source>lag (s)</source>
+        <translation>Verzögerung (s)</translation>
+    </message>
+    <message>
+        <source>frequency lines used</source>
+        <translation>verwendete Frequenzlinien</translation>
+    </message>
+    <message>
+        <source>displacement (m)</source>
+        <translation>Verschiebung (m)</translation>
+    </message>
+    <message>
+        <source>coordinates</source>
+        <translation>Koordinaten</translation>
+    </message>
+    <message>
+        <source>condition number</source>
+        <translation>Konditionszahl</translation>
+    </message>
+    <message>
+        <source>coherence</source>
+        <translation>Kohärenz</translation>
+    </message>
+    <message>
+        <source>amplitude (m)</source>
+        <translation>Amplitude (m)</translation>
+    </message>
+    <message>
+        <source>receptance</source>
+        <translation>Rezeptanz</translation>
+    </message>
+    <message>
+        <source>mobility</source>
+        <translation>Mobilität</translation>
+    </message>
+    <message>
+        <source>accelerance</source>
+        <translation>Akzeleranz</translation>
+    </message>
+    <message>
+        <source>; %1 of %2 segments averaged</source>
+        <translation>; %1 von %2 Abschnitten gemittelt</translation>
+    </message>
+    <message>
+        <source>FRF and coherence</source>
+        <translation>FRF und Kohärenz</translation>
+    </message>
+    <message>
+        <source>record and windows</source>
+        <translation>Zeitsignal und Fenster</translation>
+    </message>
+    <message>
+        <source>segments</source>
+        <translation>Abschnitte</translation>
+    </message>
+    <message>
+        <source>coherences</source>
+        <translation>Kohärenzen</translation>
+    </message>
+    <message>
+        <source>averages</source>
+        <translation>Mittelungen</translation>
+    </message>
+    <message>
+        <source>Channels: COLUMN=DOF UNIT, parted by semicolons. Empty: as a universal file states them</source>
+        <translation>Kanäle: SPALTE=DOF EINHEIT, durch Semikolon getrennt. Leer: wie die UFF-Datei sie nennt</translation>
+    </message>
+    <message>
+        <source>force at</source>
+        <translation>Kraft bei</translation>
+    </message>
+    <message>
+        <source>DOF of the force, or one for each file, parted by commas</source>
+        <translation>DOF der Kraft, oder einer je Datei, durch Komma getrennt</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Column of the times, if its title does not say so</source>
+        <translation>Spalte der Zeiten, wenn ihr Titel es nicht sagt</translation>
+    </message>
+    <message>
+        <source>segment in s</source>
+        <translation>Abschnitt in s</translation>
+    </message>
+    <message>
+        <source>Length of a segment, s. Empty: each whole file is one impact</source>
+        <translation>Länge eines Abschnitts, s. Leer: jede ganze Datei ist ein Schlag</translation>
+    </message>
+    <message>
+        <source>pretrigger in s</source>
+        <translation>Vorlauf in s</translation>
+    </message>
+    <message>
+        <source>Time before the trigger that belongs to the segment, s</source>
+        <translation>Zeit vor dem Trigger, die zum Abschnitt gehört, s</translation>
+    </message>
+    <message>
+        <source>trigger: 0.1</source>
+        <translation>Trigger: 0.1</translation>
+    </message>
+    <message>
+        <source>An impact begins at this share of the largest force</source>
+        <translation>Ein Schlag beginnt bei diesem Anteil der größten Kraft</translation>
+    </message>
+    <message>
+        <source>double impact: 0.1</source>
+        <translation>Doppelschlag: 0.1</translation>
+    </message>
+    <message>
+        <source>A force above this share of the peak is a double impact</source>
+        <translation>Eine Kraft über diesem Anteil der Spitze ist ein Doppelschlag</translation>
+    </message>
+    <message>
+        <source>force window in s</source>
+        <translation>Kraftfenster in s</translation>
+    </message>
+    <message>
+        <source>Seconds after its peak for which the force counts</source>
+        <translation>Sekunden nach ihrer Spitze, in denen die Kraft zählt</translation>
+    </message>
+    <message>
+        <source>exponential in s</source>
+        <translation>Exponentiell in s</translation>
+    </message>
+    <message>
+        <source>Time constant of an exponential window, s. The damping that it adds is taken out again</source>
+        <translation>Zeitkonstante eines Exponentialfensters, s. Die Dämpfung, die es zufügt, wird wieder entfernt</translation>
+    </message>
+    <message>
+        <source>leave out: 2,5</source>
+        <translation>weglassen: 2,5</translation>
+    </message>
+    <message>
+        <source>Segments to leave out, by their number in the table</source>
+        <translation>Abschnitte, die wegbleiben, nach ihrer Nummer in der Tabelle</translation>
+    </message>
+    <message>
+        <source>keep faulty</source>
+        <translation>Fehlerhafte behalten</translation>
+    </message>
+    <message>
+        <source>Also average overloads and double impacts</source>
+        <translation>Auch Übersteuerungen und Doppelschläge mitteln</translation>
+    </message>
+    <message>
+        <source>shaker</source>
+        <translation>Shaker</translation>
+    </message>
+    <message>
+        <source>Segments of a long record in place of impacts</source>
+        <translation>Abschnitte eines langen Zeitsignals statt Schläge</translation>
+    </message>
+    <message>
+        <source>overlap: 0.5</source>
+        <translation>Überlappung: 0.5</translation>
+    </message>
+    <message>
+        <source>Share by which the segments of a shaker overlap</source>
+        <translation>Anteil, um den die Abschnitte eines Shakers überlappen</translation>
+    </message>
+    <message>
+        <source>remove the mean</source>
+        <translation>Mittelwert abziehen</translation>
+    </message>
+    <message>
+        <source>Subtract the mean of every segment</source>
+        <translation>Den Mittelwert jedes Abschnitts abziehen</translation>
+    </message>
+    <message>
+        <source>Estimator: H1, H2 or Hv</source>
+        <translation>Schätzer: H1, H2 oder Hv</translation>
+    </message>
+    <message>
+        <source>highest line in Hz</source>
+        <translation>höchste Linie in Hz</translation>
+    </message>
+    <message>
+        <source>Highest line of the FRFs, Hz</source>
+        <translation>Höchste Linie der FRFs, Hz</translation>
+    </message>
+    <message>
+        <source>FRFs of impacts or a shaker</source>
+        <translation>FRFs aus Schlägen oder Shaker</translation>
+    </message>
+    <message>
+        <source>This page shows FRFs with coherence, the records with their windows, and why segments are left out. After the first run it follows what you set. “To the scene…” writes the FRFs and names them in [data].</source>
+        <translation>Diese Seite zeigt FRFs mit Kohärenz, die Zeitsignale mit ihren Fenstern, und warum Abschnitte wegbleiben. Nach dem ersten Lauf folgt sie dem, was Sie einstellen. „In die Szene…“ schreibt die FRFs und nennt sie in [data].</translation>
+    </message>
+    <message>
+        <source>other run</source>
+        <translation>anderer Lauf</translation>
+    </message>
+    <message>
+        <source>this run</source>
+        <translation>dieser Lauf</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>of the other</source>
+        <translation>des anderen</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>verschieden</translation>
+    </message>
+    <message>
+        <source>no intervals</source>
+        <translation>keine Intervalle</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>within the intervals</source>
+        <translation>innerhalb der Intervalle</translation>
+    </message>
 </context>
 <context>
     <name>SceneEditor</name>
@@ -3765,6 +4371,10 @@ FRF-Fehler des Zusammenbaus %1 dB</translation>
         <source>The joint has %1 unknowns: few tests determine so many, and solving takes long. The joint assistant (Ctrl+J) makes springs of them. Solve again (F5) solves it as it is.</source>
         <translation>Die Fügestelle hat %1 Unbekannte: Wenige Versuche bestimmen so viele, und das Lösen dauert lange. Der Fügestellen-Assistent (Strg+J) macht Federn daraus. Nochmals Lösen (F5) löst sie, wie sie ist.</translation>
     </message>
+    <message>
+        <source>Differences</source>
+        <translation>Unterschiede</translation>
+    </message>
 </context>
 <context>
     <name>StructureView</name>
@@ -3777,6 +4387,14 @@ FRF-Fehler des Zusammenbaus %1 dB</translation>
 You can choose joint DOFs in the list.</source>
         <translation>Die Dateien der Szene haben keine Positionen von Knoten (UFF-Datensätze 15 und 2411, node_position in HDF5).
 DOFs der Fügestelle lassen sich in der Liste wählen.</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>in Ruhe</translation>
+    </message>
+    <message>
+        <source>most</source>
+        <translation>am meisten</translation>
     </message>
 </context>
 <context>
@@ -3902,6 +4520,25 @@ alle Ergebnisse: %1</translation>
     <message>
         <source>Choose: %1</source>
         <translation>Wählen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>VariableDialog</name>
+    <message>
+        <source>Which variable holds the FRFs?</source>
+        <translation>Welche Variable enthält die FRFs?</translation>
+    </message>
+    <message>
+        <source>Several variables may be the FRFs. The choice becomes the key variable of [data.files] in the scene.</source>
+        <translation>Mehrere Variablen könnten die FRFs sein. Die Wahl wird der Schlüssel variable von [data.files] in der Szene.</translation>
+    </message>
+    <message>
+        <source>Variable of %1</source>
+        <translation>Variable von %1</translation>
+    </message>
+    <message>
+        <source>Open the files, or leave them</source>
+        <translation>Die Dateien öffnen oder nicht</translation>
     </message>
 </context>
 <context>

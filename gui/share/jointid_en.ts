@@ -19,6 +19,16 @@
     </message>
 </context>
 <context>
+    <name>DifferenceTab</name>
+    <message numerus="yes">
+        <source>%n unknown(s) differ beyond the intervals of both. ± is 95 %.</source>
+        <translation>
+            <numerusform>%n unknown differs beyond the intervals of both. ± is 95 %.</numerusform>
+            <numerusform>%n unknowns differ beyond the intervals of both. ± is 95 %.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>FrfTab</name>
     <message numerus="yes">
         <source>; %n outlier line(s), red below the curves</source>

@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "base/text.hpp"
 #include "gui/look/named.hpp"
@@ -29,6 +30,17 @@ FrfTab::FrfTab(Worker& worker, QWidget* parent) : QWidget(parent), worker_(worke
   column->addWidget(plot_, 1);
   for (QComboBox* each : {response_, reference_}) connect(each, &QComboBox::activated, this, &FrfTab::show_frf);
   connect(all_runs_, &QCheckBox::toggled, this, &FrfTab::show_frf);
+  connect(plot_, &FrfPlot::next_wanted, this, &FrfTab::show_next);
+}
+
+/// Reference by reference.
+void FrfTab::show_next(int step) {
+  const int columns = reference_->count(), all = columns * response_->count();
+  if (all == 0) return;
+  const int next = std::clamp(response_->currentIndex() * columns + reference_->currentIndex() + step, 0, all - 1);
+  response_->setCurrentIndex(next / columns);
+  reference_->setCurrentIndex(next % columns);
+  show_frf();
 }
 
 void FrfTab::show_runs(const std::vector<Solved>& runs, std::size_t front) {

@@ -29,6 +29,7 @@ class FrfTab : public QWidget {
 
  private:
   void show_frf();
+  void show_next(int step);
   void show_overlay(const Overlay& overlay);
 
   Worker& worker_;

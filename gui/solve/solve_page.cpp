@@ -16,6 +16,7 @@
 #include "gui/look/paths.hpp"
 #include "gui/page/job_line.hpp"
 #include "gui/plot/frf_plot.hpp"
+#include "gui/solve/difference_tab.hpp"
 #include "gui/solve/frf_tab.hpp"
 #include "gui/solve/joint_tab.hpp"
 #include "gui/solve/run_tables.hpp"
@@ -24,7 +25,7 @@
 #include "gui/solve/worth_row.hpp"
 #include "gui/table/cell_table.hpp"
 #include "ident/identify.hpp"
-#include "tasks/joint_layout.hpp"
+#include "tasks/joint/joint_layout.hpp"
 
 namespace jointid::gui {
 
@@ -50,6 +51,8 @@ SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
   results_->addTab(findings_, tr("Findings"));
   results_->addTab(frf_tab_, tr("Assembly FRFs"));
   results_->addTab(run_table_, tr("Runs"));
+  difference_tab_ = new DifferenceTab;
+  results_->addTab(difference_tab_, tr("Differences"));
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(4, 4, 4, 4);
   all->addWidget(make_top());
@@ -227,6 +230,8 @@ void SolvePage::show_run(int run) {
   joint_tab_->show_run(runs_[static_cast<std::size_t>(run)]);
   frf_tab_->show_runs(runs_, static_cast<std::size_t>(run));
   run_table_->show_rows(run_rows(runs_, static_cast<std::size_t>(run)));
+  difference_tab_->show_run(runs_, static_cast<std::size_t>(run));
+  Q_EMIT run_shown(static_cast<std::size_t>(run));
 }
 
 /// The row, the cell or the curve that an answer is about, else the findings; and the answer itself.

@@ -13,6 +13,7 @@ namespace jointid::gui {
 
 class CellTable;
 struct CellRows;
+class DifferenceTab;
 class FrfPlot;
 class FrfTab;
 class JobLine;
@@ -40,6 +41,7 @@ class SolvePage : public QWidget {
   bool is_busy() const;
 
   const std::vector<Solved>& runs() const { return runs_; }
+  DifferenceTab* differences() const { return difference_tab_; }
   QString status() const;
   FrfPlot* plot() const;
   CellTable* unknowns() const { return unknowns_; }
@@ -61,6 +63,8 @@ class SolvePage : public QWidget {
   /// Planning or solving found the scene or its data wrong.
   void failed(const jointid::InputError& error);
   void solved();
+  /// Another run is in front: runs()[run].
+  void run_shown(std::size_t run);
 
  private:
   QWidget* make_top();
@@ -87,6 +91,7 @@ class SolvePage : public QWidget {
   CellTable *plan_, *bounds_, *unknowns_, *springs_, *findings_, *run_table_;
   JointTab* joint_tab_;
   FrfTab* frf_tab_;
+  DifferenceTab* difference_tab_;
   std::optional<ident::Scene> scene_;
   std::vector<Solved> runs_;
   QString file_;

@@ -1,10 +1,12 @@
 #include "gui/plot/chart.hpp"
 
 #include <gmock/gmock.h>
+#include <qcustomplot.h>
 
 #include <QApplication>
 #include <QClipboard>
 #include <QImage>
+#include <QSet>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -146,6 +148,36 @@ TEST(Chart, OtherPointsForgetWhichWasChosen) {
   EXPECT_TRUE(drawn.chart.readout().isEmpty());
   QTest::keyClick(drawn.chart.canvas(), Qt::Key_Return);
   EXPECT_EQ(drawn.opened.count(), 0);
+}
+
+/// What stands at the ticks of the two axes of the first diagram.
+std::array<QVector<QString>, 2> tick_labels(Chart& chart) {
+  chart.grab();
+  auto* const plot = static_cast<QCustomPlot*>(chart.canvas());
+  plot->replot(QCustomPlot::rpImmediateRefresh);
+  const QCPAxisRect* const rect = plot->axisRects().front();
+  return {rect->axis(QCPAxis::atBottom)->tickVectorLabels(), rect->axis(QCPAxis::atLeft)->tickVectorLabels()};
+}
+
+TEST(Chart, TicksDoNotRepeat) {
+  Chart chart("ticks", "Ticks", {});
+  chart.resize(600, 400);
+  const report::Series series{"x", {1.085471, 1.0854712}, report::Style::line};
+  report::CurvePlot plot{"", {"time (s)", false}, {"x (m)", false}, {1.0, 2.0}, {series}, {}, {}, {}};
+  chart.draw(std::vector{plot});
+  const QVector<QString> labels = tick_labels(chart)[1];
+  EXPECT_GT(labels.size(), 1);
+  EXPECT_EQ(QSet<QString>(labels.begin(), labels.end()).size(), labels.size());
+}
+
+TEST(Chart, OnePointHasSensibleAxes) {
+  Chart chart("one", "One", {});
+  chart.resize(600, 400);
+  report::CurvePlot plot{"", {"time (s)", false}, {"k (N/m)", true}, {100.0}, {{"x", {3e7}, report::Style::points}}, {}, {}, {}};
+  chart.draw(std::vector{plot});
+  EXPECT_EQ(chart.shown(), (std::array<double, 2>{80.0, 120.0}));
+  for (const QVector<QString>& labels : tick_labels(chart))
+    EXPECT_EQ(QSet<QString>(labels.begin(), labels.end()).size(), labels.size());
 }
 
 }  // namespace

@@ -5,11 +5,15 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QImage>
+#include <QLabel>
+#include <QMenu>
 #include <QMouseEvent>
+#include <QSet>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <QWheelEvent>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -128,6 +132,104 @@ TEST(FrfPlot, TheMouseMovesTheCursor) {
   drawn.move_mouse(QPoint(drawn.canvas->width() / 2, drawn.canvas->height() / 3));
   ASSERT_GE(moved.count(), 1);
   EXPECT_THAT(drawn.plot.readout().toStdString(), HasSubstr("m/N"));
+}
+
+TEST(FrfPlot, DecibelsAreOnALinearAxisAndInTheReadout) {
+  Drawn drawn;
+  drawn.plot.set_decibel(true);
+  drawn.plot.set_cursor(1000.0);
+  EXPECT_THAT(drawn.plot.readout().toStdString(), HasSubstr("dB re 1 m/N"));
+  EXPECT_LT(drawn.plot.canvas().shown_ordinates()[0], 0.0);
+  drawn.plot.set_decibel(false);
+  EXPECT_GT(drawn.plot.canvas().shown_ordinates()[0], 0.0);
+}
+
+TEST(FrfPlot, ASecondCursorTellsDifferences) {
+  Drawn drawn;
+  drawn.plot.set_cursor(400.0);
+  QTest::keyClick(drawn.canvas, Qt::Key_M);
+  drawn.plot.set_cursor(420.0);
+  EXPECT_THAT(drawn.plot.readout().toStdString(), HasSubstr("420 Hz, Δ +20 Hz from 400 Hz"));
+  EXPECT_THAT(drawn.plot.readout().toStdString(), HasSubstr("Δ -"));
+  QTest::keyClick(drawn.canvas, Qt::Key_M);
+  EXPECT_THAT(drawn.plot.readout().toStdString(), testing::Not(HasSubstr("Δ")));
+}
+
+TEST(FrfPlot, OrdinatesZoomByKeyAndWheel) {
+  Drawn drawn;
+  drawn.plot.set_decibel(true);
+  const auto size = [&] { return drawn.plot.canvas().shown_ordinates()[1] - drawn.plot.canvas().shown_ordinates()[0]; };
+  const double before = size();
+  QTest::keyClick(drawn.canvas, Qt::Key_Up);
+  EXPECT_LT(size(), before);
+  QWheelEvent wheel(QPointF(50, 50), drawn.canvas->mapToGlobal(QPointF(50, 50)), {}, {0, -120}, Qt::NoButton, Qt::ControlModifier,
+                    Qt::NoScrollPhase, false);
+  QApplication::sendEvent(drawn.canvas, &wheel);
+  EXPECT_NEAR(size(), before, 1e-9 * before);
+  EXPECT_EQ(drawn.plot.canvas().shown_hz(), (ident::Range{10.0, 1000.0}));
+}
+
+/// The curve's place is where the readout is bold.
+TEST(FrfPlot, TheCurveUnderTheMouseIsNamed) {
+  Drawn drawn;
+  auto* const label = find<QLabel>(drawn.plot, "readout");
+  QSet<QString> bold;
+  for (int y = 0; y < drawn.canvas->height(); y += 3) {
+    drawn.move_mouse(QPoint(drawn.canvas->width() / 2, y));
+    EXPECT_THAT(label->text().toStdString(), HasSubstr("&#9632;"));  // the legend
+    const qsizetype place = label->text().indexOf("<b>");
+    if (place >= 0) bold << label->text().left(place).section("color:", -1).left(7);
+  }
+  EXPECT_EQ(bold.size(), 2);
+}
+
+TEST(FrfPlot, PeaksAreListedAndMoveTheCursor) {
+  Drawn drawn;
+  QMenu& menu = *find<QToolButton>(drawn.plot, "plot_peaks")->menu();
+  Q_EMIT menu.aboutToShow();
+  ASSERT_EQ(menu.actions().size(), 1);
+  EXPECT_THAT(menu.actions().front()->text().toStdString(), testing::StartsWith("333 Hz"));
+  menu.actions().front()->trigger();
+  EXPECT_THAT(drawn.plot.readout().toStdString(), testing::StartsWith("333 Hz"));
+}
+
+TEST(FrfPlot, KeysAskForTheNextFrfAndTakeBandsBackIn) {
+  Drawn drawn;
+  QSignalSpy next(&drawn.plot, &FrfPlot::next_wanted), unwanted(&drawn.plot, &FrfPlot::band_unwanted);
+  QTest::keyClick(drawn.canvas, Qt::Key_PageDown);
+  QTest::keyClick(drawn.canvas, Qt::Key_PageUp);
+  ASSERT_EQ(next.count(), 2);
+  EXPECT_EQ(next[0][0].toInt(), 1);
+  EXPECT_EQ(next[1][0].toInt(), -1);
+  drawn.plot.set_bands({{100.0, 200.0}}, {});
+  drawn.plot.set_cursor(300.0);
+  QTest::keyClick(drawn.canvas, Qt::Key_Delete);
+  EXPECT_EQ(unwanted.count(), 0);
+  drawn.plot.set_cursor(150.0);
+  QTest::keyClick(drawn.canvas, Qt::Key_Delete);
+  ASSERT_EQ(unwanted.count(), 1);
+  EXPECT_EQ(unwanted[0][0].toDouble(), 100.0);
+}
+
+TEST(FrfPlot, ExcludedBandsSnapToLines) {
+  Drawn drawn(100);  // lines 10 Hz apart
+  QSignalSpy chosen(&drawn.plot, &FrfPlot::band_chosen);
+  find<QToolButton>(drawn.plot, "plot_exclude")->click();
+  drawn.drag(0.4, 0.61);
+  ASSERT_EQ(chosen.count(), 1);
+  for (const int end : {0, 1}) EXPECT_NEAR(std::remainder(chosen.front().at(end).toDouble(), 10.0), 0.0, 1e-9);
+}
+
+TEST(FrfPlot, AWindowOfItsOwnHasCurvesViewAndCursor) {
+  Drawn drawn;
+  drawn.plot.set_view(View::real_imaginary);
+  FrfPlot* const twin = drawn.plot.pop_out();
+  EXPECT_TRUE(twin->isWindow());
+  EXPECT_EQ(twin->curves().size(), 2U);
+  EXPECT_EQ(twin->view(), View::real_imaginary);
+  Q_EMIT drawn.plot.cursor_moved(500.0);
+  EXPECT_THAT(twin->readout().toStdString(), testing::StartsWith("500 Hz"));
+  delete twin;
 }
 
 TEST(FrfPlot, SavesPicturesAndTables) {

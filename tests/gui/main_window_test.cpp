@@ -11,9 +11,11 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QProcess>
+#include <QPushButton>
 #include <QSet>
 #include <QTabWidget>
 #include <QTemporaryDir>
+#include <QTextBrowser>
 #include <QTest>
 #include <QTimer>
 #include <cstdio>
@@ -24,6 +26,7 @@
 #include "base/stopwatch.hpp"
 #include "gui/compare/compare_page.hpp"
 #include "gui/data/data_page.hpp"
+#include "gui/help/help_window.hpp"
 #include "gui/look/message_bar.hpp"
 #include "gui/plot/frf_plot.hpp"
 #include "gui/project.hpp"
@@ -322,6 +325,42 @@ TEST(MainWindow, AWayThatIsOpenedIsAnEditAndASolution) {
   EXPECT_TRUE(project.is_modified());
   project.editor()->undo();
   EXPECT_FALSE(project.is_modified());
+}
+
+TEST(MainWindow, F1OpensThePageOfTheDocumentation) {
+  Shown shown;
+  QTest::keyClick(&shown.window, Qt::Key_4, Qt::ControlModifier);  // time records
+  QTest::keyClick(&shown.window, Qt::Key_F1);
+  auto* const help = shown.window.findChild<HelpWindow*>();
+  ASSERT_NE(help, nullptr);
+  EXPECT_TRUE(help->isVisible());
+  EXPECT_THAT(help->browser()->source().toString().toStdString(), testing::EndsWith("docs/records.md"));
+  EXPECT_THAT(help->browser()->toPlainText().toStdString(), testing::HasSubstr("jointid frf"));
+  help->show_page("no such page");
+  EXPECT_THAT(help->browser()->toPlainText().toStdString(), testing::HasSubstr("The workbench"));
+}
+
+TEST(MainWindow, OneKeyFoldsTheText) {
+  Shown shown;
+  shown.window.open({shown.scene("one.toml")});
+  QWidget& editor = *shown.window.current()->editor();
+  QTest::keyClick(&shown.window, Qt::Key_B, Qt::ControlModifier);
+  EXPECT_FALSE(editor.isVisible());
+  QTest::keyClick(&shown.window, Qt::Key_B, Qt::ControlModifier);
+  EXPECT_TRUE(editor.isVisible());
+}
+
+TEST(MainWindow, ACommandThatLacksUnsavedEditsSaysSo) {
+  Shown shown;
+  shown.window.open({shown.scene("one.toml")});
+  Project& project = *shown.window.current();
+  auto* const copy = find<QPushButton>(*project.solve_page(), "copy_command");
+  copy->click();
+  EXPECT_FALSE(project.messages()->isVisible());
+  QTest::keyClicks(project.editor(), "# x");
+  copy->click();
+  EXPECT_TRUE(project.messages()->isVisible());
+  EXPECT_THAT(project.messages()->text().toStdString(), testing::HasSubstr("edits since are not in it"));
 }
 
 TEST(MainWindow, ItsLayoutIsKept) {

@@ -2,18 +2,22 @@
 
 #include <gmock/gmock.h>
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTest>
+#include <QTextDocument>
 #include <cmath>
 #include <random>
 
 #include "command_files.hpp"
+#include "gui/data/data_page.hpp"
 #include "gui/look/choice_button.hpp"
 #include "gui/main_window.hpp"
 #include "gui/plot/chart.hpp"
 #include "gui/project.hpp"
+#include "gui/scene/scene_editor.hpp"
 #include "widgets.hpp"
 
 namespace jointid::gui {
@@ -221,6 +225,94 @@ TEST(RecordsPage, HasATabAndAKey) {
   ASSERT_NE(window.current(), nullptr);
   QTest::keyClick(&window, Qt::Key_4, Qt::ControlModifier);
   EXPECT_EQ(window.current()->pages()->currentWidget(), window.current()->records_page());
+}
+
+/// Three impacts a second apart at 256 Hz, the third with a second peak; the motion is twice the force, a sample later.
+std::string impacts() {
+  std::string text = "time,hammer,a\n";
+  const auto force = [](int i) {
+    const int in = i % 256;
+    const bool twice = i / 256 == 2 && in >= 60 && in <= 62;
+    return in == 20 || in == 22 || twice ? 5.0 : in == 21 ? 10.0 : 0.0;
+  };
+  for (int i = 0; i < 768; ++i) {
+    const double after = i > 0 ? 2.0 * force(i - 1) : 0.0;
+    text += QStringLiteral("%1,%2,%3\n").arg(i / 256.0, 0, 'g', 17).arg(force(i), 0, 'g', 17).arg(after, 0, 'g', 17).toStdString();
+  }
+  return text;
+}
+
+struct Impacts : Records {
+  Impacts() {
+    page.choose_tool("frf");
+    EXPECT_TRUE(open({write("hits.csv", impacts())}));
+    fill("records_frf_channel", "hammer=1:+Z N; a=2:+Z m/s^2");
+    fill("records_frf_block", "0.9");
+    fill("records_frf_pretrigger", "0.05");
+  }
+};
+
+TEST(RecordsPage, MakesFrfsAsTheCommandDoes) {
+  Impacts records;
+  ASSERT_TRUE(records.run());
+  EXPECT_THAT(records.page.status().toStdString(), HasSubstr("2 of 3 segments averaged"));
+  expect_as_the_command(records);
+}
+
+TEST(RecordsPage, RejectedImpactsHaveTheirReasonAndTracesTheirWindows) {
+  Impacts records;
+  ASSERT_TRUE(records.run());
+  const Findings& found = *records.page.shown();
+  const CellRows& segments = found.tables.front().second;
+  ASSERT_EQ(segments.cells.size(), 3U);
+  QString third;
+  for (const Cell& cell : segments.cells[2]) third += cell.text + ' ';
+  EXPECT_THAT(third.toStdString(), HasSubstr("double"));
+  ASSERT_EQ(found.plots.size(), 2U);
+  const auto& record = found.plots[1].second.choices.front().plots;
+  ASSERT_EQ(record.size(), 2U);  // a channel each
+  const auto& force = std::get<report::CurvePlot>(record.front());
+  EXPECT_EQ(force.series.size(), 3U);  // record, averaged, left out
+  EXPECT_THAT(force.y.label, HasSubstr("(N)"));
+}
+
+TEST(RecordsPage, CoherenceFollowsWhatIsSet) {
+  Impacts records;
+  ASSERT_TRUE(records.run());
+  auto* const keep = find<QCheckBox>(records.page, "records_frf_keep-faulty");
+  keep->click();
+  ASSERT_TRUE(records.rests());
+  EXPECT_THAT(records.page.status().toStdString(), HasSubstr("3 of 3 segments averaged"));
+  records.fill("records_frf_block", "-1");
+  Q_EMIT find<QLineEdit>(records.page, "records_frf_block")->editingFinished();
+  ASSERT_TRUE(records.rests());
+  EXPECT_THAT(records.page.status().toStdString(), HasSubstr("--block"));
+}
+
+TEST(RecordsPage, FrfsGoStraightIntoTheScene) {
+  const QTemporaryDir folder;
+  write_file(folder.filePath("hits.csv"), impacts());
+  MainWindow window;
+  window.show();
+  window.open({folder.filePath("hits.csv")});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window.count() == 1; }, 20000));
+  Project& project = *window.current();
+  RecordsPage& page = *project.records_page();
+  page.choose_tool("frf");
+  find<QLineEdit>(page, "records_frf_channel")->setText("hammer=1:+Z N; a=2:+Z m/s^2");
+  find<QLineEdit>(page, "records_frf_block")->setText("0.9");
+  const auto rests = [&] { return QTest::qWaitFor([&] { return !page.is_busy(); }, 60000); };
+  ASSERT_TRUE(rests());
+  page.run();
+  ASSERT_TRUE(rests());
+  page.write_frfs(folder.filePath("part.h5"));
+  find<QComboBox>(page, "records_role")->setCurrentIndex(1);
+  page.write_frfs(folder.filePath("both.h5"));
+  EXPECT_THAT(project.editor()->text(), HasSubstr("substructures = [\"part.h5\"]"));
+  EXPECT_THAT(project.editor()->text(), HasSubstr("assembly = [\"both.h5\"]"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return project.data_page()->files().size() == 2; }, 20000));
+  EXPECT_EQ(project.data_page()->files().front().error, "");
+  project.editor()->document()->setModified(false);
 }
 
 }  // namespace

@@ -109,5 +109,23 @@ TEST(Distance, OfAPointFromALine) {
   EXPECT_DOUBLE_EQ(distance_to({3.0, 4.0}, {0.0, 0.0}, {0.0, 0.0}), 5.0);
 }
 
+TEST(Camera, LooksAlongTheAxes) {
+  Camera camera;
+  camera.set_size({200.0, 200.0});
+  camera.look_at({{0.0, 0.0, 0.0}, 1.0});
+  const auto moves = [&camera](Camera::Side side, const Vector& axis) {
+    camera.look_from(side);
+    const QPointF off = camera.project(axis) - camera.project({0.0, 0.0, 0.0});
+    return std::pair(std::round(off.x() / camera.pixels()), std::round(-off.y() / camera.pixels()));
+  };
+  using Off = std::pair<double, double>;
+  EXPECT_EQ(moves(Camera::Side::front, {1, 0, 0}), Off(1, 0));
+  EXPECT_EQ(moves(Camera::Side::front, {0, 0, 1}), Off(0, 1));
+  EXPECT_EQ(moves(Camera::Side::side, {0, 1, 0}), Off(1, 0));
+  EXPECT_EQ(moves(Camera::Side::side, {0, 0, 1}), Off(0, 1));
+  EXPECT_EQ(moves(Camera::Side::top, {1, 0, 0}), Off(1, 0));
+  EXPECT_EQ(moves(Camera::Side::top, {0, 1, 0}), Off(0, 1));
+}
+
 }  // namespace
 }  // namespace jointid::gui

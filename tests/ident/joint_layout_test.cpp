@@ -1,4 +1,4 @@
-#include "tasks/joint_layout.hpp"
+#include "tasks/joint/joint_layout.hpp"
 
 #include <gmock/gmock.h>
 

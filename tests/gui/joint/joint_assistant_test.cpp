@@ -137,5 +137,56 @@ TEST(WithJoint, ReplacesMatricesThatStandInALine) {
   EXPECT_TRUE(check_scene(text, "/d/scene.toml").scene) << text;
 }
 
+/// Three nodes on either side, in three directions, not on one line.
+frf::FrfHeader surface(const char* file, std::int64_t first, double z) {
+  frf::FrfHeader made = part(file, {}, {{first, {0, 0, z}}, {first + 1, {0.1, 0, z}}, {first + 2, {0, 0.1, z}}});
+  for (std::int64_t node = first; node < first + 3; ++node) {
+    for (const auto direction : {frf::Direction::x, frf::Direction::y, frf::Direction::z}) made.response.push_back({node, direction});
+  }
+  made.reference = made.response;
+  return made;
+}
+
+TEST(JointAssistant, RigidPlatesAreVirtualPoints) {
+  JointAssistant assistant({surface("/d/low.uff", 1, 0.0), surface("/d/up.uff", 11, 0.01)});
+  find<QRadioButton>(assistant, "joint_plate")->click();
+  EXPECT_THAT(find<QRadioButton>(assistant, "joint_plate")->text().toStdString(), HasSubstr(": 12 unknown"));
+  const tasks::JointLayout layout = assistant.joint();
+  ASSERT_TRUE(layout.plate);
+  EXPECT_NEAR(layout.plate->position[2], 0.005, 1e-12);
+  std::string text = with_joint(small_scene, layout);
+  const CheckedScene checked = check_scene(text, "/d/scene.toml");
+  ASSERT_TRUE(checked.scene) << checked.error->problem << '\n' << text;
+  EXPECT_EQ(checked.scene->joints.front().dofs.size(), 12U);
+  EXPECT_THAT(text, HasSubstr("name = \"VP2\""));
+  // Once more, and the text has two virtual points again.
+  text = with_joint(text, layout);
+  EXPECT_TRUE(check_scene(text, "/d/scene.toml").scene);
+}
+
+TEST(JointAssistant, PlatesThatDoNotTellAllMotionsAreNone) {
+  Plates plates;  // on one line: the rotation about it is not seen
+  find<QRadioButton>(plates.assistant, "joint_plate")->click();
+  EXPECT_FALSE(plates.assistant.joint().plate);
+  EXPECT_FALSE(plates.may_accept());
+  EXPECT_THAT(find<QLabel>(plates.assistant, "joint_word")->text().toStdString(), HasSubstr("VP1"));
+}
+
+TEST(JointAssistant, TimeAndIntervalsStandBesideTheChoice) {
+  Plates plates;
+  std::vector<std::size_t> asked;
+  plates.assistant.set_forecast([&asked](const tasks::JointLayout& layout, const Worker::Watch&) {
+    asked.push_back(tasks::unknowns_of(layout));
+    return tasks::JointForecast{12, 290.0, {{"K.x", "N/m", 1e6, 1e4, 0.01}, {"K.z", "N/m", 1e6, 1e5, 0.1}}, ""};
+  });
+  const auto said = [&] { return plates.assistant.forecast().toStdString(); };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return said().find("95 %") != std::string::npos; }, 10000));
+  EXPECT_THAT(said(), HasSubstr("4 min 50 s"));
+  EXPECT_THAT(said(), HasSubstr("± 20 % of the worst"));
+  EXPECT_THAT(asked, testing::ElementsAre(12U));
+  find<QRadioButton>(plates.assistant, "joint_equal")->click();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return asked.size() == 2; }, 10000));
+}
+
 }  // namespace
 }  // namespace jointid::gui

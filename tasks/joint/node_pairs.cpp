@@ -1,11 +1,11 @@
-#include "tasks/node_pairs.hpp"
+#include "tasks/joint/node_pairs.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
 
-#include "tasks/placed_nodes.hpp"
+#include "tasks/joint/placed_nodes.hpp"
 
 namespace jointid::tasks {
 namespace {

@@ -1,4 +1,4 @@
-#include "tasks/placed_nodes.hpp"
+#include "tasks/joint/placed_nodes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "tasks/joint_layout.hpp"
+#include "tasks/joint/joint_layout.hpp"
 
 #include <algorithm>
 #include <map>
@@ -49,7 +49,17 @@ std::string by_direction(const JointLayout& layout) {
   return named.empty() ? "" : "{ " + joined(named, ", ") + " }";
 }
 
+/// Between the virtual points of a plate, motion by motion.
+std::string between_plates() {
+  const std::vector<frf::Dof> dofs = plate_dofs();
+  Springs lines;
+  for (std::size_t i = 0; i < dofs.size() / 2; ++i)
+    lines.push_back("  [\"" + dofs[i].name() + "\", \"" + dofs[i + dofs.size() / 2].name() + "\"]");
+  return "[\n" + joined(lines, ",\n") + ",\n]";
+}
+
 std::size_t unknowns_of_stiffness(const JointLayout& layout) {
+  if (layout.form == JointForm::plate) return plate_dofs().size() / 2;
   if (layout.form == JointForm::full) {
     const std::size_t size = dofs_of(layout).size();
     return size * (size + 1) / 2;
@@ -66,6 +76,7 @@ std::size_t unknowns_of_stiffness(const JointLayout& layout) {
 }  // namespace
 
 std::vector<frf::Dof> dofs_of(const JointLayout& layout) {
+  if (layout.form == JointForm::plate) return plate_dofs();
   std::vector<frf::Dof> dofs;
   for (const NodePair& pair : layout.pairs) {
     for (const frf::Direction direction : pair.directions) {
@@ -82,6 +93,7 @@ std::size_t unknowns_of(const JointLayout& layout) { return unknowns_of_stiffnes
 
 std::string springs_text(const JointLayout& layout) {
   if (layout.form == JointForm::full) return "";
+  if (layout.form == JointForm::plate) return between_plates();
   return layout.form == JointForm::springs ? one_by_one(layout) : by_direction(layout);
 }
 
