@@ -122,7 +122,10 @@ Json repeated(const Path& file, const Made& made, const Path& folder) {
 Json answer_json(const Difference& difference) {
   Json out = {{"same", difference.same()}, {"values", difference.values}, {"different", difference.other}};
   if (!difference.same())
-    out.update({{"largest_difference", difference.largest}, {"at", difference.at}, {"before", difference.before}, {"after", difference.after}});
+    out.update({{"largest_difference", difference.largest},
+                {"at", difference.at},
+                {"before", difference.before},
+                {"after", difference.after}});
   return out;
 }
 

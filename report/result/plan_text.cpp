@@ -147,7 +147,7 @@ std::optional<double> error_passed(const ident::Plan& plan) {
   return 2.0 * scene.noise->level / scene.identify.delta;
 }
 
-std::string delta_text(const ident::Plan& plan) {
+std::string what_delta_lets_pass(const ident::Plan& plan) {
   const auto passed = error_passed(plan);
   if (!passed) return {};
   return fmt::format("delta = {:g} keeps equations whose right-hand side is wrong by up to {:.3g} % with errors of {:.3g} % (6.62); "
@@ -162,7 +162,7 @@ std::string plan_text(const ident::Plan& plan) {
   const auto& identify = plan.scene.identify;
   if (!plan.chosen.empty()) table.add({"chosen", plan.chosen});
   table.add({"method", method_text(identify.method, plan.equations, identify.weighting, identify.delta, name(plan.solver))});
-  if (const std::string delta = delta_text(plan); !delta.empty()) table.add({"equations", delta});
+  if (const std::string delta = what_delta_lets_pass(plan); !delta.empty()) table.add({"equations", delta});
   table.add({"joint DOFs", dof_list(plan.coordinates.joint)});
   table.add({"other responses", dof_list(plan.coordinates.responses)});
   table.add({"other references", dof_list(plan.coordinates.references)});
