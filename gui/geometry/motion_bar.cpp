@@ -20,7 +20,7 @@ namespace jointid::gui {
 namespace {
 
 constexpr int picture_ms = 40, slider_width = 110, last_degree = 359;
-constexpr double percent = 0.01, full_turn = 2.0 * std::numbers::pi;
+constexpr double one_percent = 0.01, full_turn = 2.0 * std::numbers::pi;
 
 QSlider* slider(const char* name, const QString& title, int least, int most, int value) {
   auto* made = named(new QSlider(Qt::Horizontal), name, title, title);
@@ -136,7 +136,7 @@ void MotionBar::set_frequency(double frequency_hz) { frequency_->setValue(freque
 
 bool MotionBar::moves() const { return play_->isChecked(); }
 
-double MotionBar::amplitude() const { return percent * amplitude_->value(); }
+double MotionBar::amplitude() const { return one_percent * amplitude_->value(); }
 
 bool MotionBar::is_of_joint() const { return joint_->isChecked(); }
 

@@ -320,8 +320,11 @@ TEST_F(MeasuredMat, ASisoFrfHasItsModeWhereItWasMeasured) {
 }
 
 TEST_F(MeasuredMat, SteppedSinesInAStructureAreNoFrfSet) {
-  EXPECT_THAT(message_of([&] { open_mat_v5(data_ / "brake-reuss/ForcedFrequencyResponses.mat"); }),
-              HasSubstr("has no vector of frequencies; its variables are FRdata [1x1]"));
+  const auto file = data_ / "brake-reuss/ForcedFrequencyResponses.mat";
+  EXPECT_THAT(message_of([&] { open_mat_v5(file); }), HasSubstr("several variables may be the FRFs: FRdata.ForceControl(1).amplitude"));
+  OpenOptions options;
+  options.variable = "FRdata.ForceControl(1).amplitude";
+  EXPECT_THAT(message_of([&] { open_mat_v5(file, options); }), HasSubstr("'Hz, N, m/s^2, rad' is no unit of motion over force"));
 }
 
 }  // namespace
