@@ -33,11 +33,4 @@ struct RecordTool {
   bool runs_again = false;  ///< when a field changes, after it was run once
 };
 
-/// Proper orthogonal modes; delay, dimension and exponents of one channel; the friction law of a contact; displacements from
-/// strain gauges; channels that are late; FRFs of impacts or of a shaker.
-std::vector<RecordTool> record_tools();
-
-/// " --load 3 --keep-mean", in the order of the fields.
-QString options_of(const RecordTool& tool, const ToolValues& values);
-
 }  // namespace jointid::gui

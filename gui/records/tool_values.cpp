@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "gui/look/paths.hpp"
+#include "gui/look/said.hpp"
 
 namespace jointid::gui {
 
@@ -54,6 +56,21 @@ QStringList parted(const QString& texts) {
     if (!text.trimmed().isEmpty()) out << text.trimmed();
   }
   return out;
+}
+
+QString options_of(const RecordTool& tool, const ToolValues& values) {
+  QString text;
+  for (const ToolField& field : tool.fields) {
+    const auto place = values.find(field.option);
+    if (place == values.end()) continue;
+    if (field.kind == ToolField::Kind::texts) {
+      for (const QString& each : parted(place->second)) text += " " + q(field.option) + " " + shell_word(each);
+      continue;
+    }
+    text += " " + q(field.option);
+    if (field.kind != ToolField::Kind::flag) text += " " + shell_word(place->second);
+  }
+  return text;
 }
 
 }  // namespace jointid::gui

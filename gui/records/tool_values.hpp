@@ -25,4 +25,7 @@ std::vector<double> numbers_of(const ToolValues& values, const char* option);
 /// "a; b", without blanks around them.
 QStringList parted(const QString& texts);
 
+/// " --load 3 --keep-mean", in the order of the fields.
+QString options_of(const RecordTool& tool, const ToolValues& values);
+
 }  // namespace jointid::gui

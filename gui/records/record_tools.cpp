@@ -1,4 +1,4 @@
-#include "gui/records/record_tool.hpp"
+#include "gui/records/record_tools.hpp"
 
 #include <optional>
 
@@ -265,20 +265,5 @@ RecordTool align_tool() {
 }  // namespace
 
 std::vector<RecordTool> record_tools() { return {pod_tool(), delay_tool(), contact_tool(), strain_tool(), align_tool(), frf_tool()}; }
-
-QString options_of(const RecordTool& tool, const ToolValues& values) {
-  QString text;
-  for (const ToolField& field : tool.fields) {
-    const auto place = values.find(field.option);
-    if (place == values.end()) continue;
-    if (field.kind == Kind::texts) {
-      for (const QString& each : parted(place->second)) text += " " + q(field.option) + " " + shell_word(each);
-      continue;
-    }
-    text += " " + q(field.option);
-    if (field.kind != Kind::flag) text += " " + shell_word(place->second);
-  }
-  return text;
-}
 
 }  // namespace jointid::gui
