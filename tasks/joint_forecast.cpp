@@ -35,6 +35,7 @@ void find_bounds(const ident::Scene& scene, const ident::Plan& plan, const ident
   quick.judgement = ident::Judgement::none;
   const ident::Solution start = ident::solve(*linear, quick);
   stop_if(control.interrupted);
+  few.identify.method = ident::Method::likelihood;
   few.identify.start = start.bands.front().matrices;
   const auto likely = ident::make_plan(few);
   const BoundReport report = predict_bound(*likely, {}, control);

@@ -78,7 +78,17 @@ constexpr std::array state_words = {"same", "changed", "missing", "not compared"
 constexpr std::array output_options = {"--json", "--csv", "--report", "--out", "--output", "--curves", "--history", "--sweep", "--events",
                                        "--shapes", "--plot"};
 
-/// The words of the repetition, run in a folder of its own: without what was written, inputs by their whole paths, its JSON to `json`.
+/// What was given by --out; empty: nothing.
+Path main_output(const Made& made) {
+  for (std::size_t i = 1; i < made.command.size(); ++i) {
+    const std::string& word = made.command[i];
+    if (word == "--out" && i + 1 < made.command.size()) return made.command[i + 1];
+    if (word.starts_with("--out=")) return word.substr(word.find('=') + 1);
+  }
+  return {};
+}
+
+/// The words of the repetition, run in a folder of its own: inputs by their whole paths, its JSON to `json`, --out by its last name.
 std::vector<std::string> repetition(const Made& made, const Path& folder, const Path& program, const Path& json) {
   std::vector<std::string> out = {program.string()};
   for (std::size_t i = 1; i < made.command.size(); ++i) {
@@ -90,16 +100,18 @@ std::vector<std::string> repetition(const Made& made, const Path& folder, const 
     const bool is_input = std::ranges::find(made.inputs, word, &Made::Input::file) != made.inputs.end();
     out.push_back(is_input ? std::filesystem::absolute(folder / word).string() : word);
   }
+  if (const Path output = main_output(made); !output.empty()) out.insert(out.end(), {"--out", output.filename().string()});
   out.insert(out.end(), {"--json", json.string()});
   return out;
 }
 
-/// Names of files as the first run had them: relative to its folder.
-void make_relative(Json& value, const std::string& folder) {
+/// Names of files as the first run had them: relative to its folder, and the whole name of --out.
+void name_as_before(Json& value, const std::string& folder, const Path& output) {
   if (value.is_structured()) {
-    for (Json& each : value) make_relative(each, folder);
+    for (Json& each : value) name_as_before(each, folder, output);
   } else if (value.is_string()) {
     std::string text = value;
+    if (!output.empty() && text == output.filename()) text = output.string();
     for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder, at)) text.erase(at, folder.size());
     value = text;
   }
@@ -115,7 +127,7 @@ Json repeated(const Path& file, const Made& made, const Path& folder) {
     fail(file, "provenance.command", "its repetition ended with " + std::to_string(ended.exit_code) + " and without a result",
          "see the message above");
   Json result = read_json(json);
-  make_relative(result, std::filesystem::absolute(folder).string() + "/");
+  name_as_before(result, std::filesystem::absolute(folder).string() + "/", main_output(made));
   return result;
 }
 

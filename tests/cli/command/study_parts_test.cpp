@@ -1,6 +1,7 @@
 // Studies in parts, as arrays of jobs make them: killed, resumed, merged.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -26,8 +27,8 @@ const std::string trials_of_study = "1600";
 std::string part_file(int part) { return "part" + std::to_string(part) + ".h5"; }
 
 std::vector<std::string> part_command(int part, int parts = parts_of_study) {
-  return {"study", "A1.toml", "--trials", trials_of_study, "--threads", "1", "--part", std::to_string(part) + "/" + std::to_string(parts), "--out",
-          part_file(part), "--resume"};
+  const std::string share = std::to_string(part) + "/" + std::to_string(parts);
+  return {"study", "A1.toml", "--trials", trials_of_study, "--threads", "1", "--part", share, "--out", part_file(part), "--resume"};
 }
 
 std::vector<std::string> merge_command(int parts) {
@@ -90,8 +91,7 @@ TEST_F(ThreeParts, AreRefusedWhereOneIsMissingTwiceThereOrOfAnotherStudy) {
   EXPECT_THAT(refusal({"part1.h5", "again.h5", "part2.h5", "part3.h5"}), HasSubstr("1/3"));
   std::vector<std::string> other = part_command(2, 3);
   other.insert(other.end(), {"--seed", "9"});
-  other[8] = "other.h5";
-  ASSERT_EQ(other[7], "--out");
+  *(std::ranges::find(other, "--out") + 1) = "other.h5";
   ASSERT_EQ(run_command(folder_.path(), other).code, 0);
   EXPECT_THAT(refusal({"part1.h5", "other.h5", "part3.h5"}), HasSubstr("other.h5"));
   whole_study(folder_);
