@@ -10,6 +10,12 @@
 
 namespace jointid::gui {
 
+/// A JSON result without how it was made, which the workbench does not tell.
+inline std::string answers_of(std::string text) {
+  const std::size_t at = text.find(",\n  \"provenance\": {");
+  return at == std::string::npos ? text : text.substr(0, at) + "\n}\n";
+}
+
 /// All that a page of `jointid …` writes: JSON and CSV, where it has them, are those of its command line to the last byte; the
 /// report is a whole page.
 template <class Page>
@@ -27,7 +33,7 @@ void expect_the_commands_files(Page& page, const QTemporaryDir& folder) {
                   {"-c", shell_word(JOINTID_COMMAND) + page.command_line().mid(7) + " --" + ending + " " + shell_word(theirs)});
     ASSERT_TRUE(process.waitForFinished(120000));
     ASSERT_EQ(process.exitCode(), 0) << page.command_line().toStdString();
-    EXPECT_EQ(read_file(mine), read_file(theirs)) << ending.toStdString();
+    EXPECT_EQ(read_file(mine), answers_of(read_file(theirs))) << ending.toStdString();
   }
 }
 

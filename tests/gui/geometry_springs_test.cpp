@@ -81,6 +81,7 @@ TEST(StructureView, ArrowsMoveWithTheirNodes) {
   Structure structure = two_plates();
   structure.dofs = {{.node = 2, .direction = frf::Direction::z}};
   view.set_structure(structure);
+  view.grab();  // the camera has the size of the view from here on
   const QPointF before = view.tip_of(structure.dofs.front());
   view.set_shape({{2, {0.0, 0.0, 1.0}}}, 0.3);
   view.set_phase(0.0);

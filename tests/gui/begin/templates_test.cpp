@@ -47,7 +47,7 @@ struct Beginning {
   }
   /// Opens an example by keys alone.
   Project* open(const char* words) {
-    QTest::keyClick(&window, Qt::Key_O, Qt::ControlModifier | Qt::ShiftModifier);
+    QTest::keyClick(window.windowHandle(), Qt::Key_O, Qt::ControlModifier | Qt::ShiftModifier);
     auto* const dialog = window.findChild<ExampleDialog*>();
     EXPECT_NE(dialog, nullptr);
     if (dialog == nullptr) return nullptr;
