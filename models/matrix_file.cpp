@@ -161,7 +161,7 @@ FileMatrix from_compressed(const std::filesystem::path& path, const std::string&
   const auto fail = [&](const std::string& problem) { refuse_file(path, "variable " + name, problem, "write it again"); };
   const auto& [data, rows, begins] = sparse;
   if (begins.size() < 2 || begins.size() - 1 > most_sparse_rows) fail("it has no columns, or more than 2000000");
-  if (begins.back() > data.size() || begins.back() > rows.size()) fail("it has fewer elements than its columns tell");
+  if (begins.back() > data.size() || begins.back() > rows.size()) fail("it has fewer elements than its columns state");
   const std::size_t n = begins.size() - 1;
   FileElements elements(path);
   for (std::size_t j = 0; j < n; ++j) {

@@ -58,7 +58,7 @@ Made made_of(const Path& file, const Json& result) try {
   if (out.command.size() < 2) fail(file, "provenance", "names no command", "make the result again");
   return out;
 } catch (const Json::exception&) {
-  fail(file, "provenance", "does not say how the result was made", "make the result again with --json of this version");
+  fail(file, "provenance", "does not state how the result was made", "make the result again with --json of this version");
 }
 
 enum class InputState { same, changed, missing, unknown };

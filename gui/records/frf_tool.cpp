@@ -92,7 +92,7 @@ std::vector<ToolField> fields_of_channels() {
   return {{Kind::texts, "--channel", QStringLiteral("hammer=1:+Z N; a=4:+Z m/s^2"),
            Said::tr("Channels: COLUMN=DOF UNIT, parted by semicolons. Empty: as a universal file states them")},
           {Kind::number, "--reference", Said::tr("force at"), Said::tr("DOF of the force, or one for each file, parted by commas")},
-          {Kind::column, "--time", Said::tr("time"), Said::tr("Column of the times, if its title does not say so")},
+          {Kind::column, "--time", Said::tr("time"), Said::tr("Column of the times, if its title does not state them")},
           {Kind::number, "--rate", Said::tr("samples per second"), Said::tr("Samples per second, if the file does not state them")}};
 }
 

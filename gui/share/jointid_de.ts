@@ -3954,7 +3954,7 @@ Eine Auswertung und die Kanäle wählen, dann ausführen.</translation>
         <translation>Zeit</translation>
     </message>
     <message>
-        <source>Column of the times, if its title does not say so</source>
+        <source>Column of the times, if its title does not state them</source>
         <translation>Spalte der Zeiten, wenn ihr Titel es nicht sagt</translation>
     </message>
     <message>

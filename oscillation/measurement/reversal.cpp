@@ -77,7 +77,7 @@ void check(const ReversalRecord& record, const ReversalOptions& options) {
 void finish(ReversalStiffness& out, const ReversalOptions& options) {
   const ReversalSlopes &ahead = out.forward, &back = out.backward;
   if (ahead.parts == 0 || back.parts == 0) {
-    out.remark = "only one direction has straight parts: a tilt of the contact is not told from its stiffness";
+    out.remark = "only one direction has straight parts: a tilt of the contact is not known apart from its stiffness";
     out.slope = ahead.parts > 0 ? ahead.slope : back.slope;
     out.slope_error = ahead.parts > 0 ? ahead.error : back.error;
   } else {

@@ -85,7 +85,7 @@ void require_usable(const ExportedJoint& joint) {
   };
   static const std::set<std::string> usable = {ident::name(ident::Status::ok), ident::name(ident::Status::doubtful)};
   if (!usable.contains(joint.status))
-    fail("the joint is not usable: " + joint.status, "`jointid solve` says why; a joint that is not known is not exported");
+    fail("the joint is not usable: " + joint.status, "`jointid solve` gives the reason; a joint that is not known is not exported");
   for (const auto& [kind, rows] : joint.matrices) {
     for (const std::vector<double>& row : rows) {
       for (const double value : row) {

@@ -129,7 +129,7 @@ TEST(Rerun, RefusesWhatDoesNotSayHowItWasMade) {
   folder.write("list.json", "[1, 2]\n");
   const Outcome old = run_command(folder.path(), {"rerun", "old.json"});
   EXPECT_EQ(old.code, 3);
-  EXPECT_THAT(old.err, HasSubstr("old.json: provenance: does not say how the result was made; make the result again with --json"));
+  EXPECT_THAT(old.err, HasSubstr("old.json: provenance: does not state how the result was made; make the result again with --json"));
   for (const char* file : {"torn.json", "list.json", "not-there.json"}) EXPECT_EQ(run_command(folder.path(), {"rerun", file}).code, 3) << file;
 }
 
