@@ -162,7 +162,7 @@ OSCILLATE = Kind("oscillate", "Scenes of `oscillate`", ["oscillate"], ["oscillat
     T("sweep", {"parameter": '"velocity"', "range": "[0.1, 0.2]", "points": "3", "length": "10"}),
     T("reduction", {"bases": '["pod"]', "orders": "[1]"}),
     T("normal_vibrations", {"mass": "1.0", "stiffness": "1.0", "extension_stiffness": "1.0", "slope": "0.1", "offset": "0.1"},
-      stated={key: "a number" for key in ("damping", "extension_damping")} | {"frequencies": "a list of numbers"}),
+      stated={key: "a number" for key in ("damping", "extension_damping")}),
 ])
 
 MESH = {"youngs_modulus": "1.0", "width": "1.0", "length": "1.0", "members": "2", "height": "1.0"}
