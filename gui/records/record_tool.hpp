@@ -33,4 +33,10 @@ struct RecordTool {
   bool runs_again = false;  ///< when a field changes, after it was run once
 };
 
+/// "a; b", without blanks around them.
+QStringList parted(const QString& texts);
+
+/// " --load 3 --keep-mean", in the order of the fields.
+QString options_of(const RecordTool& tool, const ToolValues& values);
+
 }  // namespace jointid::gui

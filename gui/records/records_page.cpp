@@ -18,7 +18,6 @@
 #include "gui/page/job_line.hpp"
 #include "gui/records/record_tools.hpp"
 #include "gui/records/tool_form.hpp"
-#include "gui/records/tool_values.hpp"
 #include "records/file/open_samples.hpp"
 
 namespace jointid::gui {

@@ -22,10 +22,4 @@ std::size_t whole_of(const ToolValues& values, const char* option, std::size_t o
 /// "0.05,0.1"; empty where there are none.
 std::vector<double> numbers_of(const ToolValues& values, const char* option);
 
-/// "a; b", without blanks around them.
-QStringList parted(const QString& texts);
-
-/// " --load 3 --keep-mean", in the order of the fields.
-QString options_of(const RecordTool& tool, const ToolValues& values);
-
 }  // namespace jointid::gui
