@@ -16,6 +16,7 @@ namespace {
 struct Run {
   std::vector<std::string> command;
   std::vector<ident::NamedFile> inputs;
+  report::Json told_inputs;  ///< with their sums; null until they are asked for
 };
 
 Run run;
@@ -28,6 +29,15 @@ report::Json input_json(const ident::NamedFile& input) {
           {"place", input.place},
           {"bytes", unknown ? report::Json() : report::Json(bytes)},
           {"sha256", sum ? report::Json(*sum) : report::Json()}};
+}
+
+/// Read once, for JSON and page.
+const report::Json& told_inputs() {
+  if (run.told_inputs.is_null()) {
+    run.told_inputs = report::Json::array();
+    for (const ident::NamedFile& input : run.inputs) run.told_inputs.push_back(input_json(input));
+  }
+  return run.told_inputs;
 }
 
 /// Names of files: "libhdf5_serial.so.103.3.0".
@@ -50,8 +60,7 @@ report::Json provenance_json() {
                       {"commit", built_from()},
                       {"command", run.command},
                       {"folder", std::filesystem::current_path(unknown).string()},
-                      {"inputs", report::Json::array()}};
-  for (const ident::NamedFile& input : run.inputs) out["inputs"].push_back(input_json(input));
+                      {"inputs", told_inputs()}};
   out["libraries"] = loaded_libraries();
   return out;
 }
@@ -80,6 +89,7 @@ void add_provenance_inputs(const std::vector<ident::NamedFile>& inputs) {
   for (const ident::NamedFile& input : inputs) {
     if (std::ranges::find(run.inputs, input.path, &ident::NamedFile::path) == run.inputs.end()) run.inputs.push_back(input);
   }
+  run.told_inputs = nullptr;
 }
 
 std::string with_provenance(std::string text) {

@@ -255,7 +255,7 @@ class AnalyserText {
   }
 
   void require_parts() {
-    PolarSearch search(set_.header.quantity == Quantity::mobility ? OffResonance::imaginary : OffResonance::real);
+    PolarSearch search(set_.header.quantity);
     std::vector<Complex> values(cells_.size() / 2);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = {cells_[2 * i], cells_[2 * i + 1]};
     search.add(values, frfs_);

@@ -255,7 +255,7 @@ void require_radians(const CsvTable& table, const CsvColumns& columns) {
 
 /// Columns of real and imaginary parts that hold magnitudes and phases.
 void require_parts(const CsvTable& table, const CsvColumns& columns, FrfHeader& header) {
-  PolarSearch search(header.quantity == Quantity::mobility ? OffResonance::imaginary : OffResonance::real);
+  PolarSearch search(header.quantity);
   std::vector<Complex> values(table.rows());
   std::size_t first = 0;
   for (const auto& [pair, of_pair] : columns.pairs()) {

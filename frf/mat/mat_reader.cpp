@@ -297,7 +297,7 @@ class Reader {
   }
 
   void require_parts() {
-    PolarSearch search(set_.header.quantity == Quantity::mobility ? OffResonance::imaginary : OffResonance::real);
+    PolarSearch search(set_.header.quantity);
     search.add(set_.values, set_.header.entries());
     if (const auto finding = search.finding()) {
       lookup_.fail(place_of(frf_.name), "holds no real and imaginary parts but " + *finding,

@@ -111,7 +111,7 @@ class FunctionRecords {
     const FrfHeader& header = set_.header;
     const double none = std::numeric_limits<double>::quiet_NaN();
     set_.values.assign(header.lines() * header.entries(), {none, none});
-    PolarSearch search(header.quantity == Quantity::mobility ? OffResonance::imaginary : OffResonance::real);
+    PolarSearch search(header.quantity);
     for (std::size_t k = 0; k < count_; ++k) {
       const std::vector<Complex> values = numbers(k, "ordinate");
       if (search.may_be()) search.add(values);

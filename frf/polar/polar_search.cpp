@@ -161,7 +161,7 @@ std::optional<std::string> PolarSearch::finding() const {
       return begin + ", and the second stays at multiples of a right angle on most lines";
     if (turns_right(unit) && !below_) return begin + ", and the second turns by a right angle over each peak of the first, high or low";
   }
-  const bool sizes = off_resonance_ == OffResonance::real && !below_ && large_ == frfs_;
+  const bool sizes = quantity_ != Quantity::mobility && !below_ && large_ == frfs_;
   if (sizes && largest >= 0.3 && within(-360.0, 360.0))
     return "magnitudes and phases: " + signs + ", and the second is 100 times the first or more on most lines";
   return std::nullopt;

@@ -2,17 +2,15 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
 
 #include "base/complex.hpp"
+#include "frf/set/quantity.hpp"
 
 namespace jointid::frf {
-
-/// Whether FRFs of a quantity may be imaginary on most lines: mobilities of little damping are, receptances and accelerances never.
-enum class OffResonance : std::uint8_t { real, imaginary };
 
 /// Looks for magnitudes and phases among numbers that a file calls real and imaginary parts, a and b of each line.
 ///
@@ -25,12 +23,12 @@ enum class OffResonance : std::uint8_t { real, imaginary };
 ///   - turns, where no a is below 0: from half power to half power at most peaks of a, two at least, b turns by a right angle
 ///     ± 20 %, while these peaks are below 0.05 or above 5 half turns, or differ by a factor of 8. The circle of a resonance is as
 ///     wide as it is high;
-///   - sizes, where no a is below 0 and FRFs are real off resonances: |b| is 100 a or more on 80 % of the lines of every FRF and at
-///     least 0.3, at most 360.
+///   - sizes, where no a is below 0, but for mobilities, which little damping leaves imaginary on most lines: |b| is
+///     100 a or more on 80 % of the lines of every FRF and at least 0.3, at most 360.
 /// Values that are not finite are left out, FRFs of fewer than eight others not looked at.
 class PolarSearch {
  public:
-  explicit PolarSearch(OffResonance off_resonance) : off_resonance_(off_resonance) {}
+  explicit PolarSearch(Quantity quantity) : quantity_(quantity) {}
 
   /// One FRF over all lines, as the file has it.
   void add(std::span<const Complex> frf);
@@ -48,7 +46,7 @@ class PolarSearch {
   std::optional<std::string> doubt() const;
 
  private:
-  static constexpr std::array<double, 2> halves = {3.14159265358979323846, 180.0};
+  static constexpr std::array<double, 2> halves = {std::numbers::pi, 180.0};
 
   /// From half power to half power: whether b turns by a right angle, and how high.
   struct Turns {
@@ -67,7 +65,7 @@ class PolarSearch {
   bool within(double low, double high) const;
   bool turns_right(std::size_t unit) const;
 
-  OffResonance off_resonance_;
+  Quantity quantity_;
   std::size_t frfs_ = 0, large_ = 0;
   bool above_ = false, below_ = false;  ///< a of either sign
   double least_ = 0.0, most_ = 0.0;     ///< b

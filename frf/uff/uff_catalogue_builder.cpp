@@ -246,7 +246,7 @@ class CatalogueBuilder {
       const Dataset& dataset = datasets_[record.dataset];
       const std::uint64_t own = dataset.function->points;
       if (!search.may_be() || (points += own) > most_points) return;
-      PolarSearch first(OffResonance::imaginary);
+      PolarSearch first(header_.quantity);  // asked for signs alone
       if (dataset.binary) first.add(read_points(file_, dataset, 0, std::min(few, own)).values);
       if (!first.may_be()) return;
       search.add(read_points(file_, dataset).values);
@@ -254,7 +254,7 @@ class CatalogueBuilder {
   }
 
   void require_parts() {
-    PolarSearch search(header_.quantity == Quantity::mobility ? OffResonance::imaginary : OffResonance::real);
+    PolarSearch search(header_.quantity);
     try {
       look_at_parts(search);
     } catch (const InputError&) {

@@ -8,6 +8,7 @@
 #include "gui/look/said.hpp"
 #include "ident/admissible/constraint_phrases.hpp"
 #include "ident/plan/expected_time.hpp"
+#include "tasks/joint/joint_springs.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -77,7 +78,7 @@ std::optional<double> error_of(const ident::Solution& solution, std::size_t band
   for (const auto& [row, column] : {std::pair(i, j), std::pair(j, i)}) {
     const std::string name = symbol + "(" + std::to_string(row + 1) + "," + std::to_string(column + 1) + ")";
     const auto found = std::ranges::find(solution.unknowns, name, &ident::Estimate::name);
-    if (found != solution.unknowns.end()) return half_width(*found);
+    if (found != solution.unknowns.end()) return tasks::half_width(*found);
   }
   return std::nullopt;
 }
@@ -110,11 +111,6 @@ void add_fit(const ident::Solution& solution, Rows& out) {
 }
 
 }  // namespace
-
-std::optional<double> half_width(const ident::Estimate& estimate) {
-  if (estimate.ci95) return ((*estimate.ci95)[1] - (*estimate.ci95)[0]) / 2.0;
-  return estimate.error_estimate;
-}
 
 CellRows plan_rows(const ident::Plan& plan) {
   Rows out{{{Said::tr("what"), Said::tr("plan")}, {}, {}}};

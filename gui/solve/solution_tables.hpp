@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "gui/table/cell_table.hpp"
 #include "ident/plan/plan.hpp"
 #include "ident/result/solution.hpp"
@@ -10,9 +8,6 @@
 namespace jointid::gui {
 
 /// What solving reads, computes and leaves out.
-/// Half the 95 % interval, or the error that there is.
-std::optional<double> half_width(const ident::Estimate& estimate);
-
 CellRows plan_rows(const ident::Plan& plan);
 
 /// The smallest standard errors that the data allow, and what other data would make of them.

@@ -6,7 +6,7 @@
 
 #include "base/text.hpp"
 #include "gui/look/said.hpp"
-#include "gui/solve/solution_tables.hpp"
+#include "tasks/joint/joint_springs.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -64,7 +64,7 @@ void add_loss_factor(const ident::Estimate& k, const ident::Estimate* d, std::ve
     return;
   }
   row.push_back(number_cell(d->value / k.value));
-  const auto of_k = half_width(k), of_d = half_width(*d);
+  const auto of_k = tasks::half_width(k), of_d = tasks::half_width(*d);
   std::optional<double> half;
   if (of_k && of_d) half = *of_d / std::abs(k.value) + std::abs(d->value) * *of_k / (k.value * k.value);
   row.push_back(Cell{plus_minus(half)});
@@ -88,12 +88,12 @@ CellRows spring_rows(const ident::Solution& solution) {
     const auto name = spring_name(each.name);
     if (!name) continue;
     std::vector<Cell> row = {Cell{title(*name)}, number_cell(each.value),
-                             Cell{each.determined ? plus_minus(half_width(each)) : Said::tr("not determined by the data")},
+                             Cell{each.determined ? plus_minus(tasks::half_width(each)) : Said::tr("not determined by the data")},
                              Cell{q(each.unit)}};
     add_loss_factor(each, damping_of(solution, *name), row);
     Cell bar;
     if (const double scale = largest[direction(*name)]; std::isfinite(each.value) && scale > 0.0) {
-      const double half = half_width(each).value_or(0.0);
+      const double half = tasks::half_width(each).value_or(0.0);
       bar.bar = {{(each.value - half) / scale, each.value / scale, (each.value + half) / scale}};
     }
     row.push_back(std::move(bar));

@@ -184,7 +184,7 @@ std::string plan_json(const ident::Plan& plan, const std::optional<tasks::BoundR
                {"equations", equation_names(plan)},
                {"weighting", weighs ? Json(weighting::name(identify.weighting)) : Json(nullptr)},
                {"delta", weighs ? Json(identify.delta) : Json(nullptr)},
-               {"error_passed_by_delta", error_passed(plan) ? Json(*error_passed(plan)) : Json(nullptr)},
+               {"error_passed_by_delta", value(error_passed(plan))},
                {"solver", name(plan.solver)},
                {"dofs", frf::names(plan.coordinates.joint)},
                {"responses", frf::names(plan.coordinates.responses)},

@@ -87,7 +87,7 @@ void add_noise(std::vector<std::vector<Complex>>& set, std::mt19937_64& random, 
 }
 
 PolarSearch search_of(const std::vector<std::vector<Complex>>& set, bool mobility) {
-  PolarSearch search(mobility ? OffResonance::imaginary : OffResonance::real);
+  PolarSearch search(mobility ? Quantity::mobility : Quantity::receptance);
   for (const auto& frf : set) search.add(frf);
   return search;
 }
