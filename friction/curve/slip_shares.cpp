@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "base/least_value.hpp"
 
 namespace jointid::friction {
 namespace {
@@ -42,25 +43,13 @@ struct ShapedLine {
 
 /// The s between two ends, searched on a logarithmic grid and then by golden sections.
 ShapedLine best_shape(const SlipShares& shares, const Inner& inner, double low, double high, bool through_zero) {
-  constexpr int grid = 60;
-  constexpr double golden = 0.3819660112501051;
-  const auto at = [&](double place) {
-    const double s = low * std::pow(high / low, place / grid);
+  const auto at = [&](double share) {
+    const double s = low * std::pow(high / low, share);
     std::vector<double> g;
     for (const double h : shares.h) g.push_back(inner(h, s));
     return ShapedLine{s, straight_line(g, shares.u, through_zero)};
   };
-  const auto rest = [&](double place) { return at(place).line.rest; };
-  int best = 0;
-  for (int k = 1; k <= grid; ++k) {
-    if (rest(k) < rest(best)) best = k;
-  }
-  double from = std::max(best - 1, 0), to = std::min(best + 1, grid);
-  for (int k = 0; k < 60; ++k) {
-    const double a = from + golden * (to - from), b = to - golden * (to - from);
-    rest(a) < rest(b) ? to = b : from = a;
-  }
-  return at(0.5 * (from + to));
+  return at(least_over([&](double share) { return at(share).line.rest; }, 0.0, 1.0, 60, 1e-14));
 }
 
 /// The shares that forms are fitted to.

@@ -4,9 +4,9 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <functional>
 #include <limits>
 
+#include "base/least_value.hpp"
 #include "dense/cholesky.hpp"
 
 namespace jointid::impedance {
@@ -19,26 +19,6 @@ std::array<double, 4> cubic_splines(double w) {
   const double v = 1.0 - w;
   return {v * v * v / 6.0, (3.0 * w * w * w - 6.0 * w * w + 4.0) / 6.0, (-3.0 * w * w * w + 3.0 * w * w + 3.0 * w + 1.0) / 6.0,
           w * w * w / 6.0};
-}
-
-/// A minimum of a function between two logarithms, the least of a grid made finer.
-double least(const std::function<double(double)>& of, double low, double high) {
-  constexpr int grid = 60;
-  double best = low, at_best = of(low);
-  for (int k = 1; k <= grid; ++k) {
-    const double x = low + (high - low) * k / grid, value = of(x);
-    if (value < at_best) {
-      best = x;
-      at_best = value;
-    }
-  }
-  double a = best - (high - low) / grid, b = best + (high - low) / grid;
-  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
-  while (b - a > 1e-7) {
-    const double left = b - golden * (b - a), right = a + golden * (b - a);
-    of(left) < of(right) ? b = right : a = left;
-  }
-  return 0.5 * (a + b);
 }
 
 class Spline {
@@ -119,7 +99,7 @@ SplineFit fit_spline(const std::vector<double>& hz, const Eigen::VectorXcd& z, c
     return out;
   }
   const double usual = std::log(spline.usual());
-  const double best = least([&](double x) { return criterion(spline.at(std::exp(x))); }, usual - 16.0, usual + 16.0);
+  const double best = least_over([&](double x) { return criterion(spline.at(std::exp(x))); }, usual - 16.0, usual + 16.0, 60, 1e-7);
   SplineFit out = spline.at(std::exp(best));
   out.criterion = criterion(out);
   return out;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/least_value.hpp"
 #include "base/statistics.hpp"
 #include "dense/cholesky.hpp"
 
@@ -46,19 +47,8 @@ Line line(const Slip& slip, double decay) {
 
 /// The α of the smallest sum of squares: a logarithmic grid, then golden sections.
 double best_decay(const Slip& slip, double most) {
-  constexpr int grid = 120;
-  const auto place = [&](double k) { return most * std::pow(1e-4, 1.0 - k / grid); };
-  int best = 0;
-  for (int k = 1; k <= grid; ++k) {
-    if (line(slip, place(k)).squares < line(slip, place(best)).squares) best = k;
-  }
-  double low = std::max(best - 1, 0), high = std::min(best + 1, grid);
-  for (int k = 0; k < 80; ++k) {
-    const double a = low + 0.381966 * (high - low), b = low + 0.618034 * (high - low);
-    (line(slip, place(a)).squares < line(slip, place(b)).squares ? high : low) =
-        line(slip, place(a)).squares < line(slip, place(b)).squares ? b : a;
-  }
-  return place(0.5 * (low + high));
+  const auto decay = [&](double share) { return most * std::pow(1e-4, 1.0 - share); };
+  return decay(least_over([&](double share) { return line(slip, decay(share)).squares; }, 0.0, 1.0, 120, 1e-14));
 }
 
 void add_errors(FrictionLaw& law, const Slip& slip) {

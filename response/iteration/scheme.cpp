@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/least_value.hpp"
 #include "dense/eigen.hpp"
 #include "dense/lu.hpp"
 
@@ -73,28 +74,6 @@ Linearised linearised(Scheme scheme, const CondensedEquations& equations, const 
 MatrixXcd system_of(const Linearised& at, const HarmonicLine& line, Index n) {
   const MatrixXcd& g = line.harmonics[static_cast<std::size_t>(n)].joints;
   return MatrixXcd::Identity(g.rows(), g.cols()) + g * at.stiffness.row(n).transpose().asDiagonal();
-}
-
-/// The least value of `of` over 0 < α ≤ 1 by golden section.
-template <class Of>
-double golden_section(const Of& of) {
-  const double ratio = 0.5 * (std::sqrt(5.0) - 1.0);
-  double low = 0.0, high = 1.0, left = high - ratio * (high - low), right = low + ratio * (high - low);
-  double at_left = of(left), at_right = of(right);
-  while (high - low > 1e-6) {
-    if (at_left < at_right) {
-      high = right;
-      right = std::exchange(left, high - ratio * (high - low));
-      left = high - ratio * (high - low);
-      at_right = std::exchange(at_left, of(left));
-    } else {
-      low = left;
-      left = std::exchange(right, low + ratio * (high - low));
-      right = low + ratio * (high - low);
-      at_left = std::exchange(at_right, of(right));
-    }
-  }
-  return 0.5 * (low + high);
 }
 
 }  // namespace
@@ -166,7 +145,7 @@ Iteration iterate(Scheme scheme, const CondensedEquations& equations, const Harm
         const double found = (map(motion) - motion).norm();
         return std::isfinite(found) ? found : std::numeric_limits<double>::infinity();
       };
-      reached = run.motion + golden_section(along) * step;
+      reached = run.motion + least_between(along, 0.0, 1.0, 1e-6) * step;
       after = map(reached);
       now = (after - reached).norm();
       if (!(now < distance)) break;
