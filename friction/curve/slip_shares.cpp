@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
-#include "base/least_value.hpp"
+#include "minimise/least_value.hpp"
 
 namespace jointid::friction {
 namespace {

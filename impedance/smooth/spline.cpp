@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "base/least_value.hpp"
 #include "dense/cholesky.hpp"
+#include "minimise/least_value.hpp"
 
 namespace jointid::impedance {
 namespace {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "base/least_value.hpp"
 #include "base/statistics.hpp"
 #include "dense/cholesky.hpp"
+#include "minimise/least_value.hpp"
 
 namespace jointid::oscillation {
 namespace {

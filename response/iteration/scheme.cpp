@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/least_value.hpp"
 #include "dense/eigen.hpp"
 #include "dense/lu.hpp"
+#include "minimise/least_value.hpp"
 
 namespace jointid::response {
 namespace {

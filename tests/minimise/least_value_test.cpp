@@ -1,4 +1,4 @@
-#include "base/least_value.hpp"
+#include "minimise/least_value.hpp"
 
 #include <gtest/gtest.h>
 
