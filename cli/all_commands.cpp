@@ -1,6 +1,5 @@
 #include <array>
 
-#include "cli/check/check_command.hpp"
 #include "cli/commands.hpp"
 #include "cli/compare/compare_command.hpp"
 #include "cli/convert/convert_command.hpp"

@@ -13,7 +13,7 @@ namespace {
 void add_first_commands(CLI::App& app, Chosen& chosen) {
   add_linear_solve(app, chosen);
   add_linear_plan(app, chosen);
-  add_check(app, chosen);
+  add_linear_check(app, chosen);
   add_info(app, chosen);
   add_convert(app, chosen);
   declare_problem(app, chosen, linear_problems());

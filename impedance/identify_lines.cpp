@@ -366,6 +366,8 @@ void refuse_systematic(const LineScene& scene) {
 
 }  // namespace
 
+std::vector<ElementName> elements_of(const LineScene& scene) { return empty_result(Way::likelihood, scene).elements; }
+
 IdentifiedLines identify_lines(const LineScene& scene, const ident::Control& control) {
   refuse_systematic(scene);
   return identify(scene, *ident::make_plan(scene.scene), control);

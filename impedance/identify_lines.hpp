@@ -16,4 +16,7 @@ IdentifiedLines identify_lines(const LineScene& scene, const ident::Control& con
 IdentifiedLines identify_lines(const LineScene& scene, std::vector<frf::FrfSet> substructures, std::vector<frf::FrfSet> assembly,
                                const ident::Control& control = {});
 
+/// The unknowns of the scene's structure at a line.
+std::vector<ElementName> elements_of(const LineScene& scene);
+
 }  // namespace jointid::impedance

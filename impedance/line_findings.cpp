@@ -103,7 +103,7 @@ void judge_fit(const ident::Plan& plan, const LineScene& scene, const std::funct
   tell(ratio > poor ? Status::poor_fit : Status::doubtful,
        sentence +
            ": Z and its intervals may be wrong there. Look for interface DOFs that are left out (rotations), a structure that "
-           "does not fit, and faulty FRFs (`jointid check` with matrices in place of lines).",
+           "does not fit, and faulty FRFs (`jointid check`).",
        out);
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "cli/check/check_command.hpp"
 #include "cli/options/output.hpp"
 #include "cli/solve/plan_command.hpp"
 #include "cli/solve/solve_command.hpp"
@@ -9,11 +10,14 @@
 #include "cli/text/progress.hpp"
 #include "cli/text/tell_status.hpp"
 #include "ident/scene/scene_files.hpp"
+#include "impedance/check_lines.hpp"
 #include "impedance/identify_lines.hpp"
+#include "impedance/line_plan.hpp"
 #include "impedance/scene/read_line_scene.hpp"
 #include "laws/scene/read_law_scene.hpp"
 #include "laws/task/identify_laws.hpp"
 #include "laws/task/law_bound.hpp"
+#include "report/impedance/line_plan_text.hpp"
 #include "report/impedance/line_report.hpp"
 #include "report/laws/law_bound_text.hpp"
 #include "report/laws/law_page.hpp"
@@ -59,7 +63,22 @@ ExitCode solve_laws(const SolveArguments& arguments, const std::string& text, st
   return tell_status(scene.file.string(), found.status, found.message);
 }
 
+ExitCode plan_lines(const PlanArguments& arguments, const std::string& text, std::ostream& out) {
+  if (!arguments.candidates.empty()) {
+    throw InputError({ErrorKind::usage, arguments.scene.string(), "--candidates",
+                      "what further coordinates bring Z at every line is not predicted", "compare `plan --bound` of two scenes, with and without them"});
+  }
+  const impedance::LineScene scene = impedance::parse_line_scene(text, arguments.scene);
+  check_targets(ident::files_of(scene.scene), {{"--json", arguments.json}});
+  Progress progress;
+  const impedance::LinePlan plan = impedance::plan_lines(scene, arguments.bound, progress.control());
+  if (arguments.json) write_target(*arguments.json, report::line_plan_json(scene, plan), out);
+  if (arguments.json != "-") out << report::line_plan_text(scene, plan);
+  return ExitCode::done;
+}
+
 ExitCode plan_laws(const PlanArguments& arguments, const std::string& text, std::ostream& out) {
+  if (scene::is_line_scene(text, arguments.scene)) return plan_lines(arguments, text, out);
   const auto refuse = [&](const char* problem, const char* remedy) {
     throw InputError({ErrorKind::usage, arguments.scene.string(), "[[joint.friction]]", problem, remedy});
   };
@@ -75,10 +94,24 @@ ExitCode plan_laws(const PlanArguments& arguments, const std::string& text, std:
   return ExitCode::done;
 }
 
+ExitCode check_lines(const CheckArguments& arguments, const std::string& text, std::ostream& out) {
+  if (!scene::is_line_scene(text, arguments.scene)) {
+    throw InputError({ErrorKind::usage, arguments.scene.string(), "[[joint.friction]]",
+                      "scenes of friction laws have no check of their own", "run `jointid solve`: it states which levels and harmonics no law explains"});
+  }
+  const impedance::LineScene scene = impedance::parse_line_scene(text, arguments.scene);
+  check_targets(ident::files_of(scene.scene), {{"--json", arguments.json}});
+  Progress progress;
+  write_check(arguments, impedance::check_lines(scene, progress.control()), out);
+  return ExitCode::done;
+}
+
 }  // namespace
 
 void add_solve(CLI::App& app, Chosen& chosen) { add_linear_solve(app, chosen).run_laws = solve_laws; }
 
 void add_plan(CLI::App& app, Chosen& chosen) { add_linear_plan(app, chosen).run_laws = plan_laws; }
+
+void add_check(CLI::App& app, Chosen& chosen) { add_linear_check(app, chosen).run_laws = check_lines; }
 
 }  // namespace jointid::cli

@@ -14,4 +14,7 @@ void add_solve(CLI::App& app, Chosen& chosen);
 /// Declares `plan` of all scenes; choosing it stores it.
 void add_plan(CLI::App& app, Chosen& chosen);
 
+/// Declares `check` of all scenes of FRFs; choosing it stores it.
+void add_check(CLI::App& app, Chosen& chosen);
+
 }  // namespace jointid::cli

@@ -73,7 +73,7 @@ bool is_elsewhere(const PlanArguments& arguments) { return arguments.run_laws ==
 
 ExitCode execute(const PlanArguments& arguments, std::ostream& out) {
   const std::string text = scene::read_text(arguments.scene);
-  if (scene::is_law_scene(text, arguments.scene)) return run_law_scene(arguments, text, out);
+  if (is_law_or_line_scene(text, arguments.scene)) return run_law_scene(arguments, text, out);
   const ident::Scene scene = ident::parse_scene(text, arguments.scene);
   check_targets(ident::files_of(scene), {{"--json", arguments.json}});
   const auto plan = with_progress("planning", [&] { return ident::make_plan(scene); });

@@ -141,16 +141,6 @@ Json receptances(const std::vector<Eigen::MatrixXcd>& all) {
   return out;
 }
 
-Table parameter_table(const impedance::LawFit& law) {
-  Table table({{"parameter", Align::left}, {"value"}, {"unit", Align::left}, {"std error"}, {"95 % interval", Align::left}});
-  for (const impedance::FittedParameter& one : law.parameters) {
-    const double half = normal_95 * one.std_error;
-    table.add({one.name, number(one.value, one.std_error), one.unit, fmt::format("{:.2g}", one.std_error),
-               number(one.value - half, one.std_error) + " to " + number(one.value + half, one.std_error)});
-  }
-  return table;
-}
-
 std::vector<std::string> value_cells(const std::string& way, const impedance::ElementName& element, double hz, Complex z,
                                      double re_error, double im_error) {
   std::vector<std::string> out = {way, element.name, element.unit};
@@ -185,6 +175,16 @@ std::string laws_text(const IdentifiedLines& found) {
 }
 
 }  // namespace
+
+Table parameter_table(const impedance::LawFit& law) {
+  Table table({{"parameter", Align::left}, {"value"}, {"unit", Align::left}, {"std error"}, {"95 % interval", Align::left}});
+  for (const impedance::FittedParameter& one : law.parameters) {
+    const double half = normal_95 * one.std_error;
+    table.add({one.name, number(one.value, one.std_error), one.unit, fmt::format("{:.2g}", one.std_error),
+               number(one.value - half, one.std_error) + " to " + number(one.value + half, one.std_error)});
+  }
+  return table;
+}
 
 Table law_table(const IdentifiedLines& found) {
   Table table({{"law", Align::left}, {"unknowns"}, {"χ²"}, {"freedom"}, {"χ²/f"}, {"AIC − least"}, {"", Align::left}});

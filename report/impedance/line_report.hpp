@@ -13,6 +13,9 @@ Table line_table(const impedance::IdentifiedLines& found, const impedance::WayRe
 /// Laws by AIC, least first.
 Table law_table(const impedance::IdentifiedLines& found);
 
+/// Its parameters with their errors.
+Table parameter_table(const impedance::LawFit& law);
+
 /// All of it for people.
 std::string line_text(const impedance::LineScene& scene, const impedance::IdentifiedLines& found);
 
