@@ -31,7 +31,6 @@ LinePlan plan_lines(const LineScene& scene, bool with_bound, const ident::Contro
                 {"H_sub(n,n) − H_asm(n,n)", measured(first.drop_nn)}};
   out.freedom = first.redundancy(observations.layout()) - 2.0 * static_cast<double>(out.elements.size());
   out.variances = ident::variance_sources(*plan);
-  out.left_out = plan->left_out;
   out.warnings = plan->warnings;
   out.notes = plan->notes;
   if (with_bound) {

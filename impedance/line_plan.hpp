@@ -18,7 +18,7 @@ struct LinePlan {
   std::vector<std::pair<std::string, std::size_t>> blocks;  ///< "H_sub(j,n)" and how many FRFs of it a line has, one of each reciprocal pair
   double freedom = 0.0;                                     ///< degrees of freedom of the line
   std::vector<ident::VarianceSource> variances;
-  std::vector<std::string> left_out, warnings, notes;
+  std::vector<std::string> warnings, notes;
   /// Z and its covariance at every line from the FRFs that are there: at exact FRFs, of a model, the Cramér–Rao bound of data with the
   /// errors that the scene states. Of measured ones an estimate of it. Empty where it is not asked for.
   std::optional<IdentifiedLines> bound{};

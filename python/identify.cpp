@@ -11,6 +11,8 @@
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "ident/whole_check.hpp"
+#include "impedance/check_lines.hpp"
+#include "impedance/scene/read_line_scene.hpp"
 #include "laws/scene/read_law_scene.hpp"
 #include "laws/task/identify_laws.hpp"
 #include "laws/task/law_bound.hpp"
@@ -142,8 +144,10 @@ Outcome solve(const SceneText& text, const ident::Control& control, SoFar& so_fa
 }
 
 Outcome check(const SceneText& text, const ident::Control& control) {
-  const auto result =
-      std::make_shared<const ident::CheckResult>(ident::check_whole(ident::parse_scene(text.text, text.file), control));
+  const auto result = std::make_shared<const ident::CheckResult>(
+      scene::is_line_scene(text.text, text.file)
+          ? impedance::check_lines(impedance::parse_line_scene(text.text, text.file), control)
+          : ident::check_whole(ident::parse_scene(text.text, text.file), control));
   return {.status = ident::name(result->verdict),
           .message = {},
           .usable = result->verdict == ident::Verdict::clean,
@@ -151,7 +155,8 @@ Outcome check(const SceneText& text, const ident::Control& control) {
           .text = [result] { return report::check_text(*result); }};
 }
 
-Outcome plan(const SceneText& text, const ident::Control&) {
+Outcome plan(const SceneText& text, const ident::Control& control) {
+  if (scene::is_line_scene(text.text, text.file)) return plan_lines(text, false, control);
   if (scene::is_law_scene(text.text, text.file))
     refuse_law_scene(text, "scenes of friction laws have no plan but the bound", "call bound(): what the levels will determine");
   const std::shared_ptr<const ident::Plan> made = ident::make_plan(ident::parse_scene(text.text, text.file));
@@ -163,6 +168,13 @@ Outcome plan(const SceneText& text, const ident::Control&) {
 
 Outcome bound(const SceneText& text, const std::vector<frf::Dof>& candidates, const ident::Control& control, SoFar& so_far) {
   if (scene::is_law_scene(text.text, text.file)) return bound_of_laws(text, !candidates.empty());
+  if (scene::is_line_scene(text.text, text.file)) {
+    if (!candidates.empty()) {
+      throw InputError({ErrorKind::usage, text.file.string(), "candidates",
+                        "what further coordinates bring Z at every line is not predicted", "compare bound() of two scenes"});
+    }
+    return plan_lines(text, true, control);
+  }
   const std::shared_ptr<ident::Plan> made = ident::make_plan(ident::parse_scene(text.text, text.file));
   const auto keep = [&so_far, made](const tasks::BoundReport& report) {
     so_far.put([made, kept = report]() mutable {

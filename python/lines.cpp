@@ -7,9 +7,11 @@
 #include "ident/scene/scene_files.hpp"
 #include "impedance/decouple/decouple.hpp"
 #include "impedance/identify_lines.hpp"
+#include "impedance/line_plan.hpp"
 #include "impedance/scene/read_line_scene.hpp"
 #include "python/outputs.hpp"
 #include "report/impedance/decouple_report.hpp"
+#include "report/impedance/line_plan_text.hpp"
 #include "report/impedance/line_report.hpp"
 
 namespace jointid::python {
@@ -34,6 +36,15 @@ Outcome solve_lines(const SceneText& text, const ident::Control& control) {
           .text = [=] { return report::line_text(*scene, *found); },
           .csv = [=] { return report::line_csv(*found); },
           .page = [=](const ident::Control&) { return report::line_page(*scene, *found); }};
+}
+
+Outcome plan_lines(const SceneText& text, bool with_bound, const ident::Control& control) {
+  const auto scene = std::make_shared<const impedance::LineScene>(impedance::parse_line_scene(text.text, text.file));
+  const auto plan = std::make_shared<const impedance::LinePlan>(impedance::plan_lines(*scene, with_bound, control));
+  return {.status = {},
+          .message = {},
+          .json = [=] { return report::line_plan_json(*scene, *plan); },
+          .text = [=] { return report::line_plan_text(*scene, *plan); }};
 }
 
 Outcome decouple(const SceneText& text, const std::filesystem::path& out, const ident::Control& control) {

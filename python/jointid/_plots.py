@@ -112,9 +112,25 @@ def plot_bound(result: Any, axes: Any) -> Any:
     bound = result.to_dict().get("bound")
     if bound is None:
         raise InputError("friction laws have bounds by force level", place="plot_bound", remedy="see text() and to_dict()")
+    if "relative_median" in bound:
+        return _plot_bound_of_lines(result, axes)
     axes = _bars(axes, [each["name"] for each in bound["unknowns"]])
     axes.barh(range(len(bound["unknowns"])), [100.0 * (each["relative"] or np.nan) for each in bound["unknowns"]])
     axes.set_xlabel("standard error, % of the value")
+    return axes
+
+
+def _plot_bound_of_lines(result: Any, axes: Any) -> Any:
+    """Each element over the lines."""
+    if axes is None:
+        _, axes = pyplot().subplots(layout="constrained")
+    lines = result["bound"]["lines"]
+    for t, element in enumerate(result["elements"]):
+        errors = [np.nan if line is None or line["relative"][t] is None else 100.0 * line["relative"][t] for line in lines]
+        axes.semilogy(result["frequency_hz"], errors, label=element["name"], linewidth=1)
+    axes.set_xlabel("Hz")
+    axes.set_ylabel("standard error, % of |z|")
+    axes.legend()
     return axes
 
 

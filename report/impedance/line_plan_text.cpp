@@ -94,9 +94,12 @@ Json bound_json(const impedance::IdentifiedLines& bound) {
       out["lines"].push_back(nullptr);
       continue;
     }
-    Json errors = Json::array();
-    for (Eigen::Index t = 0; t < line->z.size(); ++t) errors.push_back({value(line->re_error(t)), value(line->im_error(t))});
-    out["lines"].push_back(std::move(errors));
+    Json of_line = {{"std_error", Json::array()}, {"relative", Json::array()}};
+    for (Eigen::Index t = 0; t < line->z.size(); ++t) {
+      of_line["std_error"].push_back({value(line->re_error(t)), value(line->im_error(t))});
+      of_line["relative"].push_back(value(relative_error(*line, static_cast<std::size_t>(t))));
+    }
+    out["lines"].push_back(std::move(of_line));
   }
   for (std::size_t t = 0; t < bound.likelihood.elements.size(); ++t) {
     const std::vector<double> errors = relative_errors(bound, t);
@@ -129,7 +132,7 @@ std::string line_plan_text(const LineScene& scene, const LinePlan& plan) {
   table.add({"degrees of freedom of a line",
              fmt::format("{:.0f}{}", plan.freedom, plan.freedom > 0.0 ? "" : ": nothing can contradict the answer")});
   return (scene.scene.title.empty() ? "" : scene.scene.title + "\n") + table.text() + variances_text(plan.variances) +
-         phrases("left out", plan.left_out) + phrases("warnings", plan.warnings) + phrases("notes", plan.notes) +
+         phrases("warnings", plan.warnings) + phrases("notes", plan.notes) +
          (plan.bound ? bound_text(*plan.bound) : "");
 }
 
@@ -145,7 +148,6 @@ std::string line_plan_json(const LineScene& scene, const LinePlan& plan) {
               {"frfs_of_line", Json::object()},
               {"degrees_of_freedom_of_line", value(plan.freedom)},
               {"variances", Json::array()},
-              {"left_out", plan.left_out},
               {"warnings", plan.warnings},
               {"notes", plan.notes}};
   for (const impedance::ElementName& element : plan.elements) out["elements"].push_back({{"name", element.name}, {"unit", element.unit}});

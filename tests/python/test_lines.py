@@ -39,6 +39,24 @@ def test_the_answers_are_those_of_the_command(isolator, solution):
     assert jointid.identify(isolator).to_dict() == solution.to_dict()
 
 
+def test_check_plan_and_bound_are_those_of_the_command(isolator):
+    checked, planned, bound = jointid.check(isolator), jointid.plan(isolator), jointid.bound(isolator)
+    assert checked.to_dict() == command("check", isolator, "--json", "-") and checked.status == "clean"
+    assert planned.to_dict() == command("plan", isolator, "--json", "-") and "bound" not in planned.to_dict()
+    assert bound.to_dict() == command("plan", isolator, "--bound", "--json", "-")
+    with pytest.raises(jointid.InputError, match="further coordinates"):
+        jointid.bound(isolator, candidates=["3:+Y"])
+    with pytest.raises(AssertionError, match="--candidates"):
+        command("plan", isolator, "--bound", "--candidates", "3:+Y")
+
+
+def test_the_bound_over_the_lines_is_drawn(isolator):
+    bound = jointid.bound(isolator)
+    line, = bound.plot_bound().get_lines()
+    assert line.get_label() == "z(1,1)"
+    np.testing.assert_allclose(line.get_ydata(), [100 * each["relative"][0] for each in bound["bound"]["lines"]])
+
+
 def test_identify_of_such_a_scene_is_a_solution_by_lines(isolator):
     assert isinstance(jointid.identify(isolator), jointid.LineSolution)
 
