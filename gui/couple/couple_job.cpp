@@ -7,6 +7,7 @@
 #include "frf/file/file_format.hpp"
 #include "gui/look/said.hpp"
 #include "gui/work/control_of.hpp"
+#include "report/text/frf_criteria.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -32,17 +33,21 @@ std::shared_ptr<const Coupled> run_coupling(const CoupleWish& wish, const Worker
 
 CellRows coupling_errors(const Coupled& coupled) {
   CellRows out;
-  out.columns << Said::tr("FRF") << Said::tr("error in dB (rms)");
-  std::vector<std::pair<double, std::string>> all;
+  out.columns << Said::tr("FRF") << Said::tr("error in dB (rms)") << Said::tr("FRAC") << Said::tr("LAC, mean");
+  std::vector<std::pair<double, const tasks::PredictedFrf*>> all;
   for (const tasks::PredictedFrf& frf : coupled.frfs) {
     const double error = tasks::error_db(frf);
-    if (std::isfinite(error)) all.emplace_back(error, frf.response.name() + " / " + frf.reference.name());
+    if (std::isfinite(error)) all.emplace_back(error, &frf);
   }
-  std::ranges::stable_sort(all, std::ranges::greater(), &std::pair<double, std::string>::first);
-  for (const auto& [error, name] : all) {
+  std::ranges::stable_sort(all, std::ranges::greater(), [](const auto& each) { return each.first; });
+  for (const auto& [error, frf] : all) {
     Cell cell{q(digits(error, "%.2f"))};
     cell.shade = std::min(1.0, error / deepest_db);
-    out.cells.push_back({{q(name)}, std::move(cell)});
+    const report::FrfCriteria alike = report::criteria_of(frf->measured, frf->value);
+    out.cells.push_back({{q(frf->response.name() + " / " + frf->reference.name())},
+                         std::move(cell),
+                         {q(report::criterion_text(alike.frac))},
+                         {q(report::criterion_text(alike.lac))}});
   }
   return out;
 }

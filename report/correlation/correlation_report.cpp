@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "correlation/common_places.hpp"
 #include "report/json_value.hpp"
+#include "report/text/frf_criteria.hpp"
 #include "report/text/table.hpp"
 
 namespace jointid::report {
@@ -33,9 +34,6 @@ std::vector<FrfAgreement> by_frac(const CorrelatedFrfs& found) {
   return out;
 }
 
-/// FRAC close to 1 needs its distance from 1.
-std::string criterion(double value) { return std::isfinite(value) ? fmt::format("{:.6f}", value) : "–"; }
-
 std::string ratio_text(double ratio) { return std::isfinite(ratio) ? fmt::format("{:.3g}", ratio) : "–"; }
 
 std::string frf_table(const CorrelatedFrfs& found) {
@@ -43,8 +41,8 @@ std::string frf_table(const CorrelatedFrfs& found) {
   const std::vector<FrfAgreement> all = by_frac(found);
   for (std::size_t i = 0; i < std::min(most_rows, all.size()); ++i) {
     const FrfAgreement& each = all[i];
-    table.add({each.response.name() + "/" + each.reference.name(), std::to_string(each.lines), criterion(each.frac),
-               criterion(each.lac), criterion(each.coherence), number(each.error_db), ratio_text(each.ratio())});
+    table.add({each.response.name() + "/" + each.reference.name(), std::to_string(each.lines), criterion_text(each.frac),
+               criterion_text(each.lac), criterion_text(each.coherence), number(each.error_db), ratio_text(each.ratio())});
   }
   std::string text = table.text();
   if (all.size() > most_rows) text += fmt::format("  the {} of least FRAC of {}; --csv has all\n", most_rows, all.size());
@@ -164,8 +162,8 @@ std::string correlation_text(const ComparedFiles& files, const CorrelatedModes& 
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<Eigen::Index>(i);
   std::ranges::stable_sort(order, std::ranges::greater(), [&](Eigen::Index i) { return found.ecomac(i); });
   for (std::size_t i = 0; i < std::min(most_rows, order.size()); ++i) {
-    places.add({found.dofs[static_cast<std::size_t>(order[i])].name(), criterion(found.comac(order[i])),
-                criterion(found.ecomac(order[i]))});
+    places.add({found.dofs[static_cast<std::size_t>(order[i])].name(), criterion_text(found.comac(order[i])),
+                criterion_text(found.ecomac(order[i]))});
   }
   text += "coordinates that agree least (1 is best for CoMAC, 0 for ECoMAC)\n" + places.text();
   return text + "Shapes have no scale here: a sensor of wrong gain shows by ECoMAC, one of wrong sign by both.\n";

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "modalfit/model/mac.hpp"
+#include "report/text/frf_criteria.hpp"
 
 namespace jointid::report {
 namespace {
@@ -26,6 +27,15 @@ const std::vector<modalfit::SynthesisError>& told(const tasks::ModalRun& run) { 
 std::string entry_name(const tasks::ModalRun& run, std::size_t e) {
   const std::size_t columns = run.fit.reference.size();
   return run.fit.response[e / columns].name() + " / " + run.fit.reference[e % columns].name();
+}
+
+FrfCriteria criteria_of_entry(const tasks::ModalRun& run, std::size_t e) {
+  std::vector<std::complex<double>> measured, model;
+  for (std::size_t i = 0; i < run.band.lines(); ++i) {
+    measured.push_back(run.band.value(e)[i]);
+    model.push_back(run.regenerated.values[i * run.band.entries() + e]);
+  }
+  return criteria_of(measured, model);
 }
 
 std::vector<double> off_rank_one(const tasks::ModalRun& run) {
@@ -78,7 +88,7 @@ Table mac_table(const tasks::ModalRun& run) {
 }
 
 Table synthesis_table(const tasks::ModalRun& run, std::size_t most) {
-  Table table({{"FRF", Align::left}, {"dB rms"}, {"away from antiresonances"}});
+  Table table({{"FRF", Align::left}, {"dB rms"}, {"away from antiresonances"}, {"FRAC"}, {"LAC, mean"}});
   const auto& errors = told(run);
   std::vector<std::size_t> order;
   for (std::size_t e = 0; e < errors.size(); ++e) {
@@ -86,7 +96,11 @@ Table synthesis_table(const tasks::ModalRun& run, std::size_t most) {
   }
   std::ranges::sort(order, std::greater{}, [&](std::size_t e) { return errors[e].rms_db_away; });
   order.resize(std::min(order.size(), most));
-  for (const std::size_t e : order) table.add({entry_name(run, e), decibel(errors[e].rms_db), decibel(errors[e].rms_db_away)});
+  for (const std::size_t e : order) {
+    const FrfCriteria alike = criteria_of_entry(run, e);
+    table.add({entry_name(run, e), decibel(errors[e].rms_db), decibel(errors[e].rms_db_away), criterion_text(alike.frac),
+               criterion_text(alike.lac)});
+  }
   return table;
 }
 

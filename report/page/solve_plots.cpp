@@ -6,10 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "ident/result/decibel_error.hpp"
 #include "report/decimate.hpp"
 #include "report/frf_curves.hpp"
 #include "report/page/phase_branch.hpp"
-#include "ident/result/decibel_error.hpp"
+#include "report/text/frf_criteria.hpp"
 
 namespace jointid::report {
 namespace {
@@ -31,8 +32,9 @@ double largest(const tasks::RegeneratedFrf& frf) {
 
 std::string entry_name(const tasks::RegeneratedFrf& frf) {
   const auto error = tasks::decibel_error(frf);
+  const std::string alike = criteria_text(frf.measured, frf.predicted);
   return fmt::format("{} / {}{}", frf.entry.response.name(), frf.entry.reference.name(),
-                     error ? fmt::format(" ({:.3g} dB)", *error) : "");
+                     error ? fmt::format(" ({:.3g} dB{}{})", *error, alike.empty() ? "" : ", ", alike) : "");
 }
 
 /// "measured" and "regenerated", whichever there is.

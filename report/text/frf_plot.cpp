@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "report/text/frf_criteria.hpp"
+
 namespace jointid::report {
 namespace {
 
@@ -76,7 +78,10 @@ std::string frf_plot(const tasks::Regenerated& regenerated, const tasks::Regener
                                 predicted_mark, both_mark);
   out += canvas.text();
   out += fmt::format("{:8}+{:-<{}}\n{:9}{:<{}g}{:>10g} Hz\n", "", "", width, "", axis.front(), width - 13, axis.back());
-  if (const auto error = tasks::decibel_error(frf)) out += fmt::format("  rms difference {:.3g} dB\n", *error);
+  if (const auto error = tasks::decibel_error(frf)) {
+    const std::string alike = criteria_text(frf.measured, frf.predicted);
+    out += fmt::format("  rms difference {:.3g} dB{}{}\n", *error, alike.empty() ? "" : ", ", alike);
+  }
   return out;
 }
 

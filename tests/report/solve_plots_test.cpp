@@ -22,7 +22,7 @@ TEST(SolvePlots, MagnitudeAndPhaseOfBoth) {
   const tasks::Regenerated data = {{10.0, 20.0}, {frf("1:+Y", "2:+RZ", {{0, 1}, {0, 0}}, {{0, 2}, {-3, 0}})}};
   const PlotGroup group = frf_overlay(data, {}, 100);
   ASSERT_EQ(group.choices.size(), 1U);
-  EXPECT_EQ(group.choices[0].name, "1:+Y / 2:+RZ (6.02 dB)");
+  EXPECT_EQ(group.choices[0].name, "1:+Y / 2:+RZ (6.02 dB, FRAC 1.000000, LAC 0.800000)");
   const auto& magnitude = std::get<CurvePlot>(group.choices[0].plots[0]);
   const auto& difference = std::get<CurvePlot>(group.choices[0].plots[1]);
   const auto& phase = std::get<CurvePlot>(group.choices[0].plots[2]);
