@@ -149,12 +149,15 @@ class Lines {
     each("closed form", [&](std::size_t i, ident::LineModel&) { result.lines[i] = closed_form(result.way, i, result.basis); });
   }
 
-  /// Fits every line; the number of lines that came to their end from others' values, and of those that came to none.
-  std::pair<std::size_t, std::size_t> run_likelihood(const restrictions::Restriction& restriction, WayResult& result) const {
+  /// Fits every line; the number of lines that came to their end from others' values, and of those that came to none. With `wider`, all
+  /// elements of a symmetric Z, falls() are theirs.
+  std::pair<std::size_t, std::size_t> run_likelihood(const restrictions::Restriction& restriction, WayResult& result,
+                                                     const restrictions::Restriction* wider = nullptr) {
     std::vector<LineFit> fits(size());
     each("likelihood", [&](std::size_t i, ident::LineModel& model) { fits[i] = best_fit(i, restriction, result.basis, model); });
     require_some(fits);
     const std::size_t restarted = restart(restriction, fits);
+    if (wider != nullptr) take_falls(*wider, result.basis, fits);
     std::size_t failed = 0;
     for (LineFit& fit : fits) {
       const bool usable = fit.value.z.size() > 0 && fit.value.z.allFinite();
@@ -164,7 +167,20 @@ class Lines {
     return {restarted, failed};
   }
 
+  /// By how much χ² of the lines would fall with a symmetric Z, to first order; NaN where that is not known.
+  const std::vector<double>& falls() const { return falls_; }
+
  private:
+  void take_falls(const restrictions::Restriction& wider, const Basis& basis, const std::vector<LineFit>& fits_of) {
+    falls_.assign(size(), nan);
+    each("likelihood", [&](std::size_t i, ident::LineModel& model) {
+      const LineFit& fit = fits_of[i];
+      if (fit.value.z.size() == 0 || !fit.value.z.allFinite() || !fit.converged) return;
+      const Eigen::VectorXcd z = triangle_of(matrix_of(basis, fit.value.z));
+      if (const auto fall = fall_with((*data_)[i], joint(wider, i), z, fit, model)) falls_[i] = *fall;
+    });
+  }
+
   void watch(const char* stage, std::size_t done) const {
     stop_if(control_.interrupted);
     if (control_.progress) control_.progress(stage, done, plan_.lines.size());
@@ -187,30 +203,35 @@ class Lines {
     return {restriction, all, all, 1.0, (*data_)[i].omega};
   }
 
-  /// What a fit may begin from: where another ended (of a symmetric Z), or closed forms, best guess first.
-  std::vector<Eigen::VectorXcd> starts(std::size_t i, const Basis& basis) const {
-    std::vector<Eigen::VectorXcd> out;
-    if (!reached_.empty() && reached_[i].size() == at(basis.size())) out.push_back(reached_[i]);
-    if (!reached_.empty()) return out;
-    const auto add = [&](const std::optional<LineValue>& from, const Basis& of) {
+  /// What a fit may begin from: where another ended (of a symmetric Z), or closed forms, best guess first, until `use` returns true.
+  template <class Use>
+  void for_each_start(std::size_t i, const Basis& basis, const Use& use) const {
+    if (!reached_.empty()) {
+      if (reached_[i].size() == at(basis.size())) use(reached_[i]);
+      return;
+    }
+    bool any = false, done = false;
+    const auto try_with = [&](const std::optional<LineValue>& from, const Basis& of) {
       if (!from || !from->z.allFinite()) return;
       const Eigen::VectorXcd whole = triangle_of(matrix_of(of, from->z));
       LineValue full{.z = whole, .covariance = from->covariance};
       if (full.covariance.rows() != 2 * whole.size()) full.covariance = plain_covariance(whole);
       auto found = weighed(full, basis);
       if (!found || !found->z.allFinite()) found = weighed({.z = whole, .covariance = plain_covariance(whole)}, basis);
-      if (found && found->z.allFinite()) out.push_back(found->z);
+      if (!found || !found->z.allFinite()) return;
+      any = true;
+      done = use(found->z);
     };
     const Basis full = symmetric_basis(layout_->joint);
-    add(primal(blocks_[i]), full);
-    add(extended(blocks_[i]), full);
-    if (!out.empty()) return out;
-    add(from_nj(blocks_[i]), full);
+    try_with(primal(blocks_[i]), full);
+    if (!done) try_with(extended(blocks_[i]), full);
+    if (any) return;
+    try_with(from_nj(blocks_[i]), full);
+    if (done) return;
     Basis between;
     for (const Eigen::MatrixXd& e : symmetric_basis(static_cast<std::size_t>(nn_.cols())))
       between.push_back(nn_ * e * nn_.transpose());
-    add(from_nn(blocks_[i], nn_), between);
-    return out;
+    try_with(from_nn(blocks_[i], nn_), between);
   }
 
   static Eigen::MatrixXd plain_covariance(const Eigen::VectorXcd& z) {
@@ -228,11 +249,11 @@ class Lines {
                    ident::LineModel& model) const {
     LineFit best;
     const ident::JointImpedance of = joint(restriction, i);
-    for (const Eigen::VectorXcd& start : starts(i, basis)) {
+    for_each_start(i, basis, [&](const Eigen::VectorXcd& start) {
       LineFit fit = fit_line((*data_)[i], of, start, model, tolerance_);
       if (best.value.z.size() == 0 || is_better(fit, best)) best = std::move(fit);
-      if (fits(best)) break;
-    }
+      return fits(best);
+    });
     return best;
   }
 
@@ -287,6 +308,7 @@ class Lines {
   Eigen::MatrixXd nn_;  ///< the same where the joint has no mass, else I
   std::size_t threads_;
   double tolerance_ = 1e-7;
+  std::vector<double> falls_;
   std::vector<Eigen::VectorXcd> reached_;  ///< elements of a symmetric Z of each line; empty: closed forms
   const std::vector<ident::LineData>* data_ = nullptr;
   const ident::LineLayout* layout_ = nullptr;
@@ -316,6 +338,18 @@ void require_values(const LineScene& scene, const WayResult& result) {
               "use way = \"likelihood\"");
 }
 
+/// χ² of a symmetric Z by Lines::falls(); NaN where a line has none.
+FreeFit by_falls(const std::vector<double>& falls, std::size_t elements, const WayResult& fitted) {
+  FreeFit out;
+  for (std::size_t i = 0; i < falls.size(); ++i) {
+    const auto& line = fitted.lines[i];
+    if (!line || !std::isfinite(line->chi_square)) continue;
+    out.chi_square += line->chi_square - falls[i];
+    out.freedom += std::max(0.0, line->freedom - 2.0 * static_cast<double>(elements - fitted.basis.size()));
+  }
+  return out;
+}
+
 IdentifiedLines identify(const LineScene& scene, const ident::Plan& plan, const ident::Control& control) {
   Lines lines(scene, plan, control);
   IdentifiedLines out;
@@ -323,7 +357,10 @@ IdentifiedLines identify(const LineScene& scene, const ident::Plan& plan, const 
   for (const ident::Line& line : plan.lines) out.frequency_hz.push_back(line.frequency_hz);
   add_conditions(lines, out);
   out.likelihood = empty_result(Way::likelihood, scene);
-  std::tie(out.restarted, out.failed) = lines.run_likelihood(plan.restriction, out.likelihood);
+  const LineScene whole = with_structure(scene, Structure::symmetric);
+  const restrictions::Restriction wider = restrictions::build({whole.scene.joints.front()});
+  std::tie(out.restarted, out.failed) =
+      lines.run_likelihood(plan.restriction, out.likelihood, scene.structure == Structure::symmetric ? nullptr : &wider);
   for (const Way way : scene.ways) {
     if (way == Way::likelihood) {
       out.ways.push_back(out.likelihood);
@@ -334,16 +371,17 @@ IdentifiedLines identify(const LineScene& scene, const ident::Plan& plan, const 
     require_values(scene, out.ways.back());
     if (way == Way::dual) add_receptances(lines, out);
   }
-  const auto free_fit = [&] {  // its χ² is not above that of the structure that it begins from
-    FreeFit free;
-    const LineScene whole = with_structure(scene, Structure::symmetric);
-    WayResult result = empty_result(Way::likelihood, whole);
+  const auto free_fit = [&](FreeFit::Kind kind) {
+    const std::size_t elements = wider.unknowns.size() / 2;
     const ident::LineData& first = ident::likelihood_plan(plan)->observations->lines().front();
     const ident::LineLayout& layout = ident::likelihood_plan(plan)->observations->layout();
-    if (first.redundancy(layout) <= 2.0 * static_cast<double>(result.basis.size())) return free;
+    if (first.redundancy(layout) <= 2.0 * static_cast<double>(elements)) return FreeFit{};
+    if (kind == FreeFit::Kind::first_order) return by_falls(lines.falls(), elements, out.likelihood);
+    WayResult result = empty_result(Way::likelihood, whole);
     constexpr double enough = 0.03;  // for χ²
     lines.go_on_from(out.likelihood, enough);
-    lines.run_likelihood(restrictions::build({whole.scene.joints.front()}), result);
+    lines.run_likelihood(wider, result);
+    FreeFit free;
     for (const auto& line : result.lines) {
       if (!line || !std::isfinite(line->chi_square)) continue;
       free.chi_square += line->chi_square;

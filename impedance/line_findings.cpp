@@ -54,13 +54,20 @@ std::optional<WorstRun> worst_run(const std::vector<std::optional<LineValue>>& l
 
 std::string structure_text(Structure structure) { return "structure \"" + name(structure) + "\""; }
 
-/// What a free Z says of a structure that does not fit.
-void tell_structure(const LineScene& scene, const std::function<FreeFit()>& free_fit, const std::function<double(double)>& likely,
+/// What a free Z says of a structure that does not fit. It is fitted where the lines do not fit as they are, or first order shows that it
+/// would explain more than chance.
+void tell_structure(const LineScene& scene, const std::function<FreeFit(FreeFit::Kind)>& free_fit, const std::function<double(double)>& likely,
                     IdentifiedLines& out) {
   if (scene.structure == Structure::symmetric) return;
-  const FreeFit free = free_fit();
+  const auto contradicts = [&](const FreeFit& free) {
+    const double more = out.freedom - free.freedom, fall = out.chi_square - free.chi_square;
+    return !(fall / more <= likely(more));
+  };
+  const bool fits = out.chi_square / out.freedom <= likely(out.freedom);
+  if (fits && !contradicts(free_fit(FreeFit::Kind::first_order))) return;
+  const FreeFit free = free_fit(FreeFit::Kind::fitted);
   const double more = out.freedom - free.freedom, fall = out.chi_square - free.chi_square;
-  if (!(more > 0.0) || !(fall / more > likely(more))) return;
+  if (!(more > 0.0) || !contradicts(free)) return;
   const bool free_fits = free.freedom > 0.0 && free.chi_square / free.freedom <= likely(free.freedom);
   const std::string evidence = fmt::format("a symmetric Z has χ² lower by {:.4g}, and {:.0f} is expected", fall, more);
   if (free.freedom <= 0.0) {
@@ -76,7 +83,7 @@ void tell_structure(const LineScene& scene, const std::function<FreeFit()>& free
   }
 }
 
-void judge_fit(const ident::Plan& plan, const LineScene& scene, const std::function<FreeFit()>& free_fit, IdentifiedLines& out) {
+void judge_fit(const ident::Plan& plan, const LineScene& scene, const std::function<FreeFit(FreeFit::Kind)>& free_fit, IdentifiedLines& out) {
   const auto& differences = ident::likelihood_plan(plan)->observations->mirror_differences();
   const auto likely = [&](double freedom) { return ident::likely_chi_square(plan, freedom, differences); };
   for (const auto& line : out.likelihood.lines) {
@@ -210,7 +217,7 @@ bool is_active(const Basis& basis, const LineValue& value) {
   return variance > 0.0 && found.values(0) < -limit * std::sqrt(variance);
 }
 
-void judge_lines(const ident::Plan& plan, const LineScene& scene, const std::function<FreeFit()>& free_fit,
+void judge_lines(const ident::Plan& plan, const LineScene& scene, const std::function<FreeFit(FreeFit::Kind)>& free_fit,
                  IdentifiedLines& out) {
   judge_fit(plan, scene, free_fit, out);
   const bool lines_fit = out.status == Status::ok && out.freedom > 0.0;

@@ -9,6 +9,10 @@ namespace jointid::impedance {
 
 /// χ² and degrees of freedom of all lines with a symmetric Z in place of the scene's structure; degrees 0: it explains anything.
 struct FreeFit {
+  enum class Kind {
+    first_order,  ///< where the structure's own fit ended (fall_with())
+    fitted
+  };
   double chi_square = 0.0, freedom = 0.0;
 };
 
@@ -18,7 +22,7 @@ struct FreeFit {
 ///   explains what
 ///             the structure does not; nothing could contradict the answer (no degrees of freedom); Im Z is negative beyond its
 ///             error on a run of lines; a closed form is five of its standard errors from the likelihood on a run.
-void judge_lines(const ident::Plan& plan, const LineScene& scene, const std::function<FreeFit()>& free_fit, IdentifiedLines& out);
+void judge_lines(const ident::Plan& plan, const LineScene& scene, const std::function<FreeFit(FreeFit::Kind)>& free_fit, IdentifiedLines& out);
 
 /// First and last line of the longest run of at least three lines of which `is_bad` is true; empty where there is none.
 std::optional<std::pair<std::size_t, std::size_t>> bad_run(std::size_t lines, const std::function<bool(std::size_t)>& is_bad);

@@ -132,6 +132,7 @@ class Descent {
     out.value.covariance = minimise::covariance_of(has_information ? reduced_.information : none);
     out.value.chi_square = cost_;
     out.value.freedom = data_.redundancy(model_.layout()) - static_cast<double>(theta_.size());
+    out.state = state_;
     out.converged = has_information && std::isfinite(cost_) && out.last_step < std::max(1e-3, tolerance_);
   }
 
@@ -149,6 +150,14 @@ class Descent {
 LineFit fit_line(const ident::LineData& data, const ident::JointImpedance& joint, const Eigen::VectorXcd& start,
                  ident::LineModel& model, double tolerance) {
   return Descent(data, joint, start, model).run(tolerance);
+}
+
+std::optional<double> fall_with(const ident::LineData& data, const ident::JointImpedance& wider, const Eigen::VectorXcd& z,
+                                const LineFit& fit, ident::LineModel& model) {
+  model.linearise(data, wider, wider.at(unknowns_of(z)), fit.state, true);
+  const auto reduced = model.reduce(0.0, false);
+  if (!reduced) return std::nullopt;
+  return step_of(reduced->information, reduced->gradient).dot(reduced->gradient);
 }
 
 }  // namespace jointid::impedance
