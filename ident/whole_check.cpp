@@ -13,6 +13,7 @@
 #include "frf/set/frf_system.hpp"
 #include "ident/check/check.hpp"
 #include "ident/check/rest.hpp"
+#include "ident/check/test/checked_file.hpp"
 #include "ident/identify.hpp"
 #include "ident/likelihood/findings/variance_sources.hpp"
 #include "ident/plan/expected_time.hpp"
@@ -114,12 +115,6 @@ std::optional<Suspect> set_aside(const Plan& plan, const ChiSquare& chi_square) 
       .remedy = "[frequency]\nexclude = [" + ranges + "]"};
 }
 
-/// Of a file that was opened, as the scene names it.
-std::string name_in(const Scene& scene, const std::string& file) {
-  const std::string text = Path(file).lexically_relative(scene.file.parent_path()).generic_string();
-  return text.empty() || text.starts_with("..") ? file : text;
-}
-
 /// Empty where nothing was fitted.
 std::optional<std::vector<Suspect>> suspects_of_fit(const Scene& scene, const MakePlan& plan_of, const Control& control) {
   try {
@@ -136,7 +131,7 @@ std::optional<std::vector<Suspect>> suspects_of_fit(const Scene& scene, const Ma
       return found;
     }
     for (Suspect suspect : fit.suspects) {
-      suspect.file = suspect.file.empty() ? "" : name_in(scene, suspect.file);
+      suspect.file = suspect.file.empty() ? "" : name_in_scene(scene, suspect.file);
       found.push_back(std::move(suspect));
     }
     return found;

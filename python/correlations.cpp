@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "correlation/from_files.hpp"
 #include "python/outcome.hpp"
 #include "python/watch.hpp"
 #include "report/correlation/correlation_report.hpp"
+#include "tasks/correlate/compared_files.hpp"
 
 namespace jointid::python {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 namespace py = pybind11;
 
 Outcome of_frfs(const report::ComparedFiles& files, const std::string& fdac) {
-  const frf::FrfSet one = correlation::read_frfs(files.one), other = correlation::read_frfs(files.other);
+  const auto [one, other] = tasks::read_compared(files.one, files.other);
   const auto found = std::make_shared<const correlation::CorrelatedFrfs>(correlation::correlate(one, other));
   std::shared_ptr<const correlation::ShapesOverLines> shapes;
   if (!fdac.empty())
@@ -33,7 +33,7 @@ Outcome of_frfs(const report::ComparedFiles& files, const std::string& fdac) {
 
 Outcome of_modes(const report::ComparedFiles& files) {
   const auto found = std::make_shared<const correlation::CorrelatedModes>(
-      correlation::correlate(correlation::read_modes(files.one), correlation::read_modes(files.other)));
+      correlation::correlate(tasks::read_modes(files.one), tasks::read_modes(files.other)));
   return {.status = "",
           .message = "",
           .json = [=] { return report::correlation_json(files, *found); },
@@ -52,7 +52,7 @@ Outcome expand(const std::string& parent, const std::string& measured, const std
                const py::object& progress) {
   return watched(progress, 0, [=](const ident::Control&) -> Outcome {
     const auto found =
-        std::make_shared<const correlation::ExpandedFrfs>(correlation::expanded_files(parent, measured, way, modes));
+        std::make_shared<const correlation::ExpandedFrfs>(tasks::expanded_files(parent, measured, way, modes));
     const report::ExpansionNames names{parent, measured, way, "in memory"};
     return {.status = "",
             .message = "",

@@ -5,9 +5,9 @@
 #include "base/error.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
-#include "correlation/from_files.hpp"
 #include "frf/file/write.hpp"
 #include "report/correlation/correlation_report.hpp"
+#include "tasks/correlate/compared_files.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -19,6 +19,15 @@ void write_results(const CorrelateArguments& arguments, const report::ComparedFi
   if (arguments.json) write_target(*arguments.json, json(), out);
   if (arguments.csv) write_target(*arguments.csv, report::correlation_csv(found), out);
   if (!takes_output({arguments.json, arguments.csv})) out << report::correlation_text(files, found);
+}
+
+/// With the files that descriptions of models name.
+std::vector<ident::NamedFile> inputs(const std::vector<ident::NamedFile>& files) {
+  std::vector<ident::NamedFile> all;
+  for (const ident::NamedFile& file : files) {
+    for (ident::NamedFile& each : tasks::compared_inputs(file.path, file.place)) all.push_back(std::move(each));
+  }
+  return all;
 }
 
 std::filesystem::path expanded_path(const ExpandArguments& arguments) {
@@ -35,25 +44,25 @@ void add_correlate(CLI::App& app, Chosen& chosen) {
       app, chosen, "correlate", "Compare FRFs or mode shapes of two files: FRAC, LAC, FDAC, MAC, CoMAC beside χ²/f");
   command->add_option("ONE", arguments->one, "FRFs of a structure (UFF, HDF5, MAT, numpy, CSV, text), or its modes with --modes")
       ->required();
-  command->add_option("OTHER", arguments->other, "The same structure, measured again or by a model")->required();
+  command->add_option("OTHER", arguments->other, "The same structure, measured again or by a model; the description of one (*.toml), too")->required();
   CLI::Option* modes = command->add_flag("--modes", arguments->modes, "Compare mode shapes (universal files, dataset 55)");
   command->add_option("--fdac", arguments->fdac, "A reference, e.g. 1:+Z: its FDAC, line by line, in the JSON")->excludes(modes);
   add_outputs(command, *arguments, "all criteria", "one FRF or mode a row");
   command->footer(
-      "Examples:\n  jointid correlate measured.uff model.h5\n  jointid correlate test_modes.uff fe_modes.uff --modes --json -");
+      "Examples:\n  jointid correlate measured.uff model.h5\n  jointid correlate measured.uff bracket.toml\n  jointid correlate test_modes.uff fe_modes.uff --modes --json -");
 }
 
 ExitCode execute(const CorrelateArguments& arguments, std::ostream& out) {
-  check_targets({{arguments.one, "ONE"}, {arguments.other, "OTHER"}}, {{"--json", arguments.json}, {"--csv", arguments.csv}});
+  check_targets(inputs({{arguments.one, "ONE"}, {arguments.other, "OTHER"}}), {{"--json", arguments.json}, {"--csv", arguments.csv}});
   const report::ComparedFiles files{arguments.one.string(), arguments.other.string()};
   if (arguments.modes) {
     const correlation::CorrelatedModes found =
-        correlation::correlate(correlation::read_modes(arguments.one), correlation::read_modes(arguments.other));
+        correlation::correlate(tasks::read_modes(arguments.one), tasks::read_modes(arguments.other));
     write_results(
         arguments, files, found, [&] { return report::correlation_json(files, found); }, out);
     return ExitCode::done;
   }
-  const frf::FrfSet one = correlation::read_frfs(arguments.one), other = correlation::read_frfs(arguments.other);
+  const auto [one, other] = tasks::read_compared(arguments.one, arguments.other);
   const correlation::CorrelatedFrfs found = correlation::correlate(one, other);
   std::optional<correlation::ShapesOverLines> shapes;
   if (!arguments.fdac.empty()) shapes = correlation::shapes_over_lines(one, other, frf::Dof::parse(arguments.fdac));
@@ -67,7 +76,8 @@ void add_expand(CLI::App& app, Chosen& chosen) {
       app, chosen, "expand", "FRFs at coordinates that were not measured, by a parent model: SEMM, or SEREP by its modes");
   command
       ->add_option("PARENT", arguments->parent,
-                   "FRFs of the model between all its coordinates; for way serep its modes (universal file, dataset 55)")
+                   "FRFs of the model between all its coordinates, or its description (*.toml); for way serep its modes (universal file, "
+                   "dataset 55)")
       ->required();
   command->add_option("MEASURED", arguments->measured, "FRFs that were measured at some of them")->required();
   command->add_option("--way", arguments->way, "extended or semm (system equivalent model mixing), or serep")
@@ -83,7 +93,7 @@ void add_expand(CLI::App& app, Chosen& chosen) {
 
 ExitCode execute(const ExpandArguments& arguments, std::ostream& out) {
   const std::filesystem::path path = expanded_path(arguments);
-  check_targets({{arguments.parent, "PARENT"}, {arguments.measured, "MEASURED"}},
+  check_targets(inputs({{arguments.parent, "PARENT"}, {arguments.measured, "MEASURED"}}),
                 {{"--out", path.string()}, {"--json", arguments.json}});
   if (arguments.modes > 0 && arguments.way != "serep")
     throw InputError({.kind = ErrorKind::usage,
@@ -92,7 +102,7 @@ ExitCode execute(const ExpandArguments& arguments, std::ostream& out) {
                       .problem = "way " + arguments.way + " has FRFs for a parent, no modes",
                       .remedy = "add --way serep, or leave --modes out"});
   const correlation::ExpandedFrfs found =
-      correlation::expanded_files(arguments.parent, arguments.measured, arguments.way, arguments.modes);
+      tasks::expanded_files(arguments.parent, arguments.measured, arguments.way, arguments.modes);
   frf::write(found.set, path);
   const report::ExpansionNames names{arguments.parent.string(), arguments.measured.string(), arguments.way, path.string()};
   if (arguments.json) write_target(*arguments.json, report::expansion_json(names, found), out);

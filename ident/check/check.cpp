@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "ident/check/beside_models.hpp"
 #include "ident/check/inquiry.hpp"
 #include "ident/check/repeated_numbers.hpp"
 #include "ident/check/virtual_point_check.hpp"
@@ -100,6 +101,7 @@ CheckResult check_scene(const Scene& scene, const Control& control) {
                                                      scene.data.reciprocity),
                     control);
   check_virtual_points(scene, control, result);
+  check_beside_models(scene, control, result);
   return result;
 }
 

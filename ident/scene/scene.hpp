@@ -32,6 +32,7 @@ struct DataFile {
   frf::Corrections corrections{};   ///< of its FRFs
   std::vector<virtualpoint::VirtualPoint> virtual_points{};  ///< their coordinates replace its sensors and impacts
   std::optional<frf::NoiseModel> virtual_noise{};  ///< noise model of these FRFs, if the file has none ([noise])
+  std::optional<Path> model{};      ///< description of a model of the same structure, which `check` holds the file against
   std::optional<double> mass{};     ///< kg, of the structure, which hung free; `check` compares it with the rigid-body lines
 };
 

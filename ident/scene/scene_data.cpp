@@ -3,6 +3,7 @@
 #include "frf/set/unit_label.hpp"
 #include "frf/set/units.hpp"
 #include "ident/scene/scene_sections.hpp"
+#include "models/model_file.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -67,7 +68,7 @@ std::vector<PlacedFile> placed_files(const DataSection& data, const Names& names
 scene::Table file_table(const scene::Item& item) {
   std::vector<std::string> keys = correction_keys();
   keys.insert(keys.begin(),
-              {"quantity", "unit", "dofs", "reference_dofs", "variable", "frequency_variable", "frequency_unit", "mass"});
+              {"quantity", "unit", "dofs", "reference_dofs", "variable", "frequency_variable", "frequency_unit", "mass", "model"});
   return item.table(keys);
 }
 
@@ -105,19 +106,28 @@ Regeneration read_regeneration(const scene::Item& list) {
   return chosen;
 }
 
-void read_options_of(const scene::Item& item, DataFile& file) {
+/// Beside the file that it is a model of.
+Path read_model_of(const scene::Item& item, const DataFile& file, const Path& folder) {
+  const Path model = folder / item.text_not_empty();
+  if (!models::is_model_file(model)) item.fail("it is no description of a model", "name a file *.toml (docs/model-parts.md)");
+  if (models::is_model_file(file.path)) item.fail("the part is a model itself", "give the key to a measured file");
+  return model;
+}
+
+void read_options_of(const scene::Item& item, DataFile& file, const Path& folder) {
   const scene::Table keys = file_table(item);
   file.options = read_options(keys);
   file.corrections = read_corrections(keys);
   if (const auto mass = keys.find("mass")) file.mass = mass->positive();
+  if (const auto model = keys.find("model")) file.model = read_model_of(*model, file, folder);
 }
 
 /// `files` are those of `names`; a name may stand for several.
-void read_all_options(const scene::Item& item, const Names& names, const std::vector<DataFile*>& files) {
+void read_all_options(const scene::Item& item, const Names& names, const std::vector<DataFile*>& files, const Path& folder) {
   const scene::Table table = item.table(names);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto of_file = table.find(names[i]);
-    if (of_file) read_options_of(*of_file, *files[i]);
+    if (of_file) read_options_of(*of_file, *files[i], folder);
   }
 }
 
@@ -142,7 +152,7 @@ DataSection read_data(const scene::Item& item, const Path& folder) {
   data.assembly = read_files(table.require("assembly"), folder, names);
   if (const auto regenerate = table.find("regenerate")) data.regenerate = read_regeneration(*regenerate);
   if (const auto reciprocity = table.find("reciprocity")) data.reciprocity = reciprocity->boolean();
-  if (const auto files = table.find("files")) read_all_options(*files, names, all_files(data));
+  if (const auto files = table.find("files")) read_all_options(*files, names, all_files(data), folder);
   read_systematic_errors(table, placed_files(data, names), data);
   return data;
 }
@@ -161,7 +171,7 @@ DataSection readable_data(const scene::Item& item, const Path& folder) {
   const scene::Table by_name = options->open_table();
   const std::vector<DataFile*> files = all_files(data);
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (const auto of_file = by_name.find(names[i])) if_readable([&] { read_options_of(*of_file, *files[i]); });
+    if (const auto of_file = by_name.find(names[i])) if_readable([&] { read_options_of(*of_file, *files[i], folder); });
   }
   return data;
 }
@@ -184,7 +194,11 @@ DataSection read_parts_section(const scene::Item& item, const Path& folder, std:
       named.push_back(other.name);
       of_name.push_back(other.file);
     }
-    read_all_options(*files, named, of_name);
+    read_all_options(*files, named, of_name, folder);
+    for (const DataFile* file : of_name) {
+      if (!file->model) continue;
+      files->fail("a model is given beside a file, which only `jointid check` of a scene that identifies compares", "remove it");
+    }
   }
   // A part of several runs is named by the first.
   std::size_t file = 0;

@@ -15,12 +15,6 @@
 namespace jointid::ident {
 namespace {
 
-std::string name_in_scene(const Scene& scene, const std::string& file) {
-  const Path relative = Path(file).lexically_relative(scene.file.parent_path());
-  const std::string text = relative.generic_string();
-  return text.empty() || text.starts_with("..") ? file : text;
-}
-
 std::vector<std::size_t> all_indices(std::size_t count) {
   std::vector<std::size_t> all(count);
   for (std::size_t i = 0; i < count; ++i) all[i] = i;
@@ -271,6 +265,12 @@ double row_difference(const CheckedFile& file, Eigen::Index a, Eigen::Index b) {
 }
 
 }  // namespace
+
+std::string name_in_scene(const Scene& scene, const std::string& file) {
+  const Path relative = Path(file).lexically_relative(scene.file.parent_path());
+  const std::string text = relative.generic_string();
+  return text.empty() || text.starts_with("..") ? file : text;
+}
 
 Eigen::MatrixXcd CheckedFile::covariance(std::size_t line, const std::vector<Eigen::Index>& some_responses, Eigen::Index reference) const {
   const Eigen::VectorXcd h = frfs[line](some_responses, reference);

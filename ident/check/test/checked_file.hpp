@@ -13,6 +13,9 @@
 
 namespace jointid::ident {
 
+/// Of a file that was opened, as the scene names it.
+std::string name_in_scene(const Scene& scene, const std::string& file);
+
 /// The FRFs of one file at the lines of a check, for DOFs of positive sign. Rows and columns without a number are left out.
 struct CheckedFile {
   std::string name;  ///< as the scene names it

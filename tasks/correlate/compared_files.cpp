@@ -1,0 +1,66 @@
+#include "tasks/correlate/compared_files.hpp"
+
+#include <numeric>
+
+#include "base/error.hpp"
+#include "frf/file/open_as_one.hpp"
+#include "models/model_file.hpp"
+
+namespace jointid::tasks {
+namespace {
+
+using Path = std::filesystem::path;
+
+frf::FrfSet read_frfs(const Path& file) { return frf::load(*frf::open_as_one({file})); }
+
+/// At the lines of `beside`: between all coordinates, or of a large model between those of `beside`.
+frf::FrfSet frfs_of_model(const Path& file, const frf::FrfHeader& beside) {
+  constexpr std::size_t most = 300;
+  const auto model = models::open_model(file, beside.frequency_hz);
+  const frf::FrfHeader& header = model->header();
+  if (header.response.size() <= most) return frf::load(*model);
+  std::vector<std::size_t> places, lines(beside.frequency_hz.size());
+  std::iota(lines.begin(), lines.end(), std::size_t{0});
+  for (std::size_t k = 0; k < header.response.size(); ++k) {
+    if (frf::has(beside.response, header.response[k]) || frf::has(beside.reference, header.response[k])) places.push_back(k);
+  }
+  return frf::load(*model, {lines, places, places});
+}
+
+frf::FrfSet read_beside(const Path& file, const frf::FrfHeader& beside) {
+  return models::is_model_file(file) ? frfs_of_model(file, beside) : read_frfs(file);
+}
+
+}  // namespace
+
+std::pair<frf::FrfSet, frf::FrfSet> read_compared(const Path& one, const Path& other) {
+  if (models::is_model_file(one) && models::is_model_file(other)) {
+    throw InputError({ErrorKind::usage, one.string(), "", "both files describe models, which have every frequency",
+                      "give FRFs of one of them, at the lines that are to be compared"});
+  }
+  if (models::is_model_file(one)) {
+    frf::FrfSet measured = read_frfs(other);
+    return {frfs_of_model(one, measured.header), std::move(measured)};
+  }
+  frf::FrfSet measured = read_frfs(one);
+  frf::FrfSet second = read_beside(other, measured.header);
+  return {std::move(measured), std::move(second)};
+}
+
+correlation::ModeFile read_modes(const Path& file) { return {file.string(), frf::read_uff55(file)}; }
+
+correlation::ExpandedFrfs expanded_files(const Path& parent, const Path& measured, const std::string& way, std::size_t modes) {
+  const frf::FrfSet set = read_frfs(measured);
+  if (way == "serep") return correlation::expanded(read_modes(parent), set, modes);
+  return correlation::expanded(read_beside(parent, set.header), set, way == "semm" ? correlation::Semm::basic : correlation::Semm::extended);
+}
+
+std::vector<ident::NamedFile> compared_inputs(const Path& file, const std::string& place) {
+  std::vector<ident::NamedFile> all = {{file, place}};
+  if (models::is_model_file(file)) {
+    for (const Path& named : models::files_of_model(file)) all.push_back({named, place + ", " + file.filename().string()});
+  }
+  return all;
+}
+
+}  // namespace jointid::tasks
