@@ -28,8 +28,8 @@ class LineValues:
 
     >>> import jointid, tempfile
     >>> values = jointid.identify_lines(jointid.write_problem("isolator", tempfile.mkdtemp())).result
-    >>> lines = len(values.frequency)
-    >>> values.name, values.z.shape == (lines, 1), values.band.shape == (lines, 1, 2, 2)
+    >>> shape = (len(values.frequency), len(values.elements))
+    >>> values.name, values.z.shape == shape, values.band.shape == (*shape, 2, 2)
     ('likelihood', True, True)
     """
 
@@ -75,7 +75,8 @@ class LineSolution(Result):
 
     >>> import jointid, tempfile
     >>> solution = jointid.identify_lines(jointid.write_problem("isolator", tempfile.mkdtemp()))
-    >>> list(solution.ways)[0], solution.dynamic_stiffness().shape == (len(solution.frequency), 2, 2)
+    >>> sides = len(solution.dofs)
+    >>> list(solution.ways)[0], solution.dynamic_stiffness().shape == (len(solution.frequency), sides, sides)
     ('likelihood', True)
     """
 

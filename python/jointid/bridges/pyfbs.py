@@ -183,7 +183,7 @@ def to_pyfbs(frfs: FrfSet) -> tuple[np.ndarray, np.ndarray, dict[str, list], dic
     >>> frfs = jointid.FrfSet(np.ones((3, 2, 1)) * 1e-6, [10.0, 20.0, 30.0], ["1:+Z", "2:+Z"], ["1:+Z"], nodes={1: (0.0, 0.0, 0.1)})
     >>> frequency, array, channels, impacts = to_pyfbs(frfs)
     >>> channels["Name"], channels["Direction_3"], impacts["Position_3"]
-    (['1:+Z', '2:+Z'], [0.0, 0.0], [0.1])
+    (['1:+Z', '2:+Z'], [1.0, 1.0], [0.1])
     """
     return frfs.frequency, frfs.frfs, _table(frfs, frfs.responses, True), _table(frfs, frfs.references, False)
 
