@@ -16,6 +16,8 @@ from .errors import InputError
 
 __all__ = ["BoundResult", "Finding", "FrfResult", "Result", "Solution", "Unknown"]
 
+_SCREEN = 50  # lines
+
 
 @dataclass(frozen=True)
 class Finding:
@@ -78,7 +80,7 @@ def _suspects(check: dict[str, Any] | None) -> Iterator[Finding]:
 class Result:
     """Result of a command: its JSON as a dict, its text, its tables and its page.
 
-    ``print(result)`` is one screen. A notebook shows the report page. ``result["key"]`` is an entry of ``result.to_dict()``.
+    ``print(result)`` is one screen, at most 50 lines; ``result.text()`` is all. A notebook shows the report page. ``result["key"]`` is an entry of ``result.to_dict()``.
     Results can be pickled with their texts and numbers. FRFs that a page would read again are left out, unless the page exists.
 
     >>> import jointid, pickle, tempfile
@@ -241,7 +243,11 @@ class Result:
                 os.remove(temporary)
 
     def __repr__(self) -> str:
-        return self.text().rstrip("\n")
+        """The text, as far as one screen has lines."""
+        lines = self.text().rstrip("\n").split("\n")
+        if len(lines) <= _SCREEN:
+            return "\n".join(lines)
+        return "\n".join([*lines[:_SCREEN - 1], f"… {len(lines) - _SCREEN + 1} more lines: print(result.text())"])
 
     __str__ = __repr__
 
