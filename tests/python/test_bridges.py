@@ -307,3 +307,25 @@ def test_the_program_of_the_page_on_sdynpy(monkeypatch):
     kind, abscissa, ordinate, (node, direction) = ran["back"]
     assert kind == 4 and abscissa.shape == ordinate.shape == (3, 2, 5)
     assert node[1, 0].tolist() == [2, 1] and direction[1, 0].tolist() == [-2, 1]
+
+
+def test_decoupling_of_the_page_on_sdynpy():
+    """Masses 1, 2 and 6, 7 on springs and dampers; 2 is joined with 6, and 7 is an internal DOF of what is removed."""
+    f = np.arange(1, 601) * 0.1
+    omega = 2 * np.pi * f.reshape(-1, 1, 1)
+
+    def chain(mass, stiffness, names, name):
+        frfs = np.linalg.inv(stiffness * (1 + 1e-4j * omega) - omega**2 * np.diag(mass))
+        return jointid.FrfSet(frfs, f, names, name=name)
+
+    k_a, k_c = np.array([[3e4, -2e4], [-2e4, 2e4]]), np.array([[6e4, -6e4], [-6e4, 13e4]])
+    k_ac = np.zeros((3, 3))
+    k_ac[:2, :2] += k_a
+    k_ac[1:, 1:] += k_c
+    a, c = chain([1, 1], k_a, ["1:+X", "2:+X"], "a"), chain([1, 1], k_c, ["6:+X", "7:+X"], "c")
+    whole = chain([1, 2, 1], k_ac, ["1:+X", "6:+X", "7:+X"], "ac")
+    np.testing.assert_allclose(jointid.couple([a, c], join=[["2:+X", "6:+X"]]).frfs().frfs, whole.frfs, rtol=1e-9)
+    page = (pathlib.Path(__file__).parents[2] / "docs/from-other-tools/sdynpy.md").read_text(encoding="utf-8")
+    call = re.search(r"`(jointid\.decouple\(.*?\))`", page)[1]
+    left = eval(call, {"jointid": jointid, "abc": whole, "c": c}).frfs()
+    np.testing.assert_allclose(left["1:+X", "1:+X"], a["1:+X", "1:+X"], rtol=1e-9)
