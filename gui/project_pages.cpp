@@ -1,4 +1,6 @@
+#include <QProxyStyle>
 #include <QSplitter>
+#include <QTabBar>
 #include <QTabWidget>
 #include <functional>
 #include <type_traits>
@@ -25,6 +27,19 @@
 
 /// The pages of a project, and what they tell each other.
 namespace jointid::gui {
+namespace {
+
+/// Tabs with half the space beside their titles, so that all pages have whole titles in a small window.
+class CloseTabs : public QProxyStyle {
+ public:
+  CloseTabs() : QProxyStyle(QStringLiteral("fusion")) {}
+  int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
+    const int space = QProxyStyle::pixelMetric(metric, option, widget);
+    return metric == PM_TabBarTabHSpace ? space / 2 : space;
+  }
+};
+
+}  // namespace
 
 void Project::add_pages() {
   pages_ = named(new QTabWidget, "pages", tr("Pages"));
@@ -40,6 +55,9 @@ void Project::add_pages() {
   connect(pages_, &QTabWidget::currentChanged, this, [this](int page) { pages_->setTabVisible(page, true); });
   pages_->setUsesScrollButtons(false);  // all are seen, if need be shortened
   pages_->setElideMode(Qt::ElideRight);
+  auto* close = new CloseTabs;
+  close->setParent(pages_->tabBar());
+  pages_->tabBar()->setStyle(close);
   splitter_->addWidget(pages_);
   link_cursors();
   watch_commands(*solve_page_);

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from scene_tables import Kind
 
 #: Sections whose heading does not name the table that they describe.
-SECTIONS = {("scene", "Putting a file right"): "data.files.a", ("virtual-points", "Keys"): "virtual_points",
+SECTIONS = {("scene", "Putting a file right"): "data.files.a", ("scene", "Everywhere"): "", ("virtual-points", "Keys"): "virtual_points",
             ("model-parts", "Keys of a model"): "", ("friction-from-vibration", "Time records"): "data.levels"}
 TABLE = re.compile(r"`\[+([a-z_.]+)\]+`")
 CODE = re.compile(r"`([^`]+)`")
@@ -52,6 +52,7 @@ class Meanings:
     def of(self, kind: Kind, table: str, key: str) -> str:
         """The row of this table, else a row of the same key, else the page that names it."""
         rows = [row for page in kind.pages for row in self._of_page(page) if key in row.keys]
+        rows = rows or [row for row in self._of_page("scene") if key in row.keys and row.table == table]
         same = [row for row in rows if row.table == table] or [row for row in rows if table.startswith(row.table + ".")] or rows[:1]
         if same:
             return self._linked(same[0])

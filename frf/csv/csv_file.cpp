@@ -303,7 +303,7 @@ bool looks_like_csv(std::span<const char> head) {
 
 bool names_frfs(std::span<const char> head) {
   const std::string_view text(head.data(), head.size());
-  const std::string_view titles = text.substr(0, text.find("\n", std::min(text.find("requency"), text.size())));
+  const std::string_view titles = text.substr(0, text.find('\n', std::min(text.find("requency"), text.size())));
   for (std::size_t at = titles.find(':'); at != std::string_view::npos; at = titles.find(':', at + 1)) {
     std::string_view rest = titles.substr(at + 1);
     rest.remove_prefix(std::min(rest.find_first_not_of("+-"), rest.size()));

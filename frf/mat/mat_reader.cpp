@@ -487,9 +487,9 @@ FrfSet read_mat_frfs(MatFile& file, const OpenOptions& options) {
   std::vector<FrfSet> sets;
   for (std::size_t i = 0; i < frfs.size(); ++i) sets.push_back(Reader(file, options, frfs[i], i, frfs.size()).read());
   if (sets.size() == 1) return std::move(sets.front());
-  const bool coherences = keep_coherences(sets);
-  FrfSet out = merged(coherences ? sets : std::move(sets));
-  if (coherences) add_coherences(sets, out);
+  if (!keep_coherences(sets)) return merged(std::move(sets));
+  FrfSet out = merged(sets);
+  add_coherences(sets, out);
   return out;
 }
 

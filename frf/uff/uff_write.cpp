@@ -168,7 +168,7 @@ class Writer {
 
   static std::string dof_fields(const Dof& dof) {
     return " " + text_field("NONE", 10) + integer_field(dof.node, 10) +
-           integer_field(dof.sign * static_cast<int>(dof.direction), 4);
+           integer_field(std::int64_t{dof.sign} * static_cast<int>(dof.direction), 4);
   }
 
   static std::string axis_record(int type, std::string_view label, std::string_view unit) {

@@ -16,7 +16,16 @@ from .results import FrfResult, Result
 
 
 class Correlation(Result):
-    """Criteria of correlate(). Of FRFs ``frac``, ``lac`` … have one number an FRF; of modes ``mac`` is a matrix."""
+    """Criteria of correlate(). Of FRFs ``frac``, ``lac`` … have one number an FRF; of modes ``mac`` is a matrix.
+
+    Criteria are between 0 and 1. A criterion that was not asked for raises KeyError.
+
+    >>> import jointid, numpy as np
+    >>> frfs = jointid.FrfSet(np.arange(1.0, 7.0).reshape(3, 2, 1), [10.0, 20.0, 30.0], ["1:+Z", "2:+Z"], ["1:+Z"], name="beam")
+    >>> found = jointid.correlate(frfs, 2 * frfs, fdac="1:+Z")
+    >>> found.frac.shape, found.fdac.shape, bool(np.isnan(found.chi_square_ratio))
+    ((2,), (3, 3), True)
+    """
 
     def _column(self, name: str) -> np.ndarray:
         return np.array([each[name] for each in self["frfs"]], dtype=float)

@@ -196,6 +196,11 @@ def virtual_points(frfs: PathOrSet, points: Any, *, nodes: Mapping[Any, Sequence
     nodes : {node: (x, y, z)}, optional
         Positions in m. They override those of the set.
 
+    Raises
+    ------
+    InputError
+        For a DOF that the set does not have, a node without position, and channels that do not determine the motions.
+
     >>> import numpy as np, jointid
     >>> places = {1: (0.1, 0, 0), 2: (-0.1, 0, 0), 3: (0, 0.1, 0)}
     >>> dofs = [f"{node}:+{axis}" for node in places for axis in "XYZ"]

@@ -64,7 +64,8 @@ def export(of: Any, out: str | os.PathLike | None = None, *, to: str, way: str =
         with stopped(names, "export", Result), watcher(progress) as watch, names.errors():
             found = dict(_jointid.export_joint(file, to, way, units == "mm", whole_number(band, "band"),
                                                whole_number(first_id, "first_id"), whole_number(threads, "threads"), watch))
-        files = {ending: text.replace(file, "a solution of jointid.identify()") for ending, text in found.items()}
+        files = found if not isinstance(of, Solution) else \
+            {ending: text.replace(file, "a solution of jointid.identify()") for ending, text in found.items()}
     if out is not None:
         for ending, text in files.items():
             pathlib.Path(os.fspath(out) + ending).write_text(text, encoding="utf-8")

@@ -222,6 +222,11 @@ def check(substructures: Any = None, assembly: Any = None, joint: Any = None, *,
 
     ``result.status`` is "clean", "suspicious" or "wrong"; ``result.findings`` has the suspects with their remedies.
 
+    Raises
+    ------
+    InputError
+        For wrong input, as identify(). FRFs that are wrong are findings, not errors.
+
     >>> import jointid, tempfile
     >>> jointid.check(jointid.write_problem("A1", tempfile.mkdtemp(), clean=True)).status
     'clean'
@@ -234,6 +239,11 @@ def plan(substructures: Any = None, assembly: Any = None, joint: Any = None, *, 
          equations: Sequence[str] | None = None, weighting: str | None = None, delta: float | None = None,
          identify: Mapping[str, Any] | None = None, threads: int = 0, progress: Any = None, **sections: Any) -> Result:
     """The plan of identify(): what it would read, compute and leave out: ``jointid plan``. Arguments are those of identify().
+
+    Raises
+    ------
+    InputError
+        For wrong input, as identify().
 
     >>> import jointid, tempfile
     >>> plan = jointid.plan(jointid.write_problem("A1", tempfile.mkdtemp(), clean=True))
@@ -256,6 +266,11 @@ def bound(substructures: Any = None, assembly: Any = None, joint: Any = None, *,
     ----------
     candidates : sequence of DOFs
         DOFs of the sets that count as not measured. The result has the benefit of each.
+
+    Raises
+    ------
+    InputError
+        For wrong input, as identify(), without noise or an assumed joint, and for candidates that no set has.
 
     >>> import jointid, tempfile
     >>> scene = jointid.write_problem("A1", tempfile.mkdtemp(), clean=True)
@@ -288,6 +303,11 @@ def study(substructures: Any = None, assembly: Any = None, joint: Any = None, *,
         File of all trials, HDF5 (CSV for friction laws). None deletes them with the result.
     resume : bool
         Continue an interrupted study with the same `out`.
+
+    Raises
+    ------
+    InputError
+        For wrong input, as identify(), and for an `out` that is another study or cannot be written.
 
     >>> import jointid, tempfile
     >>> found = jointid.study(jointid.write_problem("A1", tempfile.mkdtemp(), clean=True), trials=20, method="one")
@@ -322,6 +342,11 @@ def compare(substructures: Any = None, assembly: Any = None, joint: Any = None, 
     ----------
     methods, equation_sets, weightings, deltas, solvers, regenerate
         Lists. Every combination is tried. A list that is not given has the choice of the scene.
+
+    Raises
+    ------
+    InputError
+        For wrong input, as identify(), and without `truth` or `noise`.
 
     >>> import jointid, tempfile
     >>> scene = jointid.write_problem("A1", tempfile.mkdtemp(), clean=True)

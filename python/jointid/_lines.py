@@ -25,6 +25,12 @@ class LineValues:
     """Elements of Z_J(ω) over frequency, as one way or one law gives them. NaN at lines without a value.
 
     ``band`` has the 95 % intervals of real and imaginary parts, [line, element, (real, imaginary), (low, high)].
+
+    >>> import jointid, tempfile
+    >>> values = jointid.identify_lines(jointid.write_problem("isolator", tempfile.mkdtemp())).result
+    >>> shape = (len(values.frequency), len(values.elements))
+    >>> values.name, values.z.shape == shape, values.band.shape == (*shape, 2, 2)
+    ('likelihood', True, True)
     """
 
     name: str  #: the way or law, "likelihood", "zener" …
@@ -37,6 +43,7 @@ class LineValues:
 
     @property
     def band(self) -> np.ndarray:
+        """95 % intervals, [line, element, (real, imaginary), (low, high)]."""
         middle = np.stack([self.z.real, self.z.imag], axis=-1)
         half = _OF_95_PERCENT * self.std_error
         return np.stack([middle - half, middle + half], axis=-1)
@@ -65,6 +72,12 @@ class LineSolution(Result):
     """Dynamic stiffness Z_J(ω) of a joint at every line: of identify_lines(), and of identify() for scenes with ``[joint] lines``.
 
     The first way is the result. Others are for comparison: ``solution.ways["primal"]``.
+
+    >>> import jointid, tempfile
+    >>> solution = jointid.identify_lines(jointid.write_problem("isolator", tempfile.mkdtemp()))
+    >>> sides = len(solution.dofs)
+    >>> list(solution.ways)[0], solution.dynamic_stiffness().shape == (len(solution.frequency), sides, sides)
+    ('likelihood', True)
     """
 
     @property
@@ -133,7 +146,10 @@ class LineSolution(Result):
         return _values(name, self.elements, self.frequency, fitted[name]["lines"])
 
     def dynamic_stiffness(self, way: str | None = None) -> np.ndarray:
-        """Z_J(ω) over the joint DOFs, [line, DOF, DOF], N/m, complex: the elements of a way put together. NaN at lines without a value."""
+        """Z_J(ω) over the joint DOFs, [line, DOF, DOF], N/m, complex: the elements of a way put together.
+
+        NaN at lines without a value. Raises InputError for a way that was not asked for.
+        """
         name = way or next(iter(self.ways))
         if name not in self.ways:
             raise InputError(f"there is no way {name!r}", place="dynamic_stiffness", remedy="it has " + ", ".join(self.ways))
@@ -148,7 +164,8 @@ class LineSolution(Result):
     def plot(self, element: str | None = None, *, ways: Any = None, law: str | None = None, axes: Any = None) -> Any:
         """Real and imaginary part of an element over frequency with 95 % bands, by matplotlib. Returns the two axes.
 
-        `ways`: names; the first way by default. `law`: draws this law, too.
+        `ways`: names; the first way by default. `law`: draws this law, too. Raises InputError for a way or
+        a law that the solution does not have.
         """
         from ._plots import plot_lines
 
@@ -175,6 +192,11 @@ class DecoupledResult(FrfResult):
     """Substructure B from an assembly AB and A: of decouple() with a `way`, or of a scene with ``[decouple]``.
 
     ``result.frfs()`` is the FrfSet of the first way, with variances.
+
+    >>> import jointid, tempfile
+    >>> result = jointid.decouple(jointid.write_problem("decoupling-beams", tempfile.mkdtemp()))
+    >>> result.frfs().variance is not None, result.stiffness.z.shape[0] == len(result.frequency)
+    (True, True)
     """
 
     @property

@@ -23,6 +23,11 @@ from .results import FrfResult, Result
 def equivalent(scene: Any, *, threads: int = 0, progress: Any = None) -> Result:
     """Stiffness and damping of a friction joint over its relative displacement: ``jointid equivalent``. Takes a path or dict.
 
+    Raises
+    ------
+    InputError
+        For a wrong scene or file, with file, place, value and remedy.
+
     >>> import jointid, tempfile
     >>> levels = jointid.equivalent(jointid.write_problem("rig2", tempfile.mkdtemp()))["levels"]
     >>> len(levels)
@@ -36,6 +41,11 @@ def friction_laws(scene: Any, *, threads: int = 0, progress: Any = None) -> Resu
 
     Takes a path, or a dict in which sets replace files: FrfSets for ``data.parts``, phasors() for responses and forces of
     ``data.levels``, or arrays [sample, channel] of time histories for ``records``, with ``channels`` and ``rate``.
+
+    Raises
+    ------
+    InputError
+        For a wrong scene or file, with file, place, value and remedy.
 
     >>> import jointid, numpy as np
     >>> f, omega = np.array([95.0, 100.0, 105.0]), 2 * np.pi * np.array([95.0, 100.0, 105.0])
@@ -58,6 +68,11 @@ def response(scene: Any, *, compare: bool = False, threads: int = 0, progress: A
 
     `compare`: the error over the run time of all methods instead, ``--compare``.
 
+    Raises
+    ------
+    InputError
+        For a wrong scene or file, with file, place, value and remedy.
+
     >>> import jointid, numpy as np
     >>> result = jointid.response({
     ...     "structure": {"mass": np.eye(2), "stiffness": [[300.0, -100.0], [-100.0, 100.0]], "damping": 0.5 * np.eye(2)},
@@ -72,6 +87,11 @@ def response(scene: Any, *, compare: bool = False, threads: int = 0, progress: A
 
 def oscillate(scene: Any, *, threads: int = 0, progress: Any = None) -> Result:
     """Exact stick–slip motion, orbits, exponents, reduced models: ``jointid oscillate``. Takes a path or dict.
+
+    Raises
+    ------
+    InputError
+        For a wrong scene or file, with file, place, value and remedy.
 
     >>> import jointid, tempfile
     >>> jointid.oscillate(jointid.write_problem("chain-10-orbit", tempfile.mkdtemp())).status
@@ -102,6 +122,11 @@ def modalfit(frfs: Any, *, range: tuple[float, float] | None = None, modes: int 
     FrfResult
         ``result["modes"]`` and the rest of the command's JSON. ``result.frfs()`` has the synthesised FRFs.
 
+    Raises
+    ------
+    InputError
+        For a range without lines, poles outside of it, and files that cannot be read.
+
     >>> import jointid, numpy as np
     >>> f = np.arange(30.0, 50.0, 0.1)
     >>> ratio = f / 40.0
@@ -128,6 +153,11 @@ def loading_curve(curves: Any, *, progress: Any = None, **options: Any) -> Resul
     options : law, ring, limit, normal_load, friction_coefficient, shared, weighting, minimiser; of files also
         displacement, force, time, energy, stiffness, damping, unit, force_unit, time_unit, sign, velocity, kind,
         specimen_stiffness, specimen: as those of the command
+
+    Raises
+    ------
+    InputError
+        For an unknown law or option, arrays of different lengths, and files that cannot be read.
 
     >>> import numpy as np, jointid
     >>> u = np.linspace(1e-6, 60e-6, 60)
@@ -187,6 +217,11 @@ def frf(files: Any, *, progress: Any = None, **options: Any) -> FrfResult:
     FrfResult
         ``result.frfs()`` has the FRFs.
 
+    Raises
+    ------
+    InputError
+        For an unknown option, a channel that no record has, no force or several, and files that cannot be read.
+
     >>> import jointid, numpy as np
     >>> t = np.arange(1000) / 1000.0
     >>> def hit(size):  # force of a hammer, N, and acceleration of a mode at 80 Hz, m/s²
@@ -229,6 +264,11 @@ def pod(record: Any, *, names: Sequence[str] | None = None, units: Sequence[str]
     names, units : of the channels of an array
     options : channels (of files), mass, stiffness, compare (files), keep_mean
 
+    Raises
+    ------
+    InputError
+        For arrays with other axes, names that are not as many as the channels, and files that cannot be read.
+
     >>> import numpy as np, jointid
     >>> t = np.arange(500) / 50
     >>> record = np.column_stack([0.6 * np.cos(2 * np.pi * t), 0.8 * np.cos(2 * np.pi * t)])
@@ -268,6 +308,11 @@ def write_problem(name: str, directory: str | os.PathLike, *, format: str = "h5"
     Returns the path of the scene; of loading curves and modal sets, that of the file.
 
     `format` is "h5" or "uff". `seed` is that of the noise. `clean` leaves out the noise.
+
+    Raises
+    ------
+    InputError
+        For a name or format that there is not, and a folder that cannot be written.
 
     >>> import os, tempfile
     >>> os.path.basename(write_problem("A1", tempfile.mkdtemp(), format="uff"))

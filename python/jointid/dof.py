@@ -43,6 +43,7 @@ class Dof(str):
 
     @property
     def is_rotation(self) -> bool:
+        """Whether its motion is an angle, rad, and its force a moment, N·m."""
         return self.direction.startswith("R")
 
 

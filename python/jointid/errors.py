@@ -53,7 +53,12 @@ def _made_again(problem, file, place, remedy, kind, what) -> InputError:
 
 
 class JointidWarning(UserWarning):
-    """Base class of all warnings of jointid."""
+    """Base class of all warnings of jointid. A filter makes one of them an error:
+
+    >>> import jointid, warnings
+    >>> with warnings.catch_warnings():
+    ...     warnings.simplefilter("error", jointid.UnusableWarning)  # stop where numbers may not be used
+    """
 
 
 class DoubtfulWarning(JointidWarning):

@@ -16,10 +16,18 @@ from .errors import InputError
 
 __all__ = ["BoundResult", "Finding", "FrfResult", "Result", "Solution", "Unknown"]
 
+_SCREEN = 50  # lines
+
 
 @dataclass(frozen=True)
 class Finding:
-    """A finding of the data against a result, or against the data themselves."""
+    """A finding of the data against a result, or against the data themselves.
+
+    >>> import jointid
+    >>> print(jointid.Finding("sign", "all its FRFs have the other sign", remedy='flip = ["2:+Y"]', file="b.h5", dofs=(jointid.Dof("2:+Y"),)))
+    sign (b.h5, 2:+Y): all its FRFs have the other sign
+      remedy: flip = ["2:+Y"]
+    """
 
     kind: str  #: "sign", "label", "gain", "warning", …
     text: str  #: what was seen, with its numbers
@@ -35,7 +43,13 @@ class Finding:
 
 @dataclass(frozen=True)
 class Unknown:
-    """An unknown of the joint, SI units."""
+    """An unknown of the joint, SI units.
+
+    >>> import jointid, tempfile
+    >>> unknown = jointid.identify(jointid.write_problem("A1", tempfile.mkdtemp(), clean=True)).unknowns["K(1,1)"]
+    >>> round(float(unknown)), unknown.unit, unknown.determined
+    (662400, 'N/m', True)
+    """
 
     name: str
     value: float  #: NaN where it is not finite
@@ -66,8 +80,13 @@ def _suspects(check: dict[str, Any] | None) -> Iterator[Finding]:
 class Result:
     """Result of a command: its JSON as a dict, its text, its tables and its page.
 
-    ``print(result)`` is one screen. A notebook shows the report page. ``result["key"]`` is an entry of ``result.to_dict()``.
+    ``print(result)`` is one screen, at most 50 lines; ``result.text()`` is all. A notebook shows the report page. ``result["key"]`` is an entry of ``result.to_dict()``.
     Results can be pickled with their texts and numbers. FRFs that a page would read again are left out, unless the page exists.
+
+    >>> import jointid, pickle, tempfile
+    >>> result = jointid.plan(jointid.write_problem("A1", tempfile.mkdtemp(), clean=True))
+    >>> result["method"], result.to_dict() == pickle.loads(pickle.dumps(result)).to_dict()
+    ('one', True)
     """
 
     def __init__(self, outcome: Any, scene: Any, command: str) -> None:
@@ -203,7 +222,10 @@ class Result:
         self._outcome = None
 
     def save(self, path: str | os.PathLike) -> None:
-        """Writes .json, .csv, .txt, or the page as .html, by the ending of the name."""
+        """Writes .json, .csv, .txt, or the page as .html, by the ending of the name.
+
+        Raises InputError for another ending, and for one that the command does not have.
+        """
         ending = os.path.splitext(os.fspath(path))[1].lower()
         makers = {".json": self.to_json, ".csv": self.csv, ".html": self.page, ".txt": self.text}
         if ending not in makers:
@@ -221,7 +243,11 @@ class Result:
                 os.remove(temporary)
 
     def __repr__(self) -> str:
-        return self.text().rstrip("\n")
+        """The text, as far as one screen has lines."""
+        lines = self.text().rstrip("\n").split("\n")
+        if len(lines) <= _SCREEN:
+            return "\n".join(lines)
+        return "\n".join([*lines[:_SCREEN - 1], f"… {len(lines) - _SCREEN + 1} more lines: print(result.text())"])
 
     __str__ = __repr__
 
@@ -368,10 +394,19 @@ class Solution(Result):
 
 
 class FrfResult(Result):
-    """A result with FRFs: of couple, modalfit and frf."""
+    """A result with FRFs: of couple, modalfit, frf, expand and decouple.
+
+    >>> import jointid, tempfile
+    >>> whole = jointid.couple(jointid.write_problem("coupling-A", tempfile.mkdtemp(), clean=True))
+    >>> whole.frfs().quantity
+    'receptance'
+    """
 
     def frfs(self, progress: Any = False) -> Any:
-        """FrfSet of the predicted (couple), synthesised (modalfit) or estimated (frf) FRFs."""
+        """FrfSet of the predicted (couple), synthesised (modalfit) or estimated (frf) FRFs, [line, response, reference].
+
+        Raises InputError if the FRFs are gone: the result was pickled, or released.
+        """
         return self._frfs(progress)
 
     def plot_frf(self, response: str | None = None, reference: str | None = None, axes: Any = None) -> Any:
@@ -380,7 +415,14 @@ class FrfResult(Result):
 
 
 class BoundResult(Result):
-    """Predicted standard errors of a test: of bound()."""
+    """Predicted standard errors of a test: of bound(). ``result["bound"]["unknowns"]`` has them, SI units and relative.
+
+    >>> import jointid, tempfile
+    >>> scene = jointid.write_problem("A1", tempfile.mkdtemp(), clean=True)
+    >>> result = jointid.bound(scene=scene, noise={"model": "gaussian", "level": 0.02})
+    >>> len(result["bound"]["unknowns"])
+    20
+    """
 
     def plot_bound(self, axes: Any = None) -> Any:
         """Plots the smallest relative standard error of each unknown, by matplotlib. Returns the axes."""

@@ -63,6 +63,20 @@ class SceneKeys(unittest.TestCase):
                         meanings.of(kind, table.path, key)
         self.assertEqual(meanings.missing, [])
 
+    def test_every_key_has_a_meaning(self) -> None:
+        """A row of a page, not the name of a page alone."""
+        meanings, without = scene_meanings.Meanings(ROOT / "docs"), []
+        for kind in scene_tables.KINDS:
+            below = {table.path for table in kind.tables}
+            for table in kind.tables:
+                for key in self.keys[kind.word, table.path]:
+                    if f"{table.path}.{key}".strip(".") in below:
+                        continue
+                    of = meanings.of(kind, table.path, key)
+                    if not of or of.startswith("see ["):
+                        without.append((kind.word, table.title, key))
+        self.assertEqual(without, [("lines", "at the top", "joints")])  # refused there
+
     def test_what_a_key_takes(self) -> None:
         takes = {(kind, path, key.name): key.takes for (kind, path), keys in self.found.items() for key in keys}
         for where, expected in ((("solve", "frequency", "range"), "`[lo, hi]`"), (("solve", "data", "reciprocity"), "true or false"),

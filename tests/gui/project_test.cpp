@@ -4,6 +4,8 @@
 
 #include <QFile>
 #include <QPushButton>
+#include <QTabBar>
+#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextDocument>
@@ -48,6 +50,22 @@ TEST(Project, ChecksAsOneTypes) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return opened.project.checked().error.has_value(); }, 3000));
   EXPECT_EQ(opened.project.editor()->error()->line, 10);
   EXPECT_TRUE(opened.project.is_modified());
+}
+
+TEST(Project, TitlesOfAllPagesAreWholeInASmallWindow) {
+  Opened opened;
+  opened.project.resize(1024, 680);
+  opened.project.show();
+  auto* pages = opened.project.findChild<QTabWidget*>("pages");
+  ASSERT_NE(pages, nullptr);
+  for (int page = 0; page < pages->count(); ++page) pages->setTabVisible(page, true);
+  QCoreApplication::processEvents();
+  const QTabBar* bar = pages->tabBar();
+  EXPECT_GE(bar->count(), 13);
+  for (int page = 0; page < bar->count(); ++page) {
+    const QString title = bar->tabText(page);
+    EXPECT_GE(bar->tabRect(page).width(), bar->fontMetrics().horizontalAdvance(title) + 4) << title.toStdString();
+  }
 }
 
 TEST(Project, SavesWhatIsWritten) {

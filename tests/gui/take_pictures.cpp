@@ -47,6 +47,13 @@ namespace {
 
 bool wait_for(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 60000); }
 
+/// The tab that has a widget in it.
+void show_tab_of(QTabWidget& tabs, const QWidget& inside) {
+  for (int tab = 0; tab < tabs.count(); ++tab) {
+    if (tabs.widget(tab)->isAncestorOf(&inside)) tabs.setCurrentIndex(tab);
+  }
+}
+
 class Photographer {
  public:
   Photographer(const QString& scene, const QString& folder, bool every) : folder_(folder), every_(every) {
@@ -115,9 +122,9 @@ class Photographer {
     take_compared(project);
     take_planned(project);
     project.pages()->setCurrentWidget(&solve);
-    solve.results()->setCurrentIndex(6);
+    solve.results()->setCurrentWidget(solve.runs_table());
     keep("workbench-runs");
-    solve.results()->setCurrentWidget(solve.results()->widget(5));
+    show_tab_of(*solve.results(), *solve.plot());
     solve.plot()->set_cursor(420.0);
     window_.set_theme(Theme::dark);
     keep("workbench-frfs-dark");
@@ -266,6 +273,7 @@ class Photographer {
         project.pages()->setCurrentWidget(project.solve_page());
         QTabWidget& results = *project.solve_page()->results();
         for (int result = 0; result < results.count(); ++result) {
+          if (!results.isTabVisible(result)) continue;
           results.setCurrentIndex(result);
           keep(qPrintable("every-solve-" + results.tabText(result).section(' ', -1) + look));
         }

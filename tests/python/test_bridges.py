@@ -1,5 +1,8 @@
 """To other packages and back, against small imitations of their conventions."""
 
+import pathlib
+import re
+import sys
 import types
 
 import jointid
@@ -251,3 +254,78 @@ def test_pyfbs_nodes_keep_their_numbers():
     like = pyfbs.from_pyfbs(frequency, frfs[:, 1:], part, impacts, like=ab)
     assert alone.responses == ("1:+X",) and like.responses == ab.responses[1:] and like.references == ab.references
     assert set(like.nodes) == {2, 3}
+
+
+def block_of(page):
+    """The program of a page "coming from …"."""
+    text = (pathlib.Path(__file__).parents[2] / f"docs/from-other-tools/{page}.md").read_text(encoding="utf-8")
+    found = re.findall(r"^```python\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+    assert len(found) == 1
+    return found[0]
+
+
+def beam(rows, columns, **options):
+    """Accelerances of one mode at 200 Hz."""
+    f = np.arange(20.0, 400.0)
+    mode = -(f**2) / (200.0**2 - f**2 + 2j * 0.01 * 200.0 * f)
+    frfs = np.einsum("f,ij->fij", mode, np.ones((len(rows), len(columns))))
+    return jointid.FrfSet(frfs, f, rows, columns, quantity="accelerance", **options)
+
+
+def test_the_program_of_the_page_on_pyema():
+    frequency, frf = pyema.to_pyema(beam(["1:+Z", "2:+Z"], ["1:+Z"]))
+    ran = {"freq": frequency, "frf": frf, "jointid": jointid}
+    exec(block_of("pyema-testlab"), ran)
+    assert ran["fit"]["modes"][0]["frequency_hz"] == pytest.approx(200.0, rel=1e-6)
+
+
+def test_the_program_of_the_page_on_pyfbs():
+    places = {1: (0.1, 0, 0), 2: (-0.1, 0, 0), 3: (0, 0.1, 0), 4: (0, 0, 0.3)}
+    dofs = [f"{node}:+{axis}" for node in places for axis in "XYZ"]
+    frequency, whole, channels, impacts = pyfbs.to_pyfbs(beam(dofs, dofs, nodes=places))
+    for table in (channels, impacts):
+        table["Grouping"] = [2 if place == 0.3 else 1 for place in table["Position_3"]]
+    points = {"Grouping": [1] * 6, "Description": ["ux", "uy", "uz", "rx", "ry", "rz"], **{f"Position_{k}": [0.0] * 6 for k in (1, 2, 3)}}
+    ran = {"freq": frequency, "Y_AB": whole, "Y_A": whole, "df_chn_AB": channels, "df_imp_AB": impacts, "df_chn_A": channels,
+           "df_imp_A": impacts, "df_vp": points}
+    exec(block_of("pyfbs"), ran)
+    assert ran["a"].responses == ran["ab"].responses and ran["points"][0]["name"] == "VP1"
+    assert "VP1:+RX" in jointid.virtual_points(ran["ab"], ran["points"]).responses
+
+
+def test_the_program_of_the_page_on_sdynpy(monkeypatch):
+    """With a module in place of SDynPy, whose data_array() keeps what it gets."""
+    kept = types.ModuleType("sdynpy")
+    kept.data = types.SimpleNamespace(FunctionTypes=types.SimpleNamespace(FREQUENCY_RESPONSE_FUNCTION=4))
+    kept.coordinate_array = lambda node, direction: (node, direction)
+    kept.data_array = lambda *arguments: arguments
+    monkeypatch.setitem(sys.modules, "sdynpy", kept)
+    made = sample()
+    ran = {"transfer_function_array": sdynpy.structured(made)}
+    exec(block_of("sdynpy"), ran)
+    assert ran["frfs"] == made
+    kind, abscissa, ordinate, (node, direction) = ran["back"]
+    assert kind == 4 and abscissa.shape == ordinate.shape == (3, 2, 5)
+    assert node[1, 0].tolist() == [2, 1] and direction[1, 0].tolist() == [-2, 1]
+
+
+def test_decoupling_of_the_page_on_sdynpy():
+    """Masses 1, 2 and 6, 7 on springs and dampers; 2 is joined with 6, and 7 is an internal DOF of what is removed."""
+    f = np.arange(1, 601) * 0.1
+    omega = 2 * np.pi * f.reshape(-1, 1, 1)
+
+    def chain(mass, stiffness, names, name):
+        frfs = np.linalg.inv(stiffness * (1 + 1e-4j * omega) - omega**2 * np.diag(mass))
+        return jointid.FrfSet(frfs, f, names, name=name)
+
+    k_a, k_c = np.array([[3e4, -2e4], [-2e4, 2e4]]), np.array([[6e4, -6e4], [-6e4, 13e4]])
+    k_ac = np.zeros((3, 3))
+    k_ac[:2, :2] += k_a
+    k_ac[1:, 1:] += k_c
+    a, c = chain([1, 1], k_a, ["1:+X", "2:+X"], "a"), chain([1, 1], k_c, ["6:+X", "7:+X"], "c")
+    whole = chain([1, 2, 1], k_ac, ["1:+X", "6:+X", "7:+X"], "ac")
+    np.testing.assert_allclose(jointid.couple([a, c], join=[["2:+X", "6:+X"]]).frfs().frfs, whole.frfs, rtol=1e-9)
+    page = (pathlib.Path(__file__).parents[2] / "docs/from-other-tools/sdynpy.md").read_text(encoding="utf-8")
+    call = re.search(r"`(jointid\.decouple\(.*?\))`", page)[1]
+    left = eval(call, {"jointid": jointid, "abc": whole, "c": c}).frfs()
+    np.testing.assert_allclose(left["1:+X", "1:+X"], a["1:+X", "1:+X"], rtol=1e-9)

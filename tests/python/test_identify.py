@@ -133,7 +133,8 @@ def test_the_dynamic_stiffness_is_that_of_the_matrices(sets, joint):
 
 def test_texts_pages_and_files(sets, joint, tmp_path):
     solution = jointid.identify(*sets, joint, title="two beams")
-    assert "two beams" in repr(solution) and "K(1,1)" in repr(solution) and len(repr(solution).splitlines()) < 80
+    assert "two beams" in repr(solution) and "K(1,1)" in repr(solution) and len(repr(solution).splitlines()) == 50
+    assert solution.text().startswith(repr(solution).rsplit("\n", 1)[0]) and repr(solution).endswith("more lines: print(result.text())")
     page = solution.page()
     assert page.startswith("<!DOCTYPE html>") and "two beams" in page and "/jointid-memory/" not in page
     assert solution._repr_html_().startswith("<iframe srcdoc=") and "two beams" in solution._repr_html_()

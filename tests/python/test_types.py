@@ -1,14 +1,17 @@
 """The package is typed, and the stubs name what the extension module has."""
 
 import ast
+import importlib
+import inspect
 import os
+import pkgutil
 import re
 import subprocess
 import sys
 
 import jointid
 import pytest
-from jointid import _jointid
+from jointid import _jointid, bridges
 
 HERE = os.path.dirname(__file__)
 
@@ -60,3 +63,34 @@ def test_the_reference_has_every_public_name():
     with open(os.path.join(HERE, "../../docs/reference/python-api.rst"), encoding="utf-8") as page:
         listed = set(re.findall(r"^\.\. auto(?:function|class|exception):: (\w+)$", page.read(), re.MULTILINE))
     assert listed == set(jointid.__all__) - {"__version__"}
+
+
+def documented():
+    """Public functions and classes by name: those of the package and of its bridges."""
+    yield from ((name, getattr(jointid, name)) for name in jointid.__all__ if name != "__version__")
+    for module in pkgutil.iter_modules(bridges.__path__):
+        if module.name.startswith("_"):
+            continue
+        found = importlib.import_module(f"jointid.bridges.{module.name}")
+        yield from ((f"{module.name}.{name}", each) for name, each in vars(found).items()
+                    if inspect.isfunction(each) and each.__module__ == found.__name__ and not name.startswith("_"))
+
+
+def test_docstrings_have_an_example_and_the_errors():
+    without_errors = {"problems", "pandas.to_pandas", "xarray.to_xarray", "pyfbs.to_pyfbs"}  # there is nothing that a caller could do wrong
+    checked = dict(documented())
+    assert len(checked) > 50
+    for name, each in checked.items():
+        text = inspect.getdoc(each) or ""
+        if not (inspect.isclass(each) and issubclass(each, jointid.JointidWarning) and each is not jointid.JointidWarning):
+            assert ">>> " in text, f"{name} has no example"
+        if inspect.isfunction(each) and name not in without_errors:
+            assert "InputError" in text, f"{name} does not state its errors"
+
+
+def test_members_of_public_classes_are_documented():
+    for name, each in documented():
+        members = vars(each).items() if inspect.isclass(each) else ()
+        for member, value in members:
+            if not member.startswith("_") and (inspect.isfunction(value) or isinstance(value, property)):
+                assert inspect.getdoc(value), f"{name}.{member} has no docstring"

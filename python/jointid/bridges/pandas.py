@@ -11,7 +11,17 @@ from ..frf_set import FrfSet
 
 
 def to_pandas(frfs: FrfSet) -> Any:
-    """The set as a DataFrame. Its ``attrs`` have quantity and units."""
+    """The set as a DataFrame [line, (response, reference)], complex. Its index is the frequency in Hz.
+
+    Its ``attrs`` have quantity and units. Needs pandas, else ImportError.
+
+    >>> import numpy as np, jointid
+    >>> from jointid.bridges.pandas import to_pandas
+    >>> frfs = jointid.FrfSet(np.ones((3, 2, 1)) * 1e-6, [10.0, 20.0, 30.0], ["1:+Z", "2:+Z"], ["1:+Z"])
+    >>> table = to_pandas(frfs)
+    >>> table.shape, table.attrs["units"]
+    ((3, 2), 'm/N')
+    """
     import pandas
 
     columns = pandas.MultiIndex.from_product([[str(dof) for dof in frfs.responses], [str(dof) for dof in frfs.references]],
@@ -22,7 +32,21 @@ def to_pandas(frfs: FrfSet) -> Any:
 
 
 def from_pandas(table: Any, *, quantity: str | None = None, name: str = "pandas") -> FrfSet:
-    """A DataFrame as a set. Columns are in any order; missing pairs are NaN."""
+    """A DataFrame [line, (response, reference)] as a set. Columns are in any order; missing pairs are NaN.
+
+    Its index is the frequency in Hz. `quantity` is that of its ``attrs`` by default, else receptance.
+
+    Raises
+    ------
+    InputError
+        For columns that are no pairs of DOFs.
+
+    >>> import numpy as np, jointid
+    >>> from jointid.bridges.pandas import from_pandas, to_pandas
+    >>> frfs = jointid.FrfSet(np.ones((3, 2, 1)) * 1e-6, [10.0, 20.0, 30.0], ["1:+Z", "2:+Z"], ["1:+Z"])
+    >>> from_pandas(to_pandas(frfs)) == frfs
+    True
+    """
     if getattr(getattr(table, "columns", None), "nlevels", 1) != 2:
         raise InputError("the columns are no pairs (response, reference)", place="table", remedy="give a MultiIndex of two levels")
     responses = list(dict.fromkeys(table.columns.get_level_values(0)))

@@ -61,12 +61,20 @@ def _dofs(table: Any, groups: dict[tuple, int], given: Any) -> list[Dof]:
 
 def from_pyfbs(frequency: Any, frfs: Any, channels: Any, impacts: Any, *, responses: Any = None, references: Any = None,
                quantity: str = "accelerance", like: FrfSet | None = None, name: str = "pyFBS") -> FrfSet:
-    """A set from FRFs [line, channel, impact] with ``df_chn`` and ``df_imp``, DataFrames or other tables with their columns.
+    """A set from FRFs [line, channel, impact], SI units, frequencies [line] in Hz, with ``df_chn`` and ``df_imp``, DataFrames or other tables with their columns.
 
     Positions are numbered from 1 in their order, channels first. Those of the set `like` keep their numbers: read AB first, then A and
     B like it. Rows with one Position are one node; Direction gives the DOF. The set has the positions, m. Rows whose Quantity is
     "Angular Acceleration" or "Moment" are rotations. Directions along no axis raise InputError, unless `responses` and `references`
     name the DOFs.
+
+    >>> import numpy as np
+    >>> from jointid.bridges.pyfbs import from_pyfbs
+    >>> rows = {"Name": ["S1"], "Position_1": [0.1], "Position_2": [0.0], "Position_3": [0.0],
+    ...         "Direction_1": [0.0], "Direction_2": [0.0], "Direction_3": [-1.0]}
+    >>> frfs = from_pyfbs([10.0, 20.0], np.ones((2, 1, 1), complex), rows, rows)
+    >>> frfs.responses[0], frfs.nodes
+    ('1:-Z', {1: (0.1, 0.0, 0.0)})
     """
     groups: dict[tuple, int] = {}
     if like is not None:
@@ -95,6 +103,21 @@ def virtual_points(frfs: FrfSet, channels: Any, impacts: Any, points: Any) -> li
         Rows belong to the virtual point of the same Grouping.
     points : df_vp
         Rows with Grouping, Position_1 to Position_3 and Description: "ux", "uy" … The DOFs are ``VP1:+X`` … of Grouping 1.
+
+    Raises
+    ------
+    InputError
+        For motions that are neither all six rigid ones nor those of a plane, and for a row without a direction.
+
+    >>> import numpy as np
+    >>> from jointid.bridges import pyfbs
+    >>> rows = {"Name": ["a", "b", "c"], "Grouping": [1, 1, 1], "Position_1": [0.1, -0.1, 0.1], "Position_2": [0.0, 0.0, 0.0],
+    ...         "Position_3": [0.0, 0.0, 0.0], "Direction_1": [1, 0, 0], "Direction_2": [0, 1, 1], "Direction_3": [0, 0, 0]}
+    >>> frfs = pyfbs.from_pyfbs([10.0], np.ones((1, 3, 3), complex), rows, rows)
+    >>> middle = {"Grouping": [1] * 3, "Description": ["ux", "uy", "rz"], **{f"Position_{k}": [0.0] * 3 for k in (1, 2, 3)}}
+    >>> point = pyfbs.virtual_points(frfs, rows, rows, middle)[0]
+    >>> point["name"], point["plane"], point["sensors"]
+    ('VP1', 'XY', ['1:+X', '2:+Y', '1:+Y'])
     """
     listed = []
     for group in dict.fromkeys(int(each) for each in points["Grouping"]):
@@ -127,7 +150,20 @@ def _skew(vectors: np.ndarray, inside: list[tuple[int, Dof]]) -> dict[str, list[
 
 
 def read_positions(path: str | os.PathLike, sheet: str) -> Any:
-    """A sheet of pyFBS's table of positions (.xlsx): ``"Channels_A"`` and so on, as a DataFrame. Needs pandas and openpyxl."""
+    """A sheet of pyFBS's table of positions (.xlsx): ``"Channels_A"`` and so on, as a DataFrame. Needs pandas and openpyxl.
+
+    Raises
+    ------
+    InputError
+        For a sheet that the table does not have.
+
+    >>> import pandas, tempfile
+    >>> from jointid.bridges.pyfbs import read_positions
+    >>> path = f"{tempfile.mkdtemp()}/positions.xlsx"
+    >>> pandas.DataFrame({"Name": ["S1"], "Position_1": [0.1]}).to_excel(path, sheet_name="Channels_A", index=False)
+    >>> read_positions(path, "Channels_A")["Position_1"].tolist()
+    [0.1]
+    """
     import pandas
 
     with pandas.ExcelFile(path) as book:
@@ -138,7 +174,17 @@ def read_positions(path: str | os.PathLike, sheet: str) -> Any:
 
 
 def to_pyfbs(frfs: FrfSet) -> tuple[np.ndarray, np.ndarray, dict[str, list], dict[str, list]]:
-    """Frequency [line], Hz, FRFs [line, channel, impact], and columns of ``df_chn`` and ``df_imp`` for ``pandas.DataFrame()``."""
+    """Frequency [line], Hz, FRFs [line, channel, impact], and columns of ``df_chn`` and ``df_imp`` for ``pandas.DataFrame()``.
+
+    FRFs are in SI units, positions in m (NaN where the set has none). FRFs are not copied.
+
+    >>> import numpy as np, jointid
+    >>> from jointid.bridges.pyfbs import to_pyfbs
+    >>> frfs = jointid.FrfSet(np.ones((3, 2, 1)) * 1e-6, [10.0, 20.0, 30.0], ["1:+Z", "2:+Z"], ["1:+Z"], nodes={1: (0.0, 0.0, 0.1)})
+    >>> frequency, array, channels, impacts = to_pyfbs(frfs)
+    >>> channels["Name"], channels["Direction_3"], impacts["Position_3"]
+    (['1:+Z', '2:+Z'], [1.0, 1.0], [0.1])
+    """
     return frfs.frequency, frfs.frfs, _table(frfs, frfs.responses, True), _table(frfs, frfs.references, False)
 
 

@@ -19,6 +19,14 @@ def from_pyuff(datasets: Iterable[Mapping[str, Any]] | Mapping[str, Any], *, qua
     """A set from ``pyuff.UFF(file).read_sets()``: the FRFs (datasets 58 with func_type 4). Other datasets are left out.
 
     Nodes of datasets 15 and 2411 become positions. `quantity` is for datasets without one. Datasets that disagree raise InputError.
+
+    >>> import numpy as np
+    >>> from jointid.bridges.pyuff import from_pyuff
+    >>> dataset = {"type": 58, "func_type": 4, "rsp_node": 2, "rsp_dir": 3, "ref_node": 1, "ref_dir": -3, "x": [10.0, 20.0],
+    ...            "data": np.ones(2, complex), "ordinate_spec_data_type": 12}
+    >>> frfs = from_pyuff([dataset])
+    >>> frfs.responses, frfs.references, frfs.quantity
+    (('2:+Z',), ('1:-Z',), 'accelerance')
     """
     if not isinstance(datasets, Iterable):
         raise InputError(f"{datasets!r} is no list of datasets", place="datasets", remedy="give pyuff.UFF(file).read_sets()")
@@ -48,7 +56,16 @@ def _rows(dataset: Mapping[str, Any]) -> Iterable[tuple]:
 
 
 def to_pyuff(frfs: FrfSet) -> list[dict[str, Any]]:
-    """Datasets 58 for ``pyuff.UFF(file).write_sets()``. FRFs that were not measured (NaN) are left out."""
+    """Datasets 58 for ``pyuff.UFF(file).write_sets()``: frequency in Hz, FRFs in SI units, complex [line].
+
+    FRFs that were not measured (NaN) are left out. A DOF without a node number raises InputError.
+
+    >>> import numpy as np, jointid
+    >>> from jointid.bridges.pyuff import to_pyuff
+    >>> frfs = jointid.FrfSet(np.ones((3, 2, 1)) * 1e-6, [10.0, 20.0, 30.0], ["1:+Z", "2:-Z"], ["1:+Z"])
+    >>> [(each["type"], each["rsp_node"], each["rsp_dir"]) for each in to_pyuff(frfs)]
+    [(58, 1, 3), (58, 2, -3)]
+    """
     kind = next(number for number, word in _QUANTITIES.items() if word == frfs.quantity)
     out = []
     for row, response in enumerate(frfs.responses):

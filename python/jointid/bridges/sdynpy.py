@@ -19,6 +19,18 @@ def from_sdynpy(data: Any, *, quantity: str, unit: str | None = None, name: str 
 
     The array has no quantity: give `quantity` (or `unit`). Its fields are abscissa [line], ordinate [line] and coordinate
     [(response, reference)], each with a node and a direction ±1 to ±6.
+    Frequencies are in Hz.
+
+    Raises
+    ------
+    InputError
+        For a file or an array without FRFs, and for directions that are none.
+
+    >>> import numpy as np, jointid
+    >>> from jointid.bridges.sdynpy import from_sdynpy, structured
+    >>> frfs = jointid.FrfSet(np.ones((3, 2, 1)) * 1e-6, [10.0, 20.0, 30.0], ["1:+Z", "2:-Z"], ["1:+Z"])
+    >>> from_sdynpy(structured(frfs), quantity="receptance") == frfs
+    True
     """
     if isinstance(data, (str, os.PathLike)):
         if not os.path.isfile(data):
@@ -53,7 +65,15 @@ def _dof(coordinate: Any) -> Any:
 
 
 def to_sdynpy(frfs: FrfSet) -> Any:
-    """``sdynpy.data_array(FunctionTypes.FREQUENCY_RESPONSE_FUNCTION, …)``. Needs sdynpy."""
+    """``sdynpy.data_array(FunctionTypes.FREQUENCY_RESPONSE_FUNCTION, …)``: ordinates [response, reference, line] in SI units.
+
+    Needs sdynpy, else ImportError. A DOF without a node number raises InputError.
+
+    >>> import numpy as np, jointid
+    >>> from jointid.bridges.sdynpy import to_sdynpy
+    >>> frfs = jointid.FrfSet(np.ones((3, 2, 1)) * 1e-6, [10.0, 20.0, 30.0], ["1:+Z", "2:-Z"], ["1:+Z"])
+    >>> array = to_sdynpy(frfs)  # doctest: +SKIP
+    """
     import sdynpy
 
     array = structured(frfs)
@@ -62,7 +82,17 @@ def to_sdynpy(frfs: FrfSet) -> Any:
 
 
 def structured(frfs: FrfSet) -> np.ndarray:
-    """The structured array [response, reference] of SDynPy, made without SDynPy."""
+    """The structured array [response, reference] of SDynPy, made without SDynPy: abscissa in Hz, ordinate in SI units.
+
+    A DOF without a node number raises InputError.
+
+    >>> import numpy as np, jointid
+    >>> from jointid.bridges.sdynpy import structured
+    >>> frfs = jointid.FrfSet(np.ones((3, 2, 1)) * 1e-6, [10.0, 20.0, 30.0], ["1:+Z", "2:-Z"], ["1:+Z"])
+    >>> array = structured(frfs)
+    >>> array["ordinate"].shape, array["coordinate"]["direction"][1, 0].tolist()
+    ((2, 1, 3), [-3, 3])
+    """
     coordinate = np.dtype([("node", "<u8"), ("direction", "i1")])
     array = np.zeros(frfs.shape[1:], dtype=[("abscissa", "<f8", (len(frfs),)), ("ordinate", "<c16", (len(frfs),)), 
                                             *((f"comment{k}", "<U80") for k in range(1, 6)), ("coordinate", coordinate, (2,))])
@@ -75,5 +105,16 @@ def structured(frfs: FrfSet) -> np.ndarray:
 
 
 def save_sdynpy(path: str | os.PathLike, frfs: FrfSet) -> None:
-    """Writes the .npz for ``sdynpy.data.NDDataArray.load()``. Does not need SDynPy."""
+    """Writes the .npz for ``sdynpy.data.NDDataArray.load()``. Does not need SDynPy.
+
+    A DOF without a node number raises InputError, a folder that is not there OSError.
+
+    >>> import numpy as np, jointid, tempfile
+    >>> from jointid.bridges.sdynpy import from_sdynpy, save_sdynpy
+    >>> frfs = jointid.FrfSet(np.ones((3, 2, 1)) * 1e-6, [10.0, 20.0, 30.0], ["1:+Z", "2:-Z"], ["1:+Z"])
+    >>> path = f"{tempfile.mkdtemp()}/beam.npz"
+    >>> save_sdynpy(path, frfs)
+    >>> from_sdynpy(path, quantity="receptance") == frfs
+    True
+    """
     np.savez(os.fspath(path), data=structured(frfs), function_type=_FRF)

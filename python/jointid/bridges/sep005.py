@@ -57,7 +57,26 @@ def _records(channels: Any) -> tuple[np.ndarray, float, list[str], list[str]]:
 
 
 def frf_of_sep005(channels: Any, dofs: Mapping[str, str], **options: Any) -> FrfResult:
-    """jointid.frf() for channels of one record. `dofs` names the DOF of each channel to use: ``{"hammer": "1:+Z", "acc": "4:+Z"}``."""
+    """jointid.frf() for channels of one record. `dofs` names the DOF of each channel to use: ``{"hammer": "1:+Z", "acc": "4:+Z"}``.
+
+    Each channel is a dict with "data" [sample], "name", "unit_str" ("N", "m/s^2", "g" …), and "fs" in Hz or "time" in s.
+
+    Raises
+    ------
+    InputError
+        For a channel without these, channels of other lengths, rates or starts, and a name of `dofs` that no channel has.
+
+    >>> import numpy as np
+    >>> from jointid.bridges.sep005 import frf_of_sep005
+    >>> t = np.arange(1000) / 1000.0
+    >>> force = np.exp(-0.5 * ((t - 0.02) / 0.0008) ** 2)
+    >>> motion = np.convolve(force, np.exp(-8 * t) * np.sin(2 * np.pi * 80 * t))[:1000]
+    >>> record = [{"name": "hammer", "data": force, "unit_str": "N", "fs": 1000.0},
+    ...           {"name": "acc", "data": motion, "unit_str": "m/s^2", "fs": 1000.0}]
+    >>> frfs = frf_of_sep005(record, {"hammer": "1:+Z", "acc": "4:+Z"}).frfs()
+    >>> float(frfs.frequency[np.nanargmax(abs(frfs["4:+Z", "1:+Z"]))])
+    80.0
+    """
     data, rate, names, units = _records(channels)
     missing = [name for name in dofs if name not in names]
     if missing:
@@ -67,6 +86,15 @@ def frf_of_sep005(channels: Any, dofs: Mapping[str, str], **options: Any) -> Frf
 
 
 def pod_of_sep005(channels: Any, **options: Any) -> Result:
-    """jointid.pod() for channels of one record."""
+    """jointid.pod() for channels of one record, dicts as in frf_of_sep005(). Wrong channels raise InputError.
+
+    >>> import numpy as np
+    >>> from jointid.bridges.sep005 import pod_of_sep005
+    >>> t = np.arange(500) / 50
+    >>> turn = np.cos(2 * np.pi * t)
+    >>> record = [{"name": name, "data": size * turn, "unit_str": "m", "fs": 50.0} for name, size in (("a", 0.6), ("b", 0.8))]
+    >>> round(pod_of_sep005(record)["values"][0], 9)
+    0.5
+    """
     data, _, names, units = _records(channels)
     return pod(data, names=names, units=units, **options)

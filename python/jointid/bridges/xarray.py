@@ -9,7 +9,17 @@ from ..frf_set import FrfSet
 
 
 def to_xarray(frfs: FrfSet) -> Any:
-    """The set as a DataArray, which shares its numbers (no copy). Its ``attrs`` have quantity and units, its coordinates the DOFs."""
+    """The set as a DataArray [frequency, output, input], which shares its numbers (no copy).
+
+    Its ``attrs`` have quantity and units, its coordinates Hz and the DOFs. Needs xarray, else ImportError.
+
+    >>> import numpy as np, jointid
+    >>> from jointid.bridges.xarray import to_xarray
+    >>> frfs = jointid.FrfSet(np.ones((3, 2, 1)) * 1e-6, [10.0, 20.0, 30.0], ["1:+Z", "2:+Z"], ["1:+Z"])
+    >>> array = to_xarray(frfs)
+    >>> array.dims, array.attrs["units"], np.shares_memory(array.values, frfs.frfs)
+    (('frequency', 'output', 'input'), 'm/N', True)
+    """
     import xarray
 
     array = xarray.DataArray(frfs.frfs, dims=("frequency", "output", "input"), name=frfs.name,
@@ -21,7 +31,19 @@ def to_xarray(frfs: FrfSet) -> Any:
 
 
 def from_xarray(array: Any) -> FrfSet:
-    """A DataArray as a set. The dimensions are in any order. The quantity is ``attrs["quantity"]``, else receptance."""
+    """A DataArray as a set. The dimensions are in any order. The quantity is ``attrs["quantity"]``, else receptance.
+
+    Raises
+    ------
+    InputError
+        For other dimensions than frequency, output and input.
+
+    >>> import numpy as np, jointid
+    >>> from jointid.bridges.xarray import from_xarray, to_xarray
+    >>> frfs = jointid.FrfSet(np.ones((3, 2, 1)) * 1e-6, [10.0, 20.0, 30.0], ["1:+Z", "2:+Z"], ["1:+Z"])
+    >>> from_xarray(to_xarray(frfs)) == frfs
+    True
+    """
     wanted = ("frequency", "output", "input")
     if set(getattr(array, "dims", ())) != set(wanted):
         raise InputError(f"the dimensions are {getattr(array, 'dims', 'none')}", place="array", kind="data",
