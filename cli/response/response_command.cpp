@@ -1,23 +1,34 @@
 #include "cli/response/response_command.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 
 #include "base/error.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
+#include "cli/resume/kept_state.hpp"
 #include "cli/text/failure.hpp"
+#include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
 #include "report/response/curve_rows.hpp"
 #include "report/response/response_file.hpp"
 #include "report/response/response_page.hpp"
 #include "report/response/response_text.hpp"
 #include "report/response/ways_text.hpp"
+#include "scene/text.hpp"
+#include "tasks/response/level_state.hpp"
 #include "tasks/response/read_response_scene.hpp"
 #include "tasks/response/response_result.hpp"
 #include "tasks/response/response_scene.hpp"
 #include "tasks/response/run_response.hpp"
 
 namespace jointid::cli {
+namespace {
+
+constexpr const char* state_end = ".response.partial";
+
+}  // namespace
 
 void add_response(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<ResponseArguments>(
@@ -32,6 +43,7 @@ void add_response(CLI::App& app, Chosen& chosen) {
                       "Write the peaks over the force and [[curves]] to a file: HDF5 by the name .h5, else CSV; - for stdout");
   command->add_option("--history", arguments->history,
                       "Write the motions of [transient] to a file: HDF5 by the name .h5, else CSV; - for stdout");
+  add_resume(command, arguments->resume, "the finished force levels", state_end);
   command->add_flag("--compare", arguments->compare,
                     "Instead: errors of harmonic balance and Algorithms One and Two from the exact orbit, over run time");
   command->footer(
@@ -54,7 +66,8 @@ void check_outputs(const ResponseArguments& arguments, const tasks::ResponseScen
                                          {"--report", arguments.report},
                                          {"--curves", arguments.curves},
                                          {"--history", arguments.history},
-                                         {"--out", arguments.out}});
+                                         {"--out", arguments.out},
+                                         {"--state", state_file(arguments.resume, arguments.scene, state_end).string()}});
   if (arguments.history && !scene.transient)
     refuse("--history", "the scene has no [transient]", "add one, or leave --history out");
   if (arguments.out && *arguments.out == "-") refuse("--out", "HDF5 does not go to standard output", "name a file");
@@ -63,6 +76,64 @@ void check_outputs(const ResponseArguments& arguments, const tasks::ResponseScen
   if (arguments.compare && (arguments.history || arguments.curves || arguments.out || arguments.report)) {
     refuse("--compare", "it writes --json and --csv alone", "leave the others out");
   }
+  if (arguments.compare && arguments.resume.any())
+    refuse("--compare", "it keeps no finished levels", "leave --resume, --stop-before and --state out");
+}
+
+/// The finished levels of a run: those of a run before, and a file for the next.
+class LevelsKept {
+ public:
+  LevelsKept(const ResponseArguments& arguments, const tasks::ResponseScene& scene)
+      : from_start_(arguments.resume.keeps_from_start()),
+        all_(scene.levels.size()),
+        state_(state_file(arguments.resume, arguments.scene, state_end), "response", scene::read_text(arguments.scene),
+               tasks::files_of(scene)) {
+    if (!arguments.resume.resume) return;
+    const auto before = state_.read();
+    if (!before) return;
+    auto levels = tasks::unpacked_levels(*before);
+    if (!levels || levels->size() > all_) {
+      throw InputError({ErrorKind::data, state_.file().string(), "--resume", "is no state of these levels", "remove the file to start anew"});
+    }
+    before_ = std::move(*levels);
+    so_far_.put(before_);
+  }
+
+  /// For the run; `this` outlives it.
+  tasks::FinishedLevels for_run() {
+    return {.before = before_, .finished = [this](const std::vector<tasks::LevelResponse>& levels) {
+              so_far_.put(levels);
+              if (from_start_) state_.put(tasks::packed_levels(levels));
+            }};
+  }
+
+  /// Of an interrupted run: keeps the levels where that was not done; what is reported of them.
+  std::string words() {
+    const auto levels = so_far_.get();
+    if (!levels || levels->empty()) return "interrupted";
+    if (!from_start_) {
+      if (const std::string why = state_.why_not_put(tasks::packed_levels(*levels)); !why.empty())
+        return "interrupted; the finished force levels are not kept: " + why;
+    }
+    return fmt::format("interrupted; {} keeps {} of {} force levels, the same command with --resume continues", state_.file().string(),
+                       levels->size(), all_);
+  }
+
+  void remove() { state_.remove(); }
+
+ private:
+  bool from_start_;
+  std::size_t all_;
+  KeptState state_;
+  std::vector<tasks::LevelResponse> before_{};
+  SoFar<std::vector<tasks::LevelResponse>> so_far_;
+};
+
+tasks::ResponseResult run_watched(const ResponseArguments& arguments, const tasks::ResponseScene& scene, LevelsKept& kept) {
+  Progress progress;
+  ident::Control control = progress.control();
+  control.interrupted = is_over(arguments.resume);
+  return with_last_words([&] { return kept.words(); }, [&] { return tasks::run_response(scene, control, kept.for_run()); });
 }
 
 void write_history(const std::string& target, const tasks::ResponseResult& run, std::ostream& out) {
@@ -97,13 +168,12 @@ ExitCode compare(const ResponseArguments& arguments, const tasks::ResponseScene&
 }  // namespace
 
 ExitCode execute(const ResponseArguments& arguments, std::ostream& out) {
+  check(arguments.resume);
   const tasks::ResponseScene scene = tasks::read_response_scene(arguments.scene);
   check_outputs(arguments, scene);
   if (arguments.compare) return compare(arguments, scene, out);
-  const tasks::ResponseResult run = [&] {
-    Progress progress;
-    return tasks::run_response(scene, progress.control());
-  }();
+  LevelsKept kept(arguments, scene);
+  const tasks::ResponseResult run = run_watched(arguments, scene, kept);
   if (arguments.json) write_target(*arguments.json, report::response_json(scene, run), out);
   if (arguments.csv) write_target(*arguments.csv, report::response_csv(run), out);
   if (arguments.report) write_target(*arguments.report, report::response_report(scene, run), out);
@@ -112,6 +182,7 @@ ExitCode execute(const ResponseArguments& arguments, std::ostream& out) {
   if (arguments.out) report::write_response_table(*arguments.out, run);
   if (!takes_output({arguments.json, arguments.csv, arguments.report, arguments.curves, arguments.history}))
     out << report::response_text(scene, run);
+  kept.remove();
   if (tasks::all_converged(run)) return ExitCode::done;
   print_error(arguments.scene.string() + ": harmonic balance did not converge everywhere");
   return ExitCode::unusable;

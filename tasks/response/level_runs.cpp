@@ -131,10 +131,12 @@ LevelResponse arc_length(const response::HarmonicBalance& balance, const Respons
 }  // namespace
 
 void run_levels(const response::HarmonicBalance& balance, const ResponseScene& scene, const Prepared& prepared,
-                const ident::Control& control, ResponseResult& run) {
+                const ident::Control& control, ResponseResult& run,
+                const std::function<void(const std::vector<LevelResponse>&)>& finished) {
   std::vector<double> omegas;
   for (const double hz : prepared.frequency_hz) omegas.push_back(angular(hz));
-  for (const double amplitude : scene.levels) {
+  for (std::size_t i = run.levels.size(); i < scene.levels.size(); ++i) {
+    const double amplitude = scene.levels[i];
     const std::string stage = fmt::format("{:.6g} N", amplitude);
     LevelResponse level = {.level = amplitude};
     if (scene.method == CurveMethod::arc_length) {
@@ -152,6 +154,7 @@ void run_levels(const response::HarmonicBalance& balance, const ResponseScene& s
     describe_peak(balance, scene, prepared, level);
     find_stability(balance, scene, prepared, control, level);
     run.levels.push_back(std::move(level));
+    if (finished) finished(run.levels);
   }
 }
 

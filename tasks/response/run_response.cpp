@@ -6,14 +6,15 @@
 namespace jointid::tasks {
 namespace {
 
-ResponseResult run(const ResponseScene& scene, const Prepared& prepared, const ident::Control& control) {
+ResponseResult run(const ResponseScene& scene, const Prepared& prepared, const ident::Control& control, const FinishedLevels& levels) {
   ResponseResult result;
   result.doubts = prepared.doubts;
   for (const SceneJoint& joint : scene.joints) result.joints.push_back(joint.joint.name);
   for (const SceneDof& dof : scene.responses) result.dofs.push_back(dof.name);
   if (!scene.levels.empty()) {
     const response::HarmonicBalance balance(prepared.structure, joints_of(scene), scene.force, scene.harmonics);
-    run_levels(balance, scene, prepared, control, result);
+    result.levels = levels.before;
+    run_levels(balance, scene, prepared, control, result, levels.finished);
     run_curves(balance, scene, control, result);
   }
   run_equivalents(scene, prepared, result);
@@ -23,12 +24,12 @@ ResponseResult run(const ResponseScene& scene, const Prepared& prepared, const i
 
 }  // namespace
 
-ResponseResult run_response(const ResponseScene& scene, const ident::Control& control) {
-  return run(scene, prepare(scene, control), control);
+ResponseResult run_response(const ResponseScene& scene, const ident::Control& control, const FinishedLevels& levels) {
+  return run(scene, prepare(scene, control), control, levels);
 }
 
 ResponseResult run_response(const ResponseScene& scene, std::vector<frf::FrfSet> parts, const ident::Control& control) {
-  return run(scene, prepare(scene, std::move(parts), control), control);
+  return run(scene, prepare(scene, std::move(parts), control), control, {});
 }
 
 }  // namespace jointid::tasks
