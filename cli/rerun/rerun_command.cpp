@@ -50,6 +50,10 @@ struct Made {
 
 Made made_of(const Path& file, const Json& result) try {
   const Json& told = result.at("provenance");
+  if (told.contains("python")) {
+    fail(file, "provenance", "jointid." + told.at("python").get<std::string>() + "() of Python made it",
+         "call the function again; rerun repeats what the command wrote");
+  }
   Made out{told.at("version"), told.at("commit"), told.at("command"), told.at("folder").get<std::string>(), {}};
   for (const Json& input : told.at("inputs")) {
     out.inputs.push_back({input.at("file"), input.at("place"), {}});
