@@ -4,6 +4,9 @@ execute_process(COMMAND git describe --always --dirty --abbrev=40 --exclude "*" 
                 OUTPUT_VARIABLE _commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE _failed)
 if(_failed)
   set(_commit unknown)
+  if(DEFINED ENV{JOINTID_COMMIT}) # sources without their clone
+    set(_commit "$ENV{JOINTID_COMMIT}")
+  endif()
 endif()
 set(_text "#include \"${HEADER}\"\n\nstd::string ${NAMESPACE}::built_from() { return \"${_commit}\"; }\n")
 if(EXISTS "${OUT}")
