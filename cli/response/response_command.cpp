@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "base/error.hpp"
+#include "base/stopwatch.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
 #include "cli/resume/kept_state.hpp"
@@ -43,7 +44,7 @@ void add_response(CLI::App& app, Chosen& chosen) {
                       "Write the peaks over the force and [[curves]] to a file: HDF5 by the name .h5, else CSV; - for stdout");
   command->add_option("--history", arguments->history,
                       "Write the motions of [transient] to a file: HDF5 by the name .h5, else CSV; - for stdout");
-  add_resume(command, arguments->resume, "the finished force levels", state_end);
+  add_resume(command, arguments->resume, "the force levels so far", state_end);
   command->add_flag("--compare", arguments->compare,
                     "Instead: errors of harmonic balance and Algorithms One and Two from the exact orbit, over run time");
   command->footer(
@@ -80,60 +81,73 @@ void check_outputs(const ResponseArguments& arguments, const tasks::ResponseScen
     refuse("--compare", "it keeps no finished levels", "leave --resume, --stop-before and --state out");
 }
 
-/// The finished levels of a run: those of a run before, and a file for the next.
+/// The levels of a run: those of a run before, and a file for the next.
 class LevelsKept {
  public:
   LevelsKept(const ResponseArguments& arguments, const tasks::ResponseScene& scene)
       : from_start_(arguments.resume.keeps_from_start()),
         all_(scene.levels.size()),
         state_(state_file(arguments.resume, arguments.scene, state_end), "response", scene::read_text(arguments.scene),
-               tasks::files_of(scene)) {
+               tasks::files_of(scene)),
+        is_over_(cli::is_over(arguments.resume)) {
     if (!arguments.resume.resume) return;
     const auto before = state_.read();
     if (!before) return;
     auto levels = tasks::unpacked_levels(*before);
-    if (!levels || levels->size() > all_) {
-      throw InputError({ErrorKind::data, state_.file().string(), "--resume", "is no state of these levels", "remove the file to start anew"});
+    if (!levels || levels->finished.size() > all_) {
+      throw InputError({.kind = ErrorKind::data,
+                        .file = state_.file().string(),
+                        .place = "--resume",
+                        .problem = "is no state of these levels",
+                        .remedy = "remove the file to start anew"});
     }
     before_ = std::move(*levels);
     so_far_.put(before_);
   }
 
-  /// For the run; `this` outlives it.
-  tasks::FinishedLevels for_run() {
-    return {.before = before_, .finished = [this](const std::vector<tasks::LevelResponse>& levels) {
-              so_far_.put(levels);
-              if (from_start_) state_.put(tasks::packed_levels(levels));
-            }};
+  const tasks::LevelsSoFar& before() const { return before_; }
+
+  /// Points of a level are copied at most once in a second, and where the run is to end.
+  void keep(const std::vector<tasks::LevelResponse>& finished, const std::vector<response::HarmonicSolution>& begun) {
+    if (!begun.empty() && !is_over_() && seconds_since(kept_) < 1.0) return;
+    kept_ = Clock::now();
+    if (finished.empty() && begun.empty()) return;
+    so_far_.put({finished, begun});
+    if (from_start_) state_.put(tasks::packed_levels({finished, begun}));
   }
 
   /// Of an interrupted run: keeps the levels where that was not done; what is reported of them.
   std::string words() {
     const auto levels = so_far_.get();
-    if (!levels || levels->empty()) return "interrupted";
+    if (!levels) return "interrupted";
     if (!from_start_) {
       if (const std::string why = state_.why_not_put(tasks::packed_levels(*levels)); !why.empty())
         return "interrupted; the finished force levels are not kept: " + why;
     }
-    return fmt::format("interrupted; {} keeps {} of {} force levels, the same command with --resume continues", state_.file().string(),
-                       levels->size(), all_);
+    std::string text = fmt::format("interrupted; {} keeps {} of {} force levels", state_.file().string(), levels->finished.size(), all_);
+    if (!levels->begun.empty()) text += fmt::format(" and {} points of the next", levels->begun.size());
+    return text + ", the same command with --resume continues";
   }
 
+  bool is_over() const { return is_over_(); }
   void remove() { state_.remove(); }
 
  private:
   bool from_start_;
   std::size_t all_;
   KeptState state_;
-  std::vector<tasks::LevelResponse> before_{};
-  SoFar<std::vector<tasks::LevelResponse>> so_far_;
+  std::function<bool()> is_over_;
+  Clock::time_point kept_ = Clock::now();
+  tasks::LevelsSoFar before_{};
+  SoFar<tasks::LevelsSoFar> so_far_;
 };
 
-tasks::ResponseResult run_watched(const ResponseArguments& arguments, const tasks::ResponseScene& scene, LevelsKept& kept) {
+tasks::ResponseResult run_watched(const tasks::ResponseScene& scene, LevelsKept& kept) {
   Progress progress;
   ident::Control control = progress.control();
-  control.interrupted = is_over(arguments.resume);
-  return with_last_words([&] { return kept.words(); }, [&] { return tasks::run_response(scene, control, kept.for_run()); });
+  control.interrupted = [&] { return kept.is_over(); };
+  const tasks::KeepLevels keep = [&](const auto& finished, const auto& begun) { kept.keep(finished, begun); };
+  return with_last_words([&] { return kept.words(); }, [&] { return tasks::run_response(scene, control, kept.before(), keep); });
 }
 
 void write_history(const std::string& target, const tasks::ResponseResult& run, std::ostream& out) {
@@ -173,7 +187,7 @@ ExitCode execute(const ResponseArguments& arguments, std::ostream& out) {
   check_outputs(arguments, scene);
   if (arguments.compare) return compare(arguments, scene, out);
   LevelsKept kept(arguments, scene);
-  const tasks::ResponseResult run = run_watched(arguments, scene, kept);
+  const tasks::ResponseResult run = run_watched(scene, kept);
   if (arguments.json) write_target(*arguments.json, report::response_json(scene, run), out);
   if (arguments.csv) write_target(*arguments.csv, report::response_csv(run), out);
   if (arguments.report) write_target(*arguments.report, report::response_report(scene, run), out);

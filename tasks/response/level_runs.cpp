@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/complex.hpp"
 #include "response/continuation/sweep.hpp"
@@ -132,7 +133,7 @@ LevelResponse arc_length(const response::HarmonicBalance& balance, const Respons
 
 void run_levels(const response::HarmonicBalance& balance, const ResponseScene& scene, const Prepared& prepared,
                 const ident::Control& control, ResponseResult& run,
-                const std::function<void(const std::vector<LevelResponse>&)>& finished) {
+                std::vector<HarmonicSolution> begun, const KeepLevels& keep) {
   std::vector<double> omegas;
   for (const double hz : prepared.frequency_hz) omegas.push_back(angular(hz));
   for (std::size_t i = run.levels.size(); i < scene.levels.size(); ++i) {
@@ -143,10 +144,12 @@ void run_levels(const response::HarmonicBalance& balance, const ResponseScene& s
       tell(control, stage);
       level = arc_length(balance, scene, amplitude);
     } else {
-      level.points = response::sweep(balance, omegas, amplitude, [&](std::size_t done) {
-        tell(control, stage, done, omegas.size());
+      const auto advance = [&](const std::vector<HarmonicSolution>& points) {
+        tell(control, stage, points.size(), omegas.size());
+        if (keep) keep(run.levels, points);
         stop_if(control.interrupted);
-      });
+      };
+      level.points = response::sweep(balance, omegas, amplitude, advance, std::exchange(begun, {}));
       find_peak(balance, scene, level);
     }
     find_deviations(balance, scene, level);
@@ -154,7 +157,7 @@ void run_levels(const response::HarmonicBalance& balance, const ResponseScene& s
     describe_peak(balance, scene, prepared, level);
     find_stability(balance, scene, prepared, control, level);
     run.levels.push_back(std::move(level));
-    if (finished) finished(run.levels);
+    if (keep) keep(run.levels, {});
   }
 }
 

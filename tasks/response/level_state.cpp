@@ -90,6 +90,7 @@ class Archive : public Way {
     all(it.level, it.points, it.deviations, it.left_out, it.peak_deviation, it.peak, it.refined, it.peak_mode, it.line_spacing_hz,
         it.stability, it.peak_stability, it.loops, it.turning_points, it.complete);
   }
+  void operator()(LevelsSoFar& it) { all(it.finished, it.begun); }
 
  private:
   template <class... T>
@@ -109,16 +110,16 @@ class Archive : public Way {
 
 }  // namespace
 
-std::string packed_levels(std::vector<LevelResponse> levels) {
+std::string packed_levels(LevelsSoFar levels) {
   Archive<Written> archive;
   archive(levels);
   return std::move(archive.bytes);
 }
 
-std::optional<std::vector<LevelResponse>> unpacked_levels(std::string_view bytes) {
+std::optional<LevelsSoFar> unpacked_levels(std::string_view bytes) {
   Archive<Read> archive;
   archive.bytes = bytes;
-  std::vector<LevelResponse> levels;
+  LevelsSoFar levels;
   archive(levels);
   if (!archive.whole || !archive.bytes.empty()) return std::nullopt;
   return levels;
