@@ -9,6 +9,7 @@
 #include "cli/provenance/provenance.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/interrupt.hpp"
+#include "frf/hdf5/file_origin.hpp"
 #include "ident/team/team.hpp"
 
 namespace jointid::cli {
@@ -61,6 +62,7 @@ int print(const Notice& notice) {
 int run(int argc, const char* const* argv, Parse parse) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow (ulimit -f) is one that cannot be written
   begin_provenance(argc, argv);
+  frf::set_file_origin(provenance_text);
   try {
     const auto parsed = parse(argc, argv);
     const auto* notice = std::get_if<Notice>(&parsed);

@@ -150,3 +150,15 @@ function(jointid_module name)
   add_dependencies(modules ${target})
   install(TARGETS ${target} LIBRARY DESTINATION "${JOINTID_INSTALL_MODULES}" COMPONENT ${arg_COMPONENT})
 endfunction()
+
+# jointid_commit(target header namespace): built_from() of the header, with the commit, which every build asks for; its object changes with
+# the commit alone.
+function(jointid_commit target header namespace)
+  set(commit "${CMAKE_CURRENT_BINARY_DIR}/commit.cpp")
+  add_custom_target(${target}_commit BYPRODUCTS "${commit}"
+    COMMAND "${CMAKE_COMMAND}" "-DSOURCE=${PROJECT_SOURCE_DIR}" "-DOUT=${commit}" "-DHEADER=${header}" "-DNAMESPACE=${namespace}"
+            -P "${PROJECT_SOURCE_DIR}/cmake/JointidCommit.cmake")
+  target_sources(${target} PRIVATE "${commit}")
+  set_source_files_properties("${commit}" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
+  add_dependencies(${target} ${target}_commit)
+endfunction()

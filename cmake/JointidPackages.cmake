@@ -22,10 +22,8 @@ if(JOINTID_WITH_PYTHON)
   install(DIRECTORY python/jointid/ DESTINATION "${_python}" COMPONENT python FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed)
   install(DIRECTORY "${JOINTID_PACKAGE_FILES}/python/" DESTINATION "${_python}" COMPONENT python) # modules: a link to the command's
 endif()
-if(EXISTS "${JOINTID_PACKAGE_FILES}/site")
-  list(APPEND _packages doc)
-  install(DIRECTORY "${JOINTID_PACKAGE_FILES}/site/" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/jointid-doc/html" COMPONENT doc)
-endif()
+list(APPEND _packages doc)
+install(DIRECTORY "${JOINTID_PACKAGE_FILES}/site/" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/jointid-doc" COMPONENT doc)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)

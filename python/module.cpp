@@ -1,5 +1,6 @@
 #include <pybind11/pybind11.h>
 
+#include "python/commit.hpp"
 #include "python/correlations.hpp"
 #include "python/errors.hpp"
 #include "python/exports.hpp"
@@ -14,6 +15,7 @@
 PYBIND11_MODULE(_jointid, module) {
   namespace python = jointid::python;
   module.attr("__version__") = JOINTID_VERSION;
+  module.attr("__commit__") = python::built_from();
   module.def("runs_left", python::runs_left);
   python::bind_errors(module);
   python::bind_sets(module);

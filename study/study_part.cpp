@@ -65,7 +65,8 @@ bool is_same(const frf::TableColumn& a, const frf::TableColumn& b) {
 
 /// What two parts differ in, in words; empty where they are of one study.
 std::string difference(const PartFile& one, const PartFile& other) {
-  const frf::TableHeader a = whole_header(one.table->header()), b = whole_header(other.table->header());
+  frf::TableHeader a = whole_header(one.table->header()), b = whole_header(other.table->header());
+  for (frf::TableHeader* each : {&a, &b}) each->texts.erase("provenance");
   for (const auto& [name, called] : {std::pair("scene_hash", "scene"), {"data_hash", "set of data"}, {"seed", "seed"},
                                      {"jointid_version", "version of jointid"}}) {
     if (part_text(a, name) != part_text(b, name)) return called;

@@ -29,7 +29,7 @@ frf::JournalKey key_of(const frf::TableHeader& header) {
   std::string others;
   for (const auto& text : header.texts) {
     const bool named = std::ranges::any_of(named_texts, [&](const auto& of) { return text.first == of.first; });
-    if (!named && text.first != "part") others += text.first + "=" + text.second + "\n";
+    if (!named && text.first != "part" && text.first != "provenance") others += text.first + "=" + text.second + "\n";
   }
   for (const frf::TableColumn& column : header.columns) others += column.name + "\n";
   key.push_back({"set of unknowns", others});

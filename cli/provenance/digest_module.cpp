@@ -1,7 +1,6 @@
 #include <openssl/evp.h>
 
 #include <array>
-#include <fstream>
 #include <memory>
 #include <vector>
 
@@ -24,8 +23,7 @@ std::string hexadecimal(const unsigned char* bytes, unsigned count) {
 
 class OpenSslDigest final : public DigestModule {
  public:
-  std::optional<std::string> sha256(const std::filesystem::path& file) override {
-    std::ifstream in(file, std::ios::binary);
+  std::optional<std::string> sha256(std::istream& in) override {
     const std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context(EVP_MD_CTX_new(), EVP_MD_CTX_free);
     if (!in || !context || EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) != 1) return std::nullopt;
     std::vector<char> piece(bytes_at_once);

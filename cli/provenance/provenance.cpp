@@ -65,6 +65,8 @@ report::Json provenance_json() {
   return out;
 }
 
+std::string text_of(const report::Json& json) { return json.dump(-1, ' ', false, report::Json::error_handler_t::replace); }
+
 /// As the text's own keys are indented.
 std::string as_last_key(const std::string& object) {
   std::string text = provenance_json().dump(2), out;
@@ -90,6 +92,12 @@ void add_provenance_inputs(const std::vector<ident::NamedFile>& inputs) {
     if (std::ranges::find(run.inputs, input.path, &ident::NamedFile::path) == run.inputs.end()) run.inputs.push_back(input);
   }
   run.told_inputs = nullptr;
+}
+
+std::string provenance_text() { return text_of(provenance_json()); }
+
+std::string study_provenance(const std::vector<std::string>& command) {
+  return text_of({{"version", JOINTID_VERSION}, {"commit", built_from()}, {"command", command}, {"inputs", told_inputs()}});
 }
 
 std::string with_provenance(std::string text) {

@@ -50,6 +50,10 @@ struct Made {
 
 Made made_of(const Path& file, const Json& result) try {
   const Json& told = result.at("provenance");
+  if (told.contains("python")) {
+    fail(file, "provenance", "jointid." + told.at("python").get<std::string>() + "() of Python made it",
+         "call the function again; rerun repeats what the command wrote");
+  }
   Made out{told.at("version"), told.at("commit"), told.at("command"), told.at("folder").get<std::string>(), {}};
   for (const Json& input : told.at("inputs")) {
     out.inputs.push_back({input.at("file"), input.at("place"), {}});
@@ -74,9 +78,9 @@ InputState state_of(const Made::Input& input, const Path& folder) {
 
 constexpr std::array state_words = {"same", "changed", "missing", "not compared"};
 
-/// Options that name what is written: left out of the repetition, with their values.
+/// Options that name what is written, and those of runs in several turns: left out of the repetition, with their values.
 constexpr std::array output_options = {"--json", "--csv", "--report", "--out", "--output", "--curves", "--history", "--sweep", "--events",
-                                       "--shapes", "--plot"};
+                                       "--shapes", "--plot", "--state", "--stop-before"};
 
 /// What was given by --out; empty: nothing.
 Path main_output(const Made& made) {
@@ -96,7 +100,7 @@ std::vector<std::string> repetition(const Made& made, const Path& folder, const 
     const std::string option = word.substr(0, word.find('='));
     const bool writes = std::ranges::find(output_options, option) != output_options.end();
     if (writes && option == word) ++i;
-    if (writes) continue;
+    if (writes || word == "--resume") continue;
     const bool is_input = std::ranges::find(made.inputs, word, &Made::Input::file) != made.inputs.end();
     out.push_back(is_input ? std::filesystem::absolute(folder / word).string() : word);
   }

@@ -5,6 +5,7 @@
 
 #include "cli/options/chosen_command.hpp"
 #include "cli/options/target.hpp"
+#include "cli/resume/resume_options.hpp"
 
 namespace CLI {
 class App;
@@ -16,6 +17,7 @@ struct ResponseArguments {
   std::filesystem::path scene;
   Target json{}, csv{}, report{}, curves{}, history{}, out{};
   bool compare = false;
+  ResumeOptions resume{};
 };
 
 /// Declares `response`; choosing it stores it.

@@ -8,6 +8,7 @@
 #include "cli/options/display_options.hpp"
 #include "cli/options/of_option.hpp"
 #include "cli/options/output.hpp"
+#include "cli/solve/estimate_kept.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
@@ -26,11 +27,14 @@
 namespace jointid::cli {
 namespace {
 
+constexpr const char* state_end = ".solve.partial";
+
 void check_outputs(const SolveArguments& arguments, const ident::Scene& scene) {
   check_targets(ident::files_of(scene), {{"--json", arguments.json},
                                          {"--csv", arguments.csv},
                                          {"--report", arguments.report},
-                                         {"--by-line", arguments.by_line}});
+                                         {"--by-line", arguments.by_line},
+                                         {"--state", state_file(arguments.resume, arguments.scene, state_end).string()}});
 }
 
 report::Display display_of(const SolveArguments& arguments) { return cli::display_of(arguments.units, arguments.quantity); }
@@ -45,11 +49,13 @@ void write_numbers(const SolveArguments& arguments, const ident::Solution& solut
 }
 
 /// Writes the best estimate that there was when the command was interrupted, and marks it; the page would need the data again.
-std::string save(const SolveArguments& arguments, std::optional<ident::Solution> best, const std::string& title, std::ostream& out) {
+std::string save(const SolveArguments& arguments, std::optional<ident::Solution> best, const std::string& title, EstimateKept& kept,
+                 std::ostream& out) {
   if (!best) return "interrupted";
+  const std::string state = kept.words(*best);
   tasks::mark_interrupted(*best);
   write_numbers(arguments, *best, title, out);
-  return "interrupted; the best values so far are written" + std::string(arguments.report ? ", the page is not" : "");
+  return "interrupted; the best values so far are written" + std::string(arguments.report ? ", the page is not" : "") + state;
 }
 
 /// All threads of this process: of all cores, its part of them where mpirun started several.
@@ -57,19 +63,26 @@ std::size_t own_threads(const SolveArguments& arguments, const ident::Team& team
   return team.size() == 1 ? arguments.threads : threads_or_cores(arguments.threads, team.size());
 }
 
-ident::Solution solve_watched(const SolveArguments& arguments, ident::Plan& plan, ident::Team& team, std::ostream& out) {
+ident::Solution solve_watched(const SolveArguments& arguments, ident::Plan& plan, ident::Team& team, EstimateKept& kept,
+                              std::ostream& out) {
   SoFar<ident::Solution> best;
   Progress progress;
   const bool leads = team.rank() == 0;
   ident::Control control = progress.control();
   if (!leads) control.progress = {};
+  control.interrupted = is_over(arguments.resume);
   control.threads = own_threads(arguments, team);
   control.judgement = ident::Judgement::data;
-  if (leads) control.so_far = [&](const ident::Solution& solution) { best.put(solution); };
+  if (leads) {
+    control.so_far = [&](const ident::Solution& solution) {
+      best.put(solution);
+      kept.put(solution);
+    };
+  }
   if (team.size() > 1) control.shares = ident::LineShares(team);
   const auto work = [&] { return control.shares.together([&] { return ident::solve(plan, control); }); };
   if (!leads) return work();
-  return with_last_words([&] { return save(arguments, best.get(), plan.scene.title, out); }, work);
+  return with_last_words([&] { return save(arguments, best.get(), plan.scene.title, kept, out); }, work);
 }
 
 void write_report(const std::string& target, const ident::Plan& plan, const ident::Solution& solution,
@@ -125,6 +138,10 @@ report::Display display_of(const SolveArguments& arguments, const ident::Plan& p
 
 void refuse_display(const SolveArguments& arguments) {
   refuse_units(arguments.units);
+  if (arguments.resume.any()) {
+    throw InputError({ErrorKind::usage, "", "--resume", "does not apply to friction laws and joints at every line",
+                      "leave --resume, --stop-before and --state out"});
+  }
   if (arguments.by_line) {
     throw InputError({ErrorKind::usage, "", "--by-line", "does not apply to friction laws and joints at every line",
                       "leave it out, or give a scene with [joint] and a linear method"});
@@ -143,6 +160,7 @@ SolveArguments& add_linear_solve(CLI::App& app, Chosen& chosen) {
   command->add_option("--plot", arguments->plot, "Plot an assembly FRF, measured and synthesised, e.g. 1:+Y/5:+Y");
   command->add_option("--by-line", arguments->by_line,
                       "Write each unknown over the accumulated lines and from each line alone to a file, CSV or .json; linear methods");
+  add_resume(command, arguments->resume, "the best values so far of an iterative method", state_end);
   add_units(command, arguments->units);
   add_quantity(command, arguments->quantity, "as the assembly's file");
   add_whole_number(command, "--threads", arguments->threads, "0 for all cores; the results do not depend on it", counts_of_threads());
@@ -159,11 +177,16 @@ ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
   const auto team = ident::join_team();
   std::string text;
   std::optional<ident::Scene> read;  // none: a scene of friction laws, or of the joint at every line
+  std::optional<EstimateKept> kept;
   ident::start_together(*team, [&] {
+    check(arguments.resume);
     text = scene::read_text(arguments.scene);
     if (is_law_or_line_scene(text, arguments.scene)) return;
     read = ident::parse_scene(text, arguments.scene);
     check_outputs(arguments, *read);
+    const auto file = state_file(arguments.resume, arguments.scene, state_end);
+    kept.emplace(KeptState(file, "solve", text, ident::files_of(*read)), *read, arguments.resume.keeps_from_start());
+    if (arguments.resume.resume) kept->take_up(*read);
   });
   if (!read) {
     refuse_display(arguments);
@@ -171,12 +194,13 @@ ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
   }
   const ident::Scene& scene = *read;
   const auto plan = with_progress("planning", [&] { return ident::make_plan(scene, *team); });
+  kept->name_choice(*plan);
   std::optional<tasks::FrfEntry> entry;
   ident::start_together(*team, [&] {
     if (arguments.plot) entry = plotted_entry(*arguments.plot, *plan);
     display_of(arguments);
   });
-  const ident::Solution solution = solve_watched(arguments, *plan, *team, out);
+  const ident::Solution solution = solve_watched(arguments, *plan, *team, *kept, out);
   if (team->rank() > 0) return ExitCode::done;
   write_numbers(arguments, solution, scene.title, out);
   const report::Display display = arguments.plot || arguments.report ? display_of(arguments, *plan) : report::Display();
@@ -184,6 +208,7 @@ ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
   if (has_text && entry && !solution.bands.empty()) plot(*entry, *plan, solution, display, out);
   if (arguments.by_line) write_by_line(*arguments.by_line, *plan, out);
   if (arguments.report) write_report(*arguments.report, *plan, solution, entry, display, out);
+  kept->remove();
   return tell_status(arguments.scene.string(), solution.status, solution.message);
 }
 

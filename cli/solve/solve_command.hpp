@@ -8,6 +8,7 @@
 #include "cli/options/chosen_command.hpp"
 #include "cli/options/law_scene_run.hpp"
 #include "cli/options/target.hpp"
+#include "cli/resume/resume_options.hpp"
 
 namespace CLI {
 class App;
@@ -25,6 +26,7 @@ struct SolveArguments {
   std::string quantity = "receptance";  ///< of plotted FRFs; "measured": that of the assembly's file
   Target by_line;  ///< the unknowns over the lines: JSON where the name ends in .json, else CSV
   std::size_t threads = 0;
+  ResumeOptions resume;
   LawSceneRun<SolveArguments> run_laws = nullptr;
 };
 

@@ -13,6 +13,7 @@
 #include "cli/options/command_options.hpp"
 #include "cli/options/display_options.hpp"
 #include "cli/options/output.hpp"
+#include "cli/provenance/provenance.hpp"
 #include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
 #include "ident/identify.hpp"
@@ -94,6 +95,12 @@ study::StudyOptions options_of(const StudyArguments& arguments, const std::strin
   return options;
 }
 
+/// What the trials depend on, whatever part of them a run makes.
+std::vector<std::string> command_of(const StudyArguments& arguments) {
+  return {"jointid", "study",  arguments.scene.string(),         "--trials", std::to_string(arguments.trials),
+          "--seed",  std::to_string(arguments.seed)};
+}
+
 /// "trial 1200 of 10000, 3480 per second, 2.5 s left".
 class StudyProgress {
  public:
@@ -144,6 +151,7 @@ Start start_in(ident::Team& team, const StudyArguments& arguments) {
     start.options = options_of(arguments, text);
     const ident::Scene scene = ident::parse_scene(text, arguments.scene);
     check_outputs(arguments, scene);
+    if (team.rank() == 0) start.options.texts["provenance"] = study_provenance(command_of(arguments));
     start.data = with_progress("reading", [&] { return study::load_trial_data(scene); });
   });
   return start;

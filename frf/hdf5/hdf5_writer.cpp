@@ -1,6 +1,7 @@
 #include "frf/hdf5/hdf5_writer.hpp"
 
 #include "base/error.hpp"
+#include "frf/hdf5/file_origin.hpp"
 #include "frf/set/frf_source.hpp"
 
 namespace jointid::frf {
@@ -15,10 +16,15 @@ void validate(const Hdf5WriteOptions& options) {
                     .remedy = "use 0 to 9"});
 }
 
+Hdf5WriteOptions with_origin(Hdf5WriteOptions options) {
+  if (options.provenance.empty()) options.provenance = file_origin();
+  return options;
+}
+
 }  // namespace
 
 Hdf5Writer::Hdf5Writer(const std::filesystem::path& path, const FrfHeader& header, const Hdf5WriteOptions& options)
-    : temporary_((validate(header), validate(options), path)), file_(hdf5_module().create(temporary_, header, options)) {}
+    : temporary_((validate(header), validate(options), path)), file_(hdf5_module().create(temporary_, header, with_origin(options))) {}
 
 void Hdf5Writer::write_lines(std::size_t first, std::size_t count, std::span<const Complex> values,
                              std::span<const Complex> variance, std::span<const double> coherence,

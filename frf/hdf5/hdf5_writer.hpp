@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "base/temporary_file.hpp"
 #include "frf/hdf5/hdf5_module.hpp"
@@ -19,6 +20,7 @@ struct Hdf5WriteOptions {
   bool covariance = false;                          ///< lines carry covariances: layout version 2, else 1
   FactorShape factor = {};                          ///< form of the covariances; rank 0: pairs
   bool reference_correlation = false;               ///< lines have correlations between references, too
+  std::string provenance = {};                      ///< root attribute; empty: file_origin()
 };
 
 /// Writes a jointid-frf file line by line, so a set can be larger than memory. Until `finish` the data are in a temporary file

@@ -1,9 +1,20 @@
 #include "frf/hdf5/table_file.hpp"
 
+#include "frf/hdf5/file_origin.hpp"
+
 namespace jointid::frf {
+namespace {
+
+TableHeader with_origin(TableHeader header) {
+  if (const std::string origin = header.texts.contains("provenance") ? "" : file_origin(); !origin.empty())
+    header.texts["provenance"] = origin;
+  return header;
+}
+
+}  // namespace
 
 TableWriter::TableWriter(const std::filesystem::path& path, const TableHeader& header, std::size_t rows)
-    : temporary_(path), file_(hdf5_module().create_table(temporary_, header, rows)) {}
+    : temporary_(path), file_(hdf5_module().create_table(temporary_, with_origin(header), rows)) {}
 
 void TableWriter::append(std::span<const double> rows) { file_->append(rows); }
 

@@ -36,6 +36,7 @@ class Lines {
         with_covariance_(options.covariance),
         factor_(options.factor),
         with_reference_correlation_(options.reference_correlation),
+        provenance_(options.provenance),
         written_(header.lines(), false) {
     output_.require(write_header() && create_datasets(options.compression));
   }
@@ -91,6 +92,7 @@ class Lines {
   bool write_header() const {
     return hdf5::write_text_attribute(output_.file(), "format", "jointid-frf") &&
            hdf5::write_integer_attribute(output_.file(), "version", with_covariance_ ? 2 : 1) &&
+           (provenance_.empty() || hdf5::write_text_attribute(output_.file(), "provenance", provenance_)) &&
            hdf5::write_axis(output_.file(), header_.frequency_hz) &&
            hdf5::write_dofs(output_.file(), "response_dof", header_.response) &&
            hdf5::write_dofs(output_.file(), "reference_dof", header_.reference) &&
@@ -180,6 +182,7 @@ class Lines {
   bool with_covariance_;
   FactorShape factor_;
   bool with_reference_correlation_;
+  std::string provenance_;
   std::vector<bool> written_;
   Handle frf_;
   Handle noise_;

@@ -81,7 +81,7 @@ def correlate(one: Any, other: Any, *, modes: bool = False, fdac: str | None = N
         raise InputError("an FrfSet has no mode shapes", place="modes", remedy="give universal files with dataset 55, or leave modes out")
     if modes and fdac is not None:
         raise InputError("FDAC is of FRFs, not of modes", place="fdac", remedy="leave out modes or fdac")
-    return run_task(NoScene(scene), "correlate", progress,
+    return run_task(NoScene(scene, files=[first, second]), "correlate", progress,
                     lambda watch: _jointid.correlate(first, second, bool(modes), fdac or "", watch), Correlation)
 
 
@@ -124,7 +124,7 @@ def expand(parent: Any, measured: Any, *, way: str = "extended", modes: int = 0,
         raise InputError(f'way "{way}" has FRFs for a parent, no modes', place="modes", remedy='use way="serep", or leave modes out')
     scene = Scene({})
     first, second = _file_of(scene, parent, "parent"), _file_of(scene, measured, "measured")
-    return run_task(NoScene(scene), "expand", progress,
+    return run_task(NoScene(scene, files=[first, second]), "expand", progress,
                     lambda watch: _jointid.expand(first, second, way, whole_number(modes, "modes"), watch), FrfResult)
 
 

@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 __version__: str
+__commit__: str
 
 _Progress = Callable[[str, int, int], None] | None
 

@@ -130,14 +130,14 @@ class LineSolution(Result):
         return {law["law"]: {each["name"]: Unknown(each["name"], _number(each["value"]), each["unit"], each["std_error"],
                                                    _interval(each["ci95"]), each["std_error"] is not None, each)
                              for each in law["parameters"]}
-                for law in self.to_dict().get("laws", [])}
+                for law in self._numbers().get("laws", [])}
 
     def law_values(self, law: str | None = None) -> LineValues:
         """Values of a law at the lines; the law of the least AIC by default.
 
         Raises InputError for a law that was not fitted.
         """
-        fitted = {each["law"]: each for each in self.to_dict().get("laws", [])}
+        fitted = {each["law"]: each for each in self._numbers().get("laws", [])}
         if not fitted:
             raise InputError("no law was fitted", place="law_values", remedy='ask for laws: joint={..., "laws": "all"}')
         name = law or next(iter(fitted))

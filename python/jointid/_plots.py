@@ -109,7 +109,7 @@ def plot_unknowns(solution: Any, axes: Any) -> Any:
 
 
 def plot_bound(result: Any, axes: Any) -> Any:
-    bound = result.to_dict().get("bound")
+    bound = result._numbers().get("bound")
     if bound is None:
         raise InputError("friction laws have bounds by force level", place="plot_bound", remedy="see text() and to_dict()")
     if "relative_median" in bound:

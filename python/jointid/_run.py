@@ -7,11 +7,12 @@ import os
 import re
 import sys
 import warnings
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
 
 from ._progress import watcher
+from ._provenance import of_arrays, of_file
 from ._scene import Scene
 from .errors import DoubtfulWarning, InputError, UnusableWarning
 from .results import Result
@@ -89,9 +90,21 @@ _LISTED = re.compile(rf"--([a-z][a-z-]*) {_QUOTED}(?: --\1 {_QUOTED})+")  # "--c
 class NoScene:
     """Stands for a scene where a command has none; `names` by paths that nobody but this package knows."""
 
-    def __init__(self, scene: Scene | None = None, names: Mapping[str, str] | None = None) -> None:
+    def __init__(self, scene: Scene | None = None, names: Mapping[str, str] | None = None, files: Iterable[str] = (),
+                 arrays: Mapping[str, Iterable[Any]] | None = None) -> None:
+        """`files`: paths of what is read; `arrays`: what is read in memory, by its name."""
         self._scene = scene or Scene({})
         self._names = names or {}
+        self._files = tuple(files)
+        self._arrays = arrays or {}
+
+    def inputs(self, run_ns: int) -> Iterator[dict[str, Any]]:
+        yield from self._scene.inputs(run_ns)
+        for path in self._files:
+            if os.path.isfile(path) and path not in self._names and self._scene.named(path) == path:
+                yield of_file(path, "an argument", run_ns)
+        for name, arrays in self._arrays.items():
+            yield of_arrays(arrays, name)
 
     def named(self, text: str) -> str:
         for path, name in self._names.items():

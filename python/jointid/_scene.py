@@ -15,6 +15,7 @@ from json.encoder import encode_basestring  # type: ignore[attr-defined]
 from typing import Any
 
 from . import _jointid
+from ._provenance import files_named, of_file, of_set, of_text
 from .errors import InputError
 
 _IN_MEMORY = "scene"  # what messages call a scene that is no file
@@ -190,6 +191,19 @@ class Scene:
     def add(self, frfs: Any) -> str:
         """The path that stands for a set outside of the scene's text."""
         return self._path_of(frfs)
+
+    def inputs(self, run_ns: int) -> Iterator[dict[str, Any]]:
+        """What was read, with sums. `run_ns`: when the run ended; what was written later has none."""
+        if self.is_file:
+            yield of_file(self.file, "the scene", run_ns)
+        elif self.text:
+            yield of_text(self.text, self.file)
+        for frfs, path in self._sets.values():
+            yield of_set(frfs, self._names[path])
+        own = self._folder.name + os.sep if self._folder else None
+        for path in files_named(self.text, self.file):
+            place = "in memory" if own and path.startswith(own) else "named by the scene"
+            yield {**of_file(path, place, run_ns), "file": self._names.get(path, path)}
 
     def named(self, text: str) -> str:
         """The text with the names of sets in place of their paths."""

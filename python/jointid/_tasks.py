@@ -140,7 +140,7 @@ def modalfit(frfs: Any, *, range: tuple[float, float] | None = None, modes: int 
     task = with_options(_jointid.ModalTask(), {"range": range, "modes": modes, "poles": poles, "real": real, "damping": damping},
                          "modalfit")
     options = open_options(quantity, unit, None, None, None, None)
-    return run_task(NoScene(scene), "modalfit", progress, lambda watch: _jointid.modalfit(files, options, task, watch), FrfResult)
+    return run_task(NoScene(scene, files=files), "modalfit", progress, lambda watch: _jointid.modalfit(files, options, task, watch), FrfResult)
 
 
 def loading_curve(curves: Any, *, progress: Any = None, **options: Any) -> Result:
@@ -171,9 +171,10 @@ def loading_curve(curves: Any, *, progress: Any = None, **options: Any) -> Resul
     task = with_options(_jointid.LoadingCurveTask(), options, "loading_curve")
     arrays = _curves(curves)
     if arrays is not None:
-        return run_task(NoScene(), "loading_curve", progress, lambda watch: _jointid.loading_curve_arrays(arrays or [], task, watch))
+        names = NoScene(arrays={name: columns for name, *columns in arrays})
+        return run_task(names, "loading_curve", progress, lambda watch: _jointid.loading_curve_arrays(arrays or [], task, watch))
     task.files = paths_of(curves, "curves", ", or arrays (displacement, force)")
-    return run_task(NoScene(), "loading_curve", progress, lambda watch: _jointid.loading_curve(task, watch))
+    return run_task(NoScene(files=task.files), "loading_curve", progress, lambda watch: _jointid.loading_curve(task, watch))
 
 
 def _curves(curves: Any) -> list[tuple[str, np.ndarray, np.ndarray]] | None:
@@ -235,8 +236,10 @@ def frf(files: Any, *, progress: Any = None, **options: Any) -> FrfResult:
         if isinstance(options.get(name), str):
             options[name] = [options[name]]
     task = with_options(_jointid.FrfTask(), options, "frf")
-    with _record_files(files) as (task.files, names):
-        return run_task(NoScene(names=names), "frf", progress, lambda watch: _jointid.frf(task, watch), FrfResult)
+    with _record_files(files) as (paths, names):
+        task.files = paths
+        arrays = {name: [np.load(path, mmap_mode="r")] for path, name in names.items()}
+        return run_task(NoScene(names=names, files=paths, arrays=arrays), "frf", progress, lambda watch: _jointid.frf(task, watch), FrfResult)
 
 
 @contextmanager
@@ -288,9 +291,9 @@ def pod(record: Any, *, names: Sequence[str] | None = None, units: Sequence[str]
         if not len(channels) == len(of_channels) == array.shape[1]:
             raise InputError(f"{len(channels)} names and {len(of_channels)} units for {array.shape[1]} channels", place="names",
                              remedy="give one for each channel", kind="data")
-        return run_task(NoScene(), "pod", progress, lambda watch: _jointid.pod_array(array, channels, of_channels, task, watch))
+        return run_task(NoScene(arrays={"record": [array]}), "pod", progress, lambda watch: _jointid.pod_array(array, channels, of_channels, task, watch))
     task.files = paths_of(record, "record", ", or an array [sample, channel]")
-    return run_task(NoScene(), "pod", progress, lambda watch: _jointid.pod(task, threads, watch))
+    return run_task(NoScene(files=task.files), "pod", progress, lambda watch: _jointid.pod(task, threads, watch))
 
 
 def problems() -> dict[str, str]:

@@ -5,12 +5,14 @@ from __future__ import annotations
 import html
 import json
 import os
+import time
 from dataclasses import dataclass, field
 from typing import Any, Iterator
 
 import numpy as np
 
 from ._progress import watcher
+from ._provenance import provenance
 from .dof import Dof
 from .errors import InputError
 
@@ -93,6 +95,7 @@ class Result:
         self._outcome = outcome
         self._scene = scene  # keeps the FRFs in memory that the outcome may read again
         self._command = command
+        self._ended_ns = time.time_ns()
         self._made: dict[str, Any] = {}
 
     def _once(self, what: str, make: Any) -> Any:
@@ -122,16 +125,34 @@ class Result:
         """Whether the numbers may be used."""
         return self._once("usable", lambda: self._outcome.usable)
 
+    @property
+    def provenance(self) -> dict[str, Any]:
+        """How the result was made: version and commit, the function, every input with its size and SHA-256, the loaded libraries.
+
+        Inputs are read for their sums when this is asked for first. A file that was written since then has no sum.
+        """
+        return self._once("provenance", lambda: provenance(self._command, self._scene.inputs(self._ended_ns)))
+
     def to_json(self) -> str:
-        """The command's ``--json``."""
-        return self._text("json") or "null"
+        """The command's ``--json``, with `provenance` as its last key."""
+        text = self._text("json") or "null"
+        if not text.startswith("{"):
+            return text
+        made = json.dumps(self.provenance, indent=2, ensure_ascii=False).replace("\n", "\n  ")
+        before = text[:text.rindex("}")].rstrip()
+        return f'{before}{"" if before == "{" else ","}\n  "provenance": {made}\n}}\n'
 
     def to_dict(self) -> dict[str, Any]:
-        """The command's JSON as lists and numbers of Python. None where a value is not computed or not finite."""
-        return self._once("dict", lambda: json.loads(self.to_json()))
+        """The command's JSON as lists and numbers of Python, with `provenance`. None where a value is not computed or not finite."""
+        found = self._numbers()
+        return {**found, "provenance": self.provenance} if isinstance(found, dict) else found
+
+    def _numbers(self) -> dict[str, Any]:
+        """The same without `provenance`."""
+        return self._once("dict", lambda: json.loads(self._text("json") or "null"))
 
     def __getitem__(self, key: str) -> Any:
-        found = self.to_dict()
+        found = self._numbers()
         if key not in found:
             raise KeyError(f"{key!r}; there are {', '.join(found)}")
         return found[key]
@@ -194,7 +215,7 @@ class Result:
     @property
     def findings(self) -> list[Finding]:
         """Findings of the data against the result."""
-        found = self.to_dict()
+        found = self._numbers()
         if not isinstance(found, dict):
             return []
         findings = list(_suspects(found if "suspects" in found else found.get("check")))
@@ -221,13 +242,21 @@ class Result:
         self.status, self.message, self.usable  # noqa: B018
         self._outcome = None
 
+    def _page_with_provenance(self) -> str | None:
+        page = self.page()
+        footer = -1 if page is None else page.rfind("</footer>")
+        if page is None or footer < 0:
+            return page
+        made = html.escape(json.dumps(self.provenance, indent=2, ensure_ascii=False))
+        return f"{page[:footer]}<details><summary>How this page was made</summary><pre>{made}</pre></details>\n{page[footer:]}"
+
     def save(self, path: str | os.PathLike) -> None:
-        """Writes .json, .csv, .txt, or the page as .html, by the ending of the name.
+        """Writes .json, .csv, .txt, or the page as .html, by the ending of the name. JSON and page have `provenance`.
 
         Raises InputError for another ending, and for one that the command does not have.
         """
         ending = os.path.splitext(os.fspath(path))[1].lower()
-        makers = {".json": self.to_json, ".csv": self.csv, ".html": self.page, ".txt": self.text}
+        makers = {".json": self.to_json, ".csv": self.csv, ".html": self._page_with_provenance, ".txt": self.text}
         if ending not in makers:
             raise InputError(f"{ending!r} is the ending of no result", file=os.fspath(path), remedy="write .json, .csv, .txt or .html")
         text = makers[ending]()  # type: ignore[operator]
@@ -262,10 +291,10 @@ class Result:
         kept = dict(self._made)
         for what in ("json", "text", "csv"):
             kept[what] = self._text(what)
-        kept.update(status=self.status, message=self.message, usable=self.usable)
+        kept.update(status=self.status, message=self.message, usable=self.usable, provenance=self.provenance)
         for made in ("dict", "plots"):
             kept.pop(made, None)
-        return {"_made": kept, "_command": self._command}
+        return {"_made": kept, "_command": self._command, "_ended_ns": self._ended_ns}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state, _outcome=None, _scene=None)
@@ -327,14 +356,14 @@ class Solution(Result):
 
         Scenes with several bands raise InputError; see `bands`.
         """
-        if self["matrices"] is None and "blocks" not in self.to_dict():
+        if self["matrices"] is None and "blocks" not in self._numbers():
             raise InputError("the joint has several frequency bands", place="matrices", remedy="see solution.bands")
-        return self._whole(self.to_dict())
+        return self._whole(self._numbers())
 
     @property
     def bands(self) -> list[tuple[tuple[float, float] | None, dict[str, np.ndarray]]]:
         """(band in Hz or None, matrices) of each band of the scene."""
-        bands = self.to_dict().get("bands") or [{"band_hz": None, **{key: self.to_dict().get(key) for key in ("matrices", "blocks")}}]
+        bands = self._numbers().get("bands") or [{"band_hz": None, **{key: self._numbers().get(key) for key in ("matrices", "blocks")}}]
         return [(_pair(band["band_hz"]), self._whole(band)) for band in bands]
 
     def _whole(self, band: dict[str, Any]) -> dict[str, np.ndarray]:

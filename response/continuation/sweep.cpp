@@ -5,13 +5,14 @@
 namespace jointid::response {
 
 std::vector<HarmonicSolution> sweep(const HarmonicBalance& balance, const std::vector<double>& omegas, double level,
-                                    const std::function<void(std::size_t)>& advance) {
-  std::vector<HarmonicSolution> solutions;
+                                    const std::function<void(const std::vector<HarmonicSolution>&)>& advance,
+                                    std::vector<HarmonicSolution> begun) {
+  std::vector<HarmonicSolution> solutions = std::move(begun);
   solutions.reserve(omegas.size());
-  for (const double omega : omegas) {
-    if (advance) advance(solutions.size());
+  while (solutions.size() < omegas.size()) {
+    if (advance) advance(solutions);
     const HarmonicSolution* neighbour = solutions.empty() ? nullptr : &solutions.back();
-    solutions.push_back(balance.solve(omega, level, neighbour));
+    solutions.push_back(balance.solve(omegas[solutions.size()], level, neighbour));
   }
   for (std::size_t i = solutions.size(); i-- > 1;) {
     if (solutions[i - 1].converged || !solutions[i].converged) continue;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/complex.hpp"
 #include "response/continuation/sweep.hpp"
@@ -131,20 +132,24 @@ LevelResponse arc_length(const response::HarmonicBalance& balance, const Respons
 }  // namespace
 
 void run_levels(const response::HarmonicBalance& balance, const ResponseScene& scene, const Prepared& prepared,
-                const ident::Control& control, ResponseResult& run) {
+                const ident::Control& control, ResponseResult& run,
+                std::vector<HarmonicSolution> begun, const KeepLevels& keep) {
   std::vector<double> omegas;
   for (const double hz : prepared.frequency_hz) omegas.push_back(angular(hz));
-  for (const double amplitude : scene.levels) {
+  for (std::size_t i = run.levels.size(); i < scene.levels.size(); ++i) {
+    const double amplitude = scene.levels[i];
     const std::string stage = fmt::format("{:.6g} N", amplitude);
     LevelResponse level = {.level = amplitude};
     if (scene.method == CurveMethod::arc_length) {
       tell(control, stage);
       level = arc_length(balance, scene, amplitude);
     } else {
-      level.points = response::sweep(balance, omegas, amplitude, [&](std::size_t done) {
-        tell(control, stage, done, omegas.size());
+      const auto advance = [&](const std::vector<HarmonicSolution>& points) {
+        tell(control, stage, points.size(), omegas.size());
+        if (keep) keep(run.levels, points);
         stop_if(control.interrupted);
-      });
+      };
+      level.points = response::sweep(balance, omegas, amplitude, advance, std::exchange(begun, {}));
       find_peak(balance, scene, level);
     }
     find_deviations(balance, scene, level);
@@ -152,6 +157,7 @@ void run_levels(const response::HarmonicBalance& balance, const ResponseScene& s
     describe_peak(balance, scene, prepared, level);
     find_stability(balance, scene, prepared, control, level);
     run.levels.push_back(std::move(level));
+    if (keep) keep(run.levels, {});
   }
 }
 

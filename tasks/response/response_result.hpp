@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -77,6 +78,16 @@ struct ResponseResult {
   std::vector<TransientRun> transients{};    ///< one for each pulse, record or force level of [transient]
   std::vector<std::string> doubts;           ///< of the measured parts, one phrase each
 };
+
+/// What an interrupted run has: the first levels of the scene, and the first points of the next one.
+struct LevelsSoFar {
+  std::vector<LevelResponse> finished{};
+  std::vector<response::HarmonicSolution> begun{};
+};
+
+/// Gets the same; may throw to end the run.
+using KeepLevels =
+    std::function<void(const std::vector<LevelResponse>& finished, const std::vector<response::HarmonicSolution>& begun)>;
 
 /// Row of the lowest harmonic above 0.
 Eigen::Index first_row(const response::HarmonicSolution& solution);

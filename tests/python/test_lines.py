@@ -19,6 +19,10 @@ def command(*arguments):
     return {key: value for key, value in json.loads(done.stdout).items() if key != "provenance"}
 
 
+def numbers(result):
+    return {key: value for key, value in result.to_dict().items() if key != "provenance"}
+
+
 @pytest.fixture(scope="module")
 def isolator(tmp_path_factory):
     return jointid.write_problem("isolator-zener", tmp_path_factory.mktemp("isolator"))
@@ -35,8 +39,8 @@ def beams(tmp_path_factory):
 
 
 def test_the_answers_are_those_of_the_command(isolator, solution):
-    assert solution.to_dict() == command("solve", isolator, "--json", "-")
-    assert jointid.identify(isolator).to_dict() == solution.to_dict()
+    assert numbers(solution) == command("solve", isolator, "--json", "-")
+    assert numbers(jointid.identify(isolator)) == numbers(solution)
 
 
 def test_check_plan_and_bound_are_those_of_the_command(isolator):
@@ -138,7 +142,7 @@ def test_sets_in_memory(isolator, solution):
 def test_decoupling_is_that_of_the_command(beams, tmp_path):
     ours = jointid.decouple(beams, out=tmp_path / "B.h5")
     theirs = command("decouple", beams, "--json", "-", "--out", str(tmp_path / "theirs.h5"))
-    assert {**ours.to_dict(), "file": ""} == {**theirs, "file": ""}
+    assert {**numbers(ours), "file": ""} == {**theirs, "file": ""}
     written, theirs = jointid.read(tmp_path / "B.h5"), jointid.read(tmp_path / "theirs.h5")
     np.testing.assert_array_equal(written.frfs, theirs.frfs)
     np.testing.assert_array_equal(written.variance, theirs.variance)

@@ -1,13 +1,11 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
-#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <csignal>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -18,6 +16,7 @@
 #include "input_folder.hpp"
 #include "problems/problem.hpp"
 #include "run_command.hpp"
+#include "terminal.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -26,43 +25,6 @@ using testing::HasSubstr;
 using Json = nlohmann::json;
 
 const std::string said = "jointid: stopping; keeping the partial result; Ctrl-C again stops at once\n";
-
-/// A pseudo-terminal, on which the command shows its progress.
-class Terminal {
- public:
-  Terminal() : master_(::posix_openpt(O_RDWR | O_NOCTTY)) {
-    if (master_ < 0 || ::grantpt(master_) != 0 || ::unlockpt(master_) != 0) throw std::runtime_error("no terminal");
-    slave_ = ::open(::ptsname(master_), O_RDWR | O_NOCTTY);
-    if (slave_ < 0) throw std::runtime_error("no terminal");
-  }
-  ~Terminal() {
-    ::close(slave_);
-    ::close(master_);
-  }
-  Terminal(const Terminal&) = delete;
-  Terminal& operator=(const Terminal&) = delete;
-
-  int descriptor() const { return slave_; }
-
-  /// What was shown next; waits for it, but no longer than a minute.
-  std::string next() const {
-    pollfd shown{.fd = master_, .events = POLLIN, .revents = 0};
-    if (::poll(&shown, 1, 60000) != 1) throw std::runtime_error("the command shows nothing");
-    std::array<char, 4096> piece{};
-    const ssize_t got = ::read(master_, piece.data(), piece.size());
-    return {piece.data(), got < 0 ? 0U : static_cast<std::size_t>(got)};
-  }
-
-  /// All that is shown until a text appears.
-  std::string until(const std::string& text) const {
-    std::string shown;
-    while (shown.find(text) == std::string::npos) shown += next();
-    return shown;
-  }
-
- private:
-  int master_, slave_ = -1;
-};
 
 /// Writes random FRFs of `count` coordinates among themselves, `lines` lines, piece by piece.
 void write_large(const std::filesystem::path& path, std::size_t count, std::size_t lines) {

@@ -10,6 +10,7 @@
 
 #include "input_folder.hpp"
 #include "run_command.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -120,6 +121,27 @@ TEST(Rerun, InputsMayHaveMoved) {
   EXPECT_THAT(lost.err, HasSubstr("an input of a1.json is not there; give its folder by --folder"));
   const Outcome found = run_command(folder.path(), {"rerun", "a1.json", "--folder", "moved"});
   EXPECT_EQ(found.code, 0) << found.err << found.out;
+}
+
+/// Ten results of version 0.2.0 (commit 684aa36c), of as many commands and methods. Compilers and processors may differ in the last digits.
+TEST(Rerun, FindsResultsOfAnOlderCommitTheSame) {
+  const TestFolder folder;
+  const std::filesystem::path kept = JOINTID_MADE_BEFORE;
+  std::filesystem::copy(kept, folder / "kept");
+  std::size_t results = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kept)) {
+    if (entry.path().extension() != ".json") continue;
+    ++results;
+    const std::string name = entry.path().filename();
+    const Outcome again = run_command(folder / "kept", {"rerun", name, "--folder", ".", "--json", "-"});
+    ASSERT_THAT(again.code, ::testing::AnyOf(0, 4)) << name << again.err;
+    const json found = json::parse(again.out);
+    for (const json& input : found.at("inputs")) EXPECT_EQ(input.at("state"), "same") << name << input.dump();
+    const json& answers = found.at("answers");
+    EXPECT_GT(answers.at("values"), 50U) << name;
+    EXPECT_LT(answers.value("largest_difference", 0.0), 1e-9) << name << answers.dump();
+  }
+  EXPECT_EQ(results, 10U);
 }
 
 TEST(Rerun, RefusesWhatDoesNotSayHowItWasMade) {
