@@ -3,7 +3,7 @@
     bench/rig_mistakes.py JOINTID [SEEDS [KIND ...]]      (SEEDS of each kind, 200 unless told; needs numpy and h5py)
 
 A seed draws two steel beams with three bolts, the places of 14 sensors, 3 to 10 hits, the noise of sensors and the size of the
-mistake; files are HDF5 with coherences. Printed for each kind: verdicts of the check; for each method the statuses, and how many
+mistake; files are HDF5 with coherences. The last kind has two mistakes at once. Printed for each kind: verdicts of the check; for each method the statuses, and how many
 answers with status ok have a stiffness more than three standard errors from the truth. Ends with 1 where a promise of
 docs/checking-data.md is broken: no more such answers than chance gives to right intervals (99.9 % of a binomial law), at most 1 in 100
 clean scenes worse than clean or ok, no mistake of the kinds below ALWAYS_TOLD that is called clean.
@@ -271,7 +271,7 @@ def chance(count):
 KINDS = (*CLEAN, "bolts slacken", "warm on day two", "cables of day two", "gain of 0.5 to 2 %", "noise of the force", "dropouts", "one wild value",
          "same run twice", "all in g, mass known", "all in g", "one part in g", "sign", "sign of response and force", "label", "mass of a sensor",
          "gain of a sensor", "gain of a sensor of a part", "gain of one FRF")
-MIXED = "two at once"  # of the kinds that are no clean ones, drawn for each seed
+MIXED = "two at once"  # of the kinds that are no clean ones
 
 
 def table_row(kind, outcomes):
