@@ -15,6 +15,7 @@
 #include "frf/text/label_text.hpp"
 #include "frf/text/located.hpp"
 #include "frf/text/number_text.hpp"
+#include "frf/text/proposed_dof.hpp"
 #include "frf/text/unit_names.hpp"
 
 namespace jointid::frf {
@@ -41,6 +42,21 @@ Title title_of(std::string_view name) {
 bool is_foreign(std::string_view label, bool one) {
   const bool pair = label.find('/') != std::string_view::npos && !label.empty() && label.front() >= '0' && label.front() <= '9';
   return (label.find(':') == std::string_view::npos || (one && !says_direction(label))) && !pair;
+}
+
+/// "1X+/2X+", "FRF plate:1:+X/plate:2:+X": DOFs as others write them.
+bool is_misspelt(std::string_view label) {
+  const std::size_t slash = label.find('/');
+  if (slash == std::string_view::npos) return false;
+  const auto is_dof = [](std::string_view text) {
+    try {
+      Dof::parse(text);
+    } catch (const InputError&) {
+      return false;
+    }
+    return true;
+  };
+  return !is_dof(label.substr(0, slash)) || !is_dof(label.substr(slash + 1));
 }
 
 constexpr std::size_t most_csv_columns = 100'000;
@@ -95,13 +111,14 @@ class HeaderRow {
     const std::string dofs = dofs_in(own);
     const std::string_view label = dofs.empty() ? own : dofs;
     const bool one = options_.response.size() == 1 && options_.reference.size() < 2;
-    const bool named = !label.empty() && (options_.response.empty() || !is_foreign(label, one));
+    const bool named = !label.empty() && (options_.response.empty() || (!is_foreign(label, one) && !is_misspelt(label)));
     require_frf_itself(column, label);
     const CsvPart part = parse_part(column, word);
     if (column > 1 && named != named_) fail(column, "columns with and without DOFs", "name all of them or none");
     named_ = named;
     if (!named) labels_[part].emplace_back(label);
     const Pair pair = named ? named_pair(column, label) : unnamed_pair(column, part);
+    if (!named) require_order(column, label, pair);
     if (pairs_[pair].has(part)) fail(column, "'" + name + "' is there twice", "remove one");
     pairs_[pair][part] = column;
   }
@@ -183,6 +200,16 @@ class HeaderRow {
          "leave out the DOFs that are given (--response, --reference, in a scene dofs), or the DOFs of the columns");
   }
 
+  static Dof parse_own(std::string_view text) {
+    try {
+      return Dof::parse(text);
+    } catch (const InputError& error) {
+      InputError::Parts parts = error.parts();
+      parts.remedy += ", or give the DOFs of the columns: --response 4:+Y --reference 1:+Y, in a scene dofs and reference_dofs";
+      throw InputError(std::move(parts));
+    }
+  }
+
   Pair named_pair(std::size_t column, std::string_view label) {
     const std::size_t slash = label.find('/');
     if (slash == std::string_view::npos) {
@@ -190,7 +217,7 @@ class HeaderRow {
            "write e.g. 4:+Y/1:+Y re, or give the DOFs: --response 4:+Y --reference 1:+Y, in a scene dofs and reference_dofs");
     }
     const auto parse = [&](std::string_view text) {
-      return located(table_.file, table_.place(table_.header_line, column), [&] { return Dof::parse(text); });
+      return located(table_.file, table_.place(table_.header_line, column), [&] { return parse_own(text); });
     };
     const Dof response = parse(label.substr(0, slash));
     const Dof reference = parse(label.substr(slash + 1));
@@ -208,9 +235,27 @@ class HeaderRow {
       fail(column,
            "'" + table_.columns[column] + "' has no DOFs, and " + std::to_string(header_.response.size()) + " responses and " +
                std::to_string(header_.reference.size()) + " references were given",
-           "write e.g. 4:+Y/1:+Y re, or give the DOFs when opening");
+           "write e.g. 4:+Y/1:+Y re, or give the DOFs: --response 4:+Y --reference 1:+Y, in a scene dofs and reference_dofs");
     }
     return {pair / header_.reference.size(), pair % header_.reference.size()};
+  }
+
+  /// A label that names DOFs as others write them names no other of those that are given than the one at its place.
+  void require_order(std::size_t column, std::string_view label, const Pair& pair) const {
+    const std::size_t slash = label.find('/');
+    if (slash == std::string_view::npos) return;
+    const auto require = [&](const std::vector<Dof>& given, std::size_t at, std::string_view text) {
+      const std::string meant = proposed_dof(text);
+      if (meant.empty() || given[at].name() == meant || !has_name(given, meant)) return;
+      fail(column, "'" + table_.columns[column] + "' is of " + meant + " by its title, and " + given[at].name() + " was given for it",
+           "give the DOFs in the order of the columns");
+    };
+    require(header_.response, pair.first, label.substr(0, slash));
+    require(header_.reference, pair.second, label.substr(slash + 1));
+  }
+
+  static bool has_name(const std::vector<Dof>& dofs, const std::string& name) {
+    return std::ranges::any_of(dofs, [&](const Dof& dof) { return dof.name() == name; });
   }
 
   /// "Re(H21)", "Re(H12)" are of the FRFs that their numbers say.

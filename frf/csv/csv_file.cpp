@@ -128,7 +128,8 @@ Quantity read_quantity(const CsvTable& table, const CsvColumns& columns, const O
   if (const auto quantity = quantity_of_unit(unit.label)) return *quantity;
   if (!states_no_unit(unit.label))
     fail(table, unit.place, unknown_unit(unit.label), "correct it, or give the unit of the numbers: --unit g/N, in a scene unit");
-  fail(table, {}, "does not state which quantity it holds", "begin it with e.g. # quantity = accelerance");
+  fail(table, {}, "does not state which quantity it holds",
+       "begin it with e.g. # quantity = accelerance, or give it: --quantity accelerance, in a scene quantity");
 }
 
 /// Factor to SI of a label; what is wrong with it can be put right by the user, too.

@@ -47,6 +47,8 @@ std::string_view unread_unit(const std::string& text) {
   }
   constexpr std::string_view separators = ",;:=\t";
   for (std::string_view piece : pieces_between(text, separators)) {
+    const auto ratio = quantity_of_unit(piece) ? parse_unit(piece) : std::nullopt;
+    if (ratio && ratio->si != 1.0) return piece;
     const std::size_t in = piece.rfind(" in ");
     if (in != std::string_view::npos) piece = without_brackets(without_padding(piece.substr(in + 4)));
     if (is_motion_or_force(piece) && counts(piece, plain)) return piece;

@@ -57,21 +57,45 @@ void add_referred(hid_t group, const hobj_ref_t& reference, const std::string& n
   paths.found.insert(paths.found.end(), inner.found.begin(), inner.found.end());
 }
 
+/// What a dataset of references refers to; empty for any other dataset, and of too many.
+std::vector<hobj_ref_t> references_of(hid_t id) {
+  const Handle type(H5Dget_type(id)), space(H5Dget_space(id));
+  const hssize_t count = H5Sget_simple_extent_npoints(space.get());
+  if (H5Tequal(type.get(), H5T_STD_REF_OBJ) <= 0 || count < 1 || static_cast<std::size_t>(count) > most_groups) return {};
+  if (H5Dget_storage_size(id) < static_cast<std::size_t>(count) * sizeof(hobj_ref_t)) return {};
+  std::vector<hobj_ref_t> references(static_cast<std::size_t>(count));
+  if (H5Dread(id, H5T_STD_REF_OBJ, H5S_ALL, H5S_ALL, H5P_DEFAULT, references.data()) < 0) return {};
+  return references;
+}
+
+/// A struct, or an array of complex numbers.
+bool may_hold_frfs(hid_t group, const hobj_ref_t& reference) {
+  const Handle object(H5Rdereference2(group, H5P_DEFAULT, H5R_OBJECT, &reference));
+  if (!object.is_open() || H5Iget_type(object.get()) != H5I_DATASET) return object.is_open() && H5Iget_type(object.get()) == H5I_GROUP;
+  const Handle type(H5Dget_type(object.get()));
+  return H5Tget_class(type.get()) == H5T_COMPOUND;
+}
+
+/// Cells that hold structs or complex arrays, beside the cell array itself: "S(2).field", "H(2)".
+void add_cells(hid_t group, const char* name, Paths& paths) {
+  const Handle id(H5Dopen2(group, name, H5P_DEFAULT));
+  if (!id.is_open() || H5Aexists(id.get(), "MATLAB_class") <= 0) return;
+  const std::vector<hobj_ref_t> references = references_of(id.get());
+  if (!std::ranges::all_of(references, [&](const hobj_ref_t& each) { return may_hold_frfs(group, each); })) return;
+  for (std::size_t i = 0; i < references.size(); ++i)
+    add_referred(group, references[i], paths.name + name + "(" + std::to_string(i + 1) + ")", paths);
+}
+
 /// A field of an array of structs is a dataset of references; false for any other dataset.
 bool add_elements(hid_t group, const char* name, Paths& paths) {
   if (paths.name.empty()) return false;
   const Handle id(H5Dopen2(group, name, H5P_DEFAULT));
   if (!id.is_open() || H5Aexists(id.get(), "MATLAB_class") > 0) return false;  // a cell array says that it is one
-  const Handle type(H5Dget_type(id.get())), space(H5Dget_space(id.get()));
-  const hssize_t count = H5Sget_simple_extent_npoints(space.get());
-  if (H5Tequal(type.get(), H5T_STD_REF_OBJ) <= 0 || count < 1 || static_cast<std::size_t>(count) > most_groups) return false;
-  if (H5Dget_storage_size(id.get()) < static_cast<std::size_t>(count) * sizeof(hobj_ref_t)) return false;
-  std::vector<hobj_ref_t> references(static_cast<std::size_t>(count));
-  if (H5Dread(id.get(), H5T_STD_REF_OBJ, H5S_ALL, H5S_ALL, H5P_DEFAULT, references.data()) < 0) return false;
+  const std::vector<hobj_ref_t> references = references_of(id.get());
   const std::string structure = paths.name.substr(0, paths.name.size() - 1);
   for (std::size_t i = 0; i < references.size(); ++i)
     add_referred(group, references[i], structure + "(" + std::to_string(i + 1) + ")." + name, paths);
-  return true;
+  return !references.empty();
 }
 
 void add_paths(hid_t group, Paths& paths) {
@@ -79,8 +103,10 @@ void add_paths(hid_t group, Paths& paths) {
     auto& out = *static_cast<Paths*>(kept);
     H5O_info_t object;
     if (link->type != H5L_TYPE_HARD || H5Oget_info_by_name(group, name, &object, H5P_DEFAULT) < 0) return 0;
-    if (object.type == H5O_TYPE_DATASET && !add_elements(group, name, out))
+    if (object.type == H5O_TYPE_DATASET && !add_elements(group, name, out)) {
       out.found.emplace_back(out.name + name, Place{out.group.path + name, out.group.from});
+      add_cells(group, name, out);
+    }
     if (object.type == H5O_TYPE_GROUP && name[0] != '#' && out.depth < deepest_group && out.groups < most_groups) {
       const Handle inner(H5Gopen2(group, name, H5P_DEFAULT));
       const std::string outer_name = out.name, outer_path = out.group.path;
@@ -183,6 +209,20 @@ std::vector<std::string> read_texts(const hdf5::Object& file, const Dataset& dat
   return matlab_class(dataset) == "cell" ? read_cells(file, dataset) : read_characters(dataset);
 }
 
+/// GNU Octave stores S.field in S/value/field/value, and in .../type what it is.
+std::string octave_name(std::string name) {
+  constexpr std::string_view value = ".value";
+  for (std::size_t found = name.find(value); found != std::string::npos; found = name.find(value, found)) {
+    const std::size_t end = found + value.size();
+    if (end == name.size() || name[end] == '.' || name[end] == '(') {
+      name.erase(found, value.size());
+    } else {
+      found = end;
+    }
+  }
+  return name;
+}
+
 class MatV73 final : public MatFile {
  public:
   explicit MatV73(const std::filesystem::path& path) : MatFile(path.string()) {
@@ -192,11 +232,16 @@ class MatV73 final : public MatFile {
     Paths paths;
     add_paths(hdf5_.id.get(), paths);
     by_rows_ = !paths.octave && !begins_as_matlab(path);
-    for (auto& [name, place] : paths.found) {
-      const Dataset dataset = open(name, place);
+    const std::map<std::string, std::string> types = paths.octave ? octave_types(paths) : std::map<std::string, std::string>();
+    for (auto& [path_name, place] : paths.found) {
+      if (paths.octave && path_name.ends_with(octave_type)) continue;
+      const Dataset dataset = open(path_name, place);
       by_rows_ = by_rows_ && matlab_class(dataset).empty();
+      const std::string name = paths.octave ? octave_name(path_name) : path_name;
+      const auto type = types.find(name);
+      const bool is_text = type != types.end() && type->second.ends_with("string");
       variables_.push_back({.name = name,
-                            .kind = kind_of(dataset),
+                            .kind = is_text ? MatKind::text : kind_of(dataset),
                             .dims = {dataset.dims.rbegin(), dataset.dims.rend()},
                             .unit = unit_of(dataset),
                             .integers = type_class(dataset) == H5T_INTEGER});
@@ -263,6 +308,21 @@ class MatV73 final : public MatFile {
   }
 
  private:
+  static constexpr std::string_view octave_type = ".type";
+
+  /// Of variables of GNU Octave, "matrix", "string".
+  std::map<std::string, std::string> octave_types(const Paths& paths) const {
+    std::map<std::string, std::string> types;
+    for (const auto& [name, place] : paths.found) {
+      if (!name.ends_with(octave_type)) continue;
+      const Dataset dataset = open(name, place);
+      if (type_class(dataset) != H5T_STRING) continue;
+      const std::vector<std::string> texts = hdf5::read_texts(dataset);
+      if (!texts.empty()) types.emplace(octave_name(name.substr(0, name.size() - octave_type.size())), texts.front());
+    }
+    return types;
+  }
+
   Dataset open(const std::string& name, const Place& place) const {
     if (!place.from) return open_dataset(hdf5_, place.path);
     Handle id(H5Rdereference2(hdf5_.id.get(), H5P_DEFAULT, H5R_OBJECT, &*place.from));

@@ -50,7 +50,8 @@ class Reader {
     header.quantity = read_quantity();
     if (header.response.empty()) {
       lookup_.fail({}, "does not state at which DOFs " + frf_.name + " was measured",
-                   "give the response and reference DOFs, or add cell arrays response_dof and reference_dof");
+                   "give the DOFs: --response 4:+Y --reference 1:+Y, in a scene dofs and reference_dofs, or add cell arrays "
+                   "response_dof and reference_dof");
     }
     validate(header);
     require_nothing_unread(file_, *frf_.values);
@@ -99,10 +100,22 @@ class Reader {
     return lookup_.is_axis(scale) ? scale : std::string();
   }
 
-  /// Of one element, or one each of all elements.
+  /// Of one element, or one each of all elements; or elements are a table of responses by references, columns first.
   std::vector<Dof> given(const std::vector<Dof>& dofs, std::size_t needed) const {
     if (elements_ > 1 && dofs.size() == elements_ && needed != dofs.size()) return {dofs[element_]};
-    return dofs;
+    const std::size_t rows = options_.response.size(), columns = options_.reference.size();
+    if (elements_ == 1 || rows < 2 || columns < 2 || rows * columns != elements_ || needed != 1) return dofs;
+    require_table(rows, columns);
+    return {&dofs == &options_.response ? dofs[element_ % rows] : dofs[element_ / rows]};
+  }
+
+  void require_table(std::size_t rows, std::size_t columns) const {
+    const MatInfo* const all = lookup_.find(frf_.name.substr(0, frf_.name.find('(')));
+    if (all == nullptr || all->dims.size() != 2 || all->dims[0] == 1 || all->dims[1] == 1 || all->dims[0] == rows) return;
+    lookup_.fail(place_of(all->name),
+                 "has " + std::to_string(all->dims[0]) + " rows and " + std::to_string(all->dims[1]) + " columns, and " +
+                     std::to_string(rows) + " responses and " + std::to_string(columns) + " references were given",
+                 "give one response for each row and one reference for each column");
   }
 
   void read_dofs() {
@@ -180,7 +193,8 @@ class Reader {
                    "'" + shown_label(label) + "' is no unit of motion over force that is known" + (hint.empty() ? "" : " (" + hint + ")"),
                    "store FRFs of motion over force, with a unit such as 'm/(s^2*N)', 'g/N' or 'mm/N'");
     }
-    lookup_.fail({}, "does not state which quantity it holds", "give the quantity, or add a text quantity = 'accelerance'");
+    lookup_.fail({}, "does not state which quantity it holds",
+                 "give it: --quantity accelerance, in a scene quantity, or add a text quantity = 'accelerance'");
   }
 
   /// As the program that wrote the array shows them.

@@ -130,14 +130,23 @@ std::vector<std::string> characters(const matvar_t& variable) {
 
 constexpr int deepest_struct = 8;
 
-/// The variable, of a struct its fields under S.field, of an array of structs (or a cell array of them) under S(2).field.
+/// A struct, or an array of complex numbers.
+bool may_hold_frfs(const matvar_t* cell) {
+  if (cell == nullptr) return false;
+  return cell->class_type == MAT_C_STRUCT ? size(*cell) == 1 : kind_of(*cell) == MatKind::complex && size(*cell) > 1;
+}
+
+/// The variable, of a struct its fields under S.field, of an array of structs (or a cell array of them) under S(2).field, of a cell array
+/// of complex arrays these under H(2).
 void list(matvar_t& variable, const std::string& name, int depth, std::vector<MatInfo>& out) {
   out.push_back({.name = name, .kind = kind_of(variable), .dims = dims_of(variable), .integers = has_integers(variable)});
   if (depth == deepest_struct) return;
   if (variable.class_type == MAT_C_CELL) {
     for (std::size_t i = 0; i < size(variable); ++i) {
+      if (!may_hold_frfs(Mat_VarGetCell(&variable, static_cast<int>(i)))) return;  // of texts and numbers
+    }
+    for (std::size_t i = 0; i < size(variable); ++i) {
       matvar_t* cell = Mat_VarGetCell(&variable, static_cast<int>(i));
-      if (cell == nullptr || cell->class_type != MAT_C_STRUCT || size(*cell) != 1) return;  // of texts and numbers
       list(*cell, name + "(" + std::to_string(i + 1) + ")", depth + 1, out);
     }
   }
@@ -153,16 +162,18 @@ void list(matvar_t& variable, const std::string& name, int depth, std::vector<Ma
   }
 }
 
-/// "S", "S(2)" or "" before the next dot of a name, which is taken off with it: the name and the number of the element, from 0.
+/// Of a name without a number.
+constexpr std::size_t whole = std::string::npos;
+
+/// "S", "S(2)" or "" before the next dot of a name, which is taken off with it: the name and the number of the element, from 0, or whole.
 std::pair<std::string, std::size_t> take_part(std::string_view& rest) {
   const std::string_view part = rest.substr(0, std::min(rest.find('.'), rest.size()));
   rest.remove_prefix(std::min(part.size() + 1, rest.size()));
   const std::size_t open = part.find('(');
-  std::size_t element = 0;
-  if (open != std::string_view::npos &&
-      std::from_chars(part.data() + open + 1, part.data() + part.size(), element).ec == std::errc())
-    element -= element > 0 ? 1 : 0;
-  return {std::string(part.substr(0, open)), element};
+  std::size_t number = 0;
+  const bool has_number = open != std::string_view::npos &&
+                          std::from_chars(part.data() + open + 1, part.data() + part.size(), number).ec == std::errc() && number > 0;
+  return {std::string(part.substr(0, open)), has_number ? number - 1 : whole};
 }
 
 /// A field by its name in list(), or null. `variable` is what stands before the first dot.
@@ -170,11 +181,14 @@ matvar_t* field_of(matvar_t* variable, std::string_view name) {
   std::size_t element = take_part(name).second;
   while (variable != nullptr && (!name.empty() || variable->class_type == MAT_C_CELL)) {
     if (variable->class_type == MAT_C_CELL) {
-      if (name.empty() || element >= size(*variable)) return name.empty() ? variable : nullptr;
+      if (name.empty() && element == whole) return variable;
+      if (element == whole) element = 0;
+      if (element >= size(*variable)) return nullptr;
       variable = Mat_VarGetCell(variable, static_cast<int>(element));
-      element = 0;
+      element = whole;
       continue;
     }
+    if (element == whole) element = 0;
     if (variable->class_type != MAT_C_STRUCT || element >= size(*variable)) return nullptr;
     const auto [field, next] = take_part(name);
     variable = Mat_VarGetStructFieldByName(variable, field.c_str(), element);

@@ -25,7 +25,7 @@ double at_level(std::span<const Complex> frf, std::size_t outer, std::size_t inn
 
 }  // namespace
 
-void PolarSearch::add(std::span<const Complex> frf) {
+void PolarOrder::add(std::span<const Complex> frf) {
   std::vector<Complex> finite;
   std::ranges::copy_if(frf, std::back_inserter(finite), is_finite_pair);
   for (const Complex& value : finite) {
@@ -42,16 +42,7 @@ void PolarSearch::add(std::span<const Complex> frf) {
   look_at_sizes(finite);
 }
 
-void PolarSearch::add(std::span<const Complex> values, std::size_t frfs) {
-  std::vector<Complex> one;
-  for (std::size_t k = 0; k < frfs && may_be(); ++k) {
-    one.clear();
-    for (std::size_t at = k; at < values.size(); at += frfs) one.push_back(values[at]);
-    add(one);
-  }
-}
-
-void PolarSearch::look_for_wraps(std::span<const Complex> frf) {
+void PolarOrder::look_for_wraps(std::span<const Complex> frf) {
   for (std::size_t line = 0; line + 1 < frf.size(); ++line) {
     const double leap = std::abs(frf[line + 1].imag() - frf[line].imag());
     for (std::size_t unit = 0; unit < halves.size(); ++unit) {
@@ -65,7 +56,7 @@ void PolarSearch::look_for_wraps(std::span<const Complex> frf) {
   }
 }
 
-bool PolarSearch::stays_at_edge(std::span<const Complex> frf, std::size_t line, double half, double low) const {
+bool PolarOrder::stays_at_edge(std::span<const Complex> frf, std::size_t line, double half, double low) const {
   constexpr std::size_t reach = 2, fewest = 5;
   const std::size_t first = line - std::min(line, reach), last = std::min(line + 1 + reach, frf.size() - 1);
   if (last - first + 1 < fewest) return false;
@@ -79,7 +70,7 @@ bool PolarSearch::stays_at_edge(std::span<const Complex> frf, std::size_t line, 
   return most <= 3.0 * least;
 }
 
-void PolarSearch::look_for_levels(std::span<const Complex> frf) {
+void PolarOrder::look_for_levels(std::span<const Complex> frf) {
   constexpr double near = 0.04;
   constexpr std::size_t shortest_run = 4, fewest = 6;
   for (std::size_t unit = 0; unit < halves.size(); ++unit) {
@@ -106,7 +97,7 @@ void PolarSearch::look_for_levels(std::span<const Complex> frf) {
   }
 }
 
-void PolarSearch::look_for_turns(std::span<const Complex> frf) {
+void PolarOrder::look_for_turns(std::span<const Complex> frf) {
   for (std::size_t peak = 1; peak + 1 < frf.size(); ++peak) {
     const double height = frf[peak].real(), level = height / std::sqrt(2.0);
     if (!(height >= frf[peak - 1].real() && height > frf[peak + 1].real())) continue;
@@ -126,59 +117,96 @@ void PolarSearch::look_for_turns(std::span<const Complex> frf) {
   }
 }
 
-void PolarSearch::look_at_sizes(std::span<const Complex> frf) {
+void PolarOrder::look_at_sizes(std::span<const Complex> frf) {
   const auto large = std::ranges::count_if(
       frf, [](const Complex& value) { return value.real() > 0.0 && std::abs(value.imag()) >= 100.0 * value.real(); });
   if (static_cast<double>(large) >= 0.8 * static_cast<double>(frf.size())) ++large_;
 }
 
-bool PolarSearch::within(double low, double high) const {
+bool PolarOrder::within(double low, double high) const {
   const double tolerance = polar_rounding * (high - low);
   return least_ >= low - tolerance && most_ <= high + tolerance;
 }
 
-bool PolarSearch::turns_right(std::size_t unit) const {
+bool PolarOrder::turns_right(std::size_t unit) const {
   const Turns& turns = turns_[unit];
   const double half = halves[unit];
   return turns.right >= 2 && 2 * turns.right >= turns.peaks &&
          (turns.highest < 0.05 * half || turns.lowest > 5.0 * half || turns.highest > 8.0 * turns.lowest);
 }
 
-std::optional<std::string> PolarSearch::finding() const {
-  if (!may_be() || frfs_ == 0) return std::nullopt;
-  const std::string signs = below_ ? "no first number is above 0" : "no first number is below 0";
+std::string PolarOrder::signs() const {
+  return std::string("no ") + (phase_first_ ? "second" : "first") + " number is " + (below_ ? "above 0" : "below 0");
+}
+
+std::optional<std::string> PolarOrder::finding() const {
+  if (!may_be() || frfs_ == 0 || (phase_first_ && below_)) return std::nullopt;
   const double largest = std::max(-least_, most_);
+  const std::string other = phase_first_ ? ", and the first " : ", and the second ";
   for (std::size_t unit = 0; unit < halves.size(); ++unit) {
     const double half = halves[unit];
-    const std::string begin = std::string("magnitudes and phases in ") + angle_words[unit] + ": " + signs;
+    const std::string begin = phase_first_ ? std::string("phases in ") + angle_words[unit] + " and magnitudes: " + signs()
+                                           : std::string("magnitudes and phases in ") + angle_words[unit] + ": " + signs();
     for (const bool from_zero : {false, true}) {
       const double low = from_zero ? 0.0 : -half;
       const std::optional<Leap>& wrap = wraps_[unit][from_zero ? 1 : 0];
       if (wrap && within(low, low + 2.0 * half))
-        return begin + fmt::format(", and the second goes from {:.4g} to {:.4g} in one line, a whole turn", wrap->from, wrap->to);
+        return begin + other + fmt::format("goes from {:.4g} to {:.4g} in one line, a whole turn", wrap->from, wrap->to);
     }
-    if (levels_[unit] && largest >= 0.45 * half)
-      return begin + ", and the second stays at multiples of a right angle on most lines";
-    if (turns_right(unit) && !below_) return begin + ", and the second turns by a right angle over each peak of the first, high or low";
+    if (levels_[unit] && largest >= 0.45 * half && !phase_first_)
+      return begin + other + "stays at multiples of a right angle on most lines";
+    if (turns_right(unit) && !below_) {
+      return begin + other + "turns by a right angle over each peak of the " + (phase_first_ ? "second" : "first") + ", high or low";
+    }
   }
-  const bool sizes = quantity_ != Quantity::mobility && !below_ && large_ == frfs_;
+  const bool sizes = !phase_first_ && quantity_ != Quantity::mobility && !below_ && large_ == frfs_;
   if (sizes && largest >= 0.3 && within(-360.0, 360.0))
-    return "magnitudes and phases: " + signs + ", and the second is 100 times the first or more on most lines";
+    return "magnitudes and phases: " + signs() + other + "is 100 times the first or more on most lines";
   return std::nullopt;
 }
 
-std::optional<std::string> PolarSearch::doubt() const {
+bool PolarOrder::ends_at_a_turn() const {
   constexpr double close = 0.9;
-  if (!may_be() || below_ || !above_ || frfs_ == 0 || finding()) return std::nullopt;
-  for (const double half : halves) {
-    const double largest = std::max(-least_, most_);
-    const bool half_turn = within(-half, half) && largest > close * half;
-    const bool turn = within(0.0, 2.0 * half) && largest > 2.0 * close * half;
-    if (half_turn || turn)
-      return fmt::format("no real part is below 0, and the imaginary parts end at {:.4g}, as if they were magnitudes and phases",
-                         -least_ > most_ ? least_ : most_);
+  const double largest = std::max(-least_, most_);
+  return std::ranges::any_of(halves, [&](double half) {
+    return (within(-half, half) && largest > close * half) || (within(0.0, 2.0 * half) && largest > 2.0 * close * half);
+  });
+}
+
+std::optional<std::string> PolarOrder::doubt() const {
+  if (!may_be() || below_ || !above_ || frfs_ == 0 || !ends_at_a_turn()) return std::nullopt;
+  if (phase_first_ && !levels_[0] && !levels_[1]) return std::nullopt;
+  return fmt::format("no {} part is below 0, and the {} parts end at {:.4g}, as if they were {}", phase_first_ ? "imaginary" : "real",
+                     phase_first_ ? "real" : "imaginary", -least_ > most_ ? least_ : most_,
+                     phase_first_ ? "phases and magnitudes" : "magnitudes and phases");
+}
+
+void PolarSearch::add(std::span<const Complex> frf) {
+  if (magnitude_first_.may_be()) magnitude_first_.add(frf);
+  if (!phase_first_.may_be()) return;
+  std::vector<Complex> exchanged;
+  for (const Complex& value : frf) exchanged.emplace_back(value.imag(), value.real());
+  phase_first_.add(exchanged);
+}
+
+void PolarSearch::add(std::span<const Complex> values, std::size_t frfs) {
+  std::vector<Complex> one;
+  for (std::size_t k = 0; k < frfs && may_be(); ++k) {
+    one.clear();
+    for (std::size_t at = k; at < values.size(); at += frfs) one.push_back(values[at]);
+    add(one);
   }
-  return std::nullopt;
+}
+
+std::optional<std::string> PolarSearch::finding() const {
+  const auto found = magnitude_first_.finding();
+  return found ? found : phase_first_.finding();
+}
+
+std::optional<std::string> PolarSearch::doubt() const {
+  if (finding()) return std::nullopt;
+  const auto doubt = magnitude_first_.doubt();
+  return doubt ? doubt : phase_first_.doubt();
 }
 
 }  // namespace jointid::frf

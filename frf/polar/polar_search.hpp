@@ -26,23 +26,18 @@ namespace jointid::frf {
 ///   - sizes, where no a is below 0, but for mobilities, which little damping leaves imaginary on most lines: |b| is
 ///     100 a or more on 80 % of the lines of every FRF and at least 0.3, at most 360.
 /// Values that are not finite are left out, FRFs of fewer than eight others not looked at.
-class PolarSearch {
+class PolarOrder {
  public:
-  explicit PolarSearch(Quantity quantity) : quantity_(quantity) {}
+  /// `phase_first`: a is then the second number of a line.
+  explicit PolarOrder(Quantity quantity, bool phase_first = false) : quantity_(quantity), phase_first_(phase_first) {}
 
-  /// One FRF over all lines, as the file has it.
+  /// One FRF over all lines, as the file has it, or with its numbers exchanged.
   void add(std::span<const Complex> frf);
-
-  /// All FRFs of a set, [line, FRF] with `frfs` of them.
-  void add(std::span<const Complex> values, std::size_t frfs);
 
   /// False once a of both signs were seen: nothing will be found.
   bool may_be() const { return !(above_ && below_); }
 
-  /// Where they are magnitudes and phases, a phrase that says by what; else empty.
   std::optional<std::string> finding() const;
-
-  /// Where no a is below 0 and b ends at a half turn or a turn, but nothing is found: a phrase; else empty.
   std::optional<std::string> doubt() const;
 
  private:
@@ -65,13 +60,42 @@ class PolarSearch {
   bool within(double low, double high) const;
   bool turns_right(std::size_t unit) const;
 
+  std::string signs() const;
+  bool ends_at_a_turn() const;
+
   Quantity quantity_;
+  bool phase_first_;
   std::size_t frfs_ = 0, large_ = 0;
   bool above_ = false, below_ = false;  ///< a of either sign
   double least_ = 0.0, most_ = 0.0;     ///< b
   std::array<std::array<std::optional<Leap>, 2>, 2> wraps_{};  ///< by unit, by whether from 0
   std::array<bool, 2> levels_{};
   std::array<Turns, 2> turns_{};
+};
+
+/// In both orders. The imaginary part of a driving point has one sign, as a magnitude has: of phases before magnitudes wraps and turns are
+/// found. Levels are a doubt, where b ends at a half turn or a turn, which a real part does not reach but at its largest resonance.
+class PolarSearch {
+ public:
+  explicit PolarSearch(Quantity quantity) : magnitude_first_(quantity), phase_first_(quantity, true) {}
+
+  /// One FRF over all lines, as the file has it.
+  void add(std::span<const Complex> frf);
+
+  /// All FRFs of a set, [line, FRF] with `frfs` of them.
+  void add(std::span<const Complex> values, std::size_t frfs);
+
+  /// False once numbers of both signs were seen in either place: nothing will be found.
+  bool may_be() const { return magnitude_first_.may_be() || phase_first_.may_be(); }
+
+  /// Where they are magnitudes and phases, a phrase that says by what; else empty.
+  std::optional<std::string> finding() const;
+
+  /// Where no magnitude is below 0 and phases end at a half turn or a turn, but nothing is found: a phrase; else empty.
+  std::optional<std::string> doubt() const;
+
+ private:
+  PolarOrder magnitude_first_, phase_first_;
 };
 
 }  // namespace jointid::frf

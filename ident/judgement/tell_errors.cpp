@@ -77,16 +77,19 @@ std::vector<double> relative_errors(const Plan& plan, const Solution& out) {
 }
 
 /// "K(1,1), K(1,2) and 3 more"
-std::string names_above(const std::vector<double>& shares, double limit, const Solution& out) {
+std::string some_of(const std::vector<std::string>& names) {
   constexpr std::size_t most = 3;
-  std::size_t count = 0;
   std::string text;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i) text += (i > 0 ? ", " : "") + names[i];
+  return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more" : text;
+}
+
+std::string names_above(const std::vector<double>& shares, double limit, const Solution& out) {
+  std::vector<std::string> names;
   for (std::size_t u = 0; u < shares.size(); ++u) {
-    if (!(shares[u] > limit)) continue;
-    if (count < most) text += (count > 0 ? ", " : "") + out.unknowns[u].name;
-    ++count;
+    if (shares[u] > limit) names.push_back(out.unknowns[u].name);
   }
-  return count > most ? text + " and " + std::to_string(count - most) + " more" : text;
+  return some_of(names);
 }
 
 /// Unknowns of one matrix and unit, whose largest value has no digit: an error among them is at least as large.
@@ -94,11 +97,13 @@ struct WithoutDigit {
   restrictions::Kind kind = restrictions::Kind::stiffness;
   std::string unit;
   double share = 0.0;  ///< that error over the largest value
+  std::vector<std::string> names;  ///< of unknowns whose errors are as large as their values
 };
 
 std::vector<WithoutDigit> without_digit(const Plan& plan, const Solution& out) {
   struct Group {
     double value = 0.0, error = 0.0;
+    std::vector<std::string> names{};
   };
   std::map<std::pair<restrictions::Kind, std::string>, Group> groups;
   for (std::size_t u = 0; u < out.unknowns.size(); ++u) {
@@ -106,16 +111,17 @@ std::vector<WithoutDigit> without_digit(const Plan& plan, const Solution& out) {
     Group& group = groups[{unknown.kind, unknown.unit}];
     group.value = std::max(group.value, std::abs(out.unknowns[u].value));
     group.error = std::max(group.error, error_of(out.unknowns[u]));
+    if (error_of(out.unknowns[u]) >= std::abs(out.unknowns[u].value)) group.names.push_back(out.unknowns[u].name);
   }
   std::vector<WithoutDigit> found;
   for (const auto& [of, group] : groups) {
-    if (group.error > 0.0 && group.error >= group.value) found.push_back({of.first, of.second, group.error / group.value});
+    if (group.error > 0.0 && group.error >= group.value) found.push_back({of.first, of.second, group.error / group.value, group.names});
   }
   return found;
 }
 
 std::string text(const WithoutDigit& of) {
-  return of_matrix(of.kind) + " has no valid digit in " + of.unit + ": errors reach " + digits(of.share) +
+  return of_matrix(of.kind) + " has no valid digit in " + of.unit + " (" + some_of(of.names) + "): errors reach " + digits(of.share) +
          " times its largest value";
 }
 

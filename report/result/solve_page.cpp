@@ -91,7 +91,7 @@ void add_values(const ident::Solution& solution, std::size_t first, std::size_t 
   for (std::size_t i = first; i < std::min(last, solution.unknowns.size()); ++i) {
     const ident::Estimate& estimate = solution.unknowns[i];
     bars.bars.push_back({estimate.name, estimate.value, estimate.unit, estimate.ci95, std::nullopt,
-                         estimate.determined ? estimate.limit : "not determined by the data", estimate.error_estimate});
+                         remark_on(estimate), estimate.error_estimate});
   }
   page.add(bars);
   const bool intervals = std::ranges::any_of(bars.bars, [](const Bar& bar) { return bar.interval.has_value(); });

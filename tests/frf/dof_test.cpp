@@ -32,7 +32,8 @@ TEST(Dof, WhatMayBeMeantIsProposed) {
   const std::vector<std::pair<std::string, std::string>> labels = {
       {"12X+", "12:+X"},      {"12+X", "12:+X"},       {"12:x", "12:+X"},     {"12X", "12:+X"},    {"12-X", "12:-X"},
       {"12 : -rz", "12:-RZ"}, {"12:X-", "12:-X"},      {"12.3", "12:+Z"},     {"12:-6", "12:-RZ"}, {"Pt1Z-", "1:-Z"},
-      {"Node 7 Y", "7:+Y"},   {"12:\u2212Y", "12:-Y"}, {"\"4\"/+ry", "4:+RY"}};
+      {"Node 7 Y", "7:+Y"},   {"12:\u2212Y", "12:-Y"}, {"\"4\"/+ry", "4:+RY"},
+      {"H1 2Z+", "2:+Z"},     {"FRF plate:1:+Z", "1:+Z"}, {"plate:12:-x", "12:-X"}};
   for (const auto& [text, near] : labels) {
     try {
       Dof::parse(text);

@@ -234,5 +234,20 @@ TEST(NamedArrays, TheNameOfAFileOfFrequenciesStatesTheirUnit) {
   }
 }
 
+/// A cell of each response and reference, or of each response.
+TEST(NamedArrays, CellsOfArraysAndStructs) {
+  for (const char* name : {"table.mat", "table_v73.mat"}) {
+    const OpenOptions all = given(Quantity::accelerance, {"1:+Z", "2:+Z"}, {"1:+Z", "2:+Z", "3:-X"});
+    expect_stored(read(name, all), one_g, 1e-12);
+    const OpenOptions turned = given(Quantity::accelerance, {"1:+Z", "2:+Z", "3:-X"}, {"1:+Z", "2:+Z"});
+    EXPECT_THAT(error(name, turned), HasSubstr("has 2 rows and 3 columns, and 3 responses and 2 references were given"));
+  }
+  expect_stored(read("structs_v73.mat", given(Quantity::accelerance, {"1:+Z", "2:+Z"}, {"1:+Z"})), one_g, 1e-12, 1);
+}
+
+TEST(NamedArrays, UnitOfOctave) {
+  expect_stored(read("octave.h5", given(std::nullopt, {"1:+Z", "2:+Z"}, {"1:+Z", "2:+Z"})), one_g, 1e-12, 2);
+}
+
 }  // namespace
 }  // namespace jointid::frf

@@ -51,6 +51,13 @@ OpenOptions accelerance(OpenOptions options = {}) {
   return options;
 }
 
+OpenOptions points(const std::vector<std::string>& responses, const std::vector<std::string>& references) {
+  OpenOptions options;
+  options.response = dofs(responses);
+  options.reference = dofs(references);
+  return options;
+}
+
 const std::string numbers = "10,2,-1\n20,3,4\n", own_titles = "frequency_hz,1:+Z/1:+Z re,1:+Z/1:+Z im\n";
 
 TEST_F(CsvOfOthers, FreeLinesStandAboveTheTitles) {
@@ -213,6 +220,28 @@ TEST_F(CsvOfOthers, FactorsThatNothingAppliesAndConjugatesAreErrors) {
     EXPECT_THAT(error(line + table, at_one_point()), HasSubstr("conjugates of FRFs of exp(+iωt)")) << line;
   for (const char* line : {"# scale = 1\n", "# sensitivity: 10 mV/g\n", "# full scale = 10\n", "Gain,10\n", "# 5 times per point\n"})
     expect_right(line + table, gravity, at_one_point());
+}
+
+/// Of programs that name a component before node and direction, or write these without a colon.
+TEST_F(CsvOfOthers, DofsAsOthersWriteThemAreOfThoseThatAreGiven) {
+  const OpenOptions pair = accelerance(points({"1:+Z", "2:+Z"}, {"1:+Z"}));
+  const auto titled = [](const std::string& first, const std::string& second) {
+    return "frequency_hz," + first + " re," + first + " im," + second + " re," + second + " im\n10,2,-1,5,6\n20,3,4,7,8\n";
+  };
+  for (const auto& [first, second] :
+       {std::pair("FRF plate:1:+Z/plate:1:+Z", "FRF plate:2:+Z/plate:1:+Z"), std::pair("1Z+/1Z+", "2Z+/1Z+"), std::pair("H1 1Z+/1Z+", "H1 2Z+/1Z+")}) {
+    const FrfSet set = read(titled(first, second), pair);
+    ASSERT_EQ(set.values.size(), 4U) << first;
+    EXPECT_NEAR(std::abs(set.values[1]) * std::pow(20.0 * std::numbers::pi, 2), std::abs(Complex(5.0, 6.0)), 1e-9) << first;
+    EXPECT_THAT(error(titled(second, first), pair), HasSubstr("is of 2:+Z by its title, and 1:+Z was given for it")) << first;
+    EXPECT_THAT(error(titled(first, second), accelerance()), HasSubstr("--response 4:+Y --reference 1:+Y")) << first;
+  }
+}
+
+TEST_F(CsvOfOthers, RowsOfChannelsWithUnitsThatNothingReadsAreErrors) {
+  const std::string above = "Channel,Datatype,Unit,Length\nFrequency,DT_DOUBLE,Hz,2\nReal,DT_DOUBLE,g/N,2\nImaginary,DT_DOUBLE,g/N,2\n";
+  EXPECT_THAT(error(above + "Frequency,Real,Imaginary\n" + numbers, accelerance(at_one_point())),
+              AllOf(HasSubstr("line 3"), HasSubstr("states the unit 'g/N', which is not read"), HasSubstr("--unit")));
 }
 
 }  // namespace

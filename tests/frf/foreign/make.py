@@ -123,3 +123,67 @@ with h5py.File("axes.h5", "w", libver="latest") as file:
 np.savez("letters.npz", frf=H[:, :1, :1], frequency=f, unit="m·s⁻²·N⁻¹", response_dof=responses[:1], reference_dof=references[:1])
 scipy.io.savemat("letters.mat", {"frf": H[:, :1, :1], "frequency": f, "unit": "µm/N", "response_dof": responses[:1].astype(object),
                                  "reference_dof": references[:1].astype(object)})
+
+# Cells of arrays, of MATLAB v5 and v7.3, and structs in cells of v7.3; variables of GNU Octave in HDF5.
+table = np.empty((2, 3), dtype=object)
+for i, j in np.ndindex(table.shape):
+    table[i, j] = H[:, i, j]
+scipy.io.savemat("table.mat", {"H": table, "f": f, "unit": "g/N"})
+
+
+def written(group, name, values, matlab_class):
+    group[name] = values
+    group[name].attrs["MATLAB_class"] = np.bytes_(matlab_class)
+
+
+def numbers(group, name, values):
+    parts_of = np.zeros(values.shape, [("real", "f8"), ("imag", "f8")])
+    parts_of["real"], parts_of["imag"] = values.real, values.imag
+    written(group, name, (parts_of if np.iscomplexobj(values) else values)[None, :], "double")
+
+
+def characters(group, name, text):
+    written(group, name, np.array([[ord(letter)] for letter in text], np.uint16), "char")
+
+
+def as_matlab(name, fill):
+    with h5py.File(name, "w", userblock_size=512) as file:
+        numbers(file, "f", f)
+        characters(file, "unit", "g/N")
+        fill(file, file.create_group("#refs#"))
+    with open(name, "r+b") as file:
+        file.write("MATLAB 7.3 MAT-file, HDF5 schema 1.00 .".ljust(124).encode() + b"\x00\x02IM")
+
+
+def cells(file, names, shape):
+    written(file, "H", np.array([file[f"#refs#/{name}"].ref for name in names], dtype=h5py.ref_dtype).reshape(shape), "cell")
+
+
+def cells_of_arrays(file, kept):
+    for i, j in np.ndindex(table.shape):
+        numbers(kept, f"a{i}{j}", H[:, i, j])
+    cells(file, [f"a{i}{j}" for j in range(3) for i in range(2)], (3, 2))
+
+
+def cells_of_structs(file, kept):
+    for i in range(2):
+        element = kept.create_group(f"s{i}")
+        element.attrs["MATLAB_class"] = np.bytes_("struct")
+        numbers(element, "f", f)
+        numbers(element, "y", H[:, i, 0])
+    cells(file, ["s0", "s1"], (1, 2))
+
+
+as_matlab("table_v73.mat", cells_of_arrays)
+as_matlab("structs_v73.mat", cells_of_structs)
+
+with h5py.File("octave.h5", "w") as file:
+    for name, kind, values in (("H", "complex matrix", H[:, :, :2].T), ("f", "matrix", f[None, :]), ("unit", "string", np.frombuffer(b"g/N", "i1")[:, None])):
+        variable = file.create_group(name)
+        variable.attrs["OCTAVE_NEW_FORMAT"] = np.uint8(1)
+        variable["type"] = np.bytes_(kind)
+        if np.iscomplexobj(values):
+            pairs = np.zeros(values.shape, [("real", "f8"), ("imag", "f8")])
+            pairs["real"], pairs["imag"] = values.real, values.imag
+            values = pairs
+        variable["value"] = values

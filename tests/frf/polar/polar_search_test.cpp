@@ -99,12 +99,19 @@ std::vector<std::vector<Complex>> scaled(std::vector<std::vector<Complex>> set, 
   return set;
 }
 
-double largest_part(const std::vector<std::vector<Complex>>& set) {
+double largest_part(const std::vector<std::vector<Complex>>& set, bool real) {
   double largest = 0.0;
   for (const auto& frf : set) {
-    for (const Complex& value : frf) largest = std::max(largest, std::abs(value.imag()));
+    for (const Complex& value : frf) largest = std::max(largest, std::abs(real ? value.real() : value.imag()));
   }
   return largest;
+}
+
+std::vector<std::vector<Complex>> exchanged(std::vector<std::vector<Complex>> set) {
+  for (auto& frf : set) {
+    for (Complex& value : frf) value = {value.imag(), value.real()};
+  }
+  return set;
 }
 
 enum class Turned { half_turns, from_zero, unwrapped };
@@ -124,13 +131,14 @@ std::vector<std::vector<Complex>> polar_of(std::vector<std::vector<Complex>> set
   return set;
 }
 
-/// True FRFs in all units, of which the imaginary part ends just where a half turn or a right angle does: the worst that can be.
+/// True FRFs in all units, of which the imaginary part, or the real one, ends just where a half turn or a right angle does: the worst that
+/// can be.
 RC_GTEST_PROP(PolarSearch, NeverFindsTrueFrfs, ()) {
   std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
   int order = 0;
   std::vector<std::vector<Complex>> set = random_set(random, order);
   if (uniform(random, 0.0, 1.0) < 0.5) add_noise(set, random, decades(random, -5.0, -1.0));
-  const double largest = largest_part(set);
+  const double largest = largest_part(set, *rc::gen::arbitrary<bool>());
   RC_PRE(largest > 0.0);
   for (const double half : {std::numbers::pi, 180.0}) {
     for (const double end : {half, 0.5 * half, 2.0 * half, decades(random, -9.0, 6.0)}) {
@@ -179,6 +187,30 @@ TEST(PolarSearch, FindsMagnitudesAndPhases) {
       }
     }
   }
+}
+
+TEST(PolarSearch, FindsPhasesBeforeMagnitudes) {
+  for (const int order : {0, 1, 2}) {
+    for (const double per_turn : {2.0 * std::numbers::pi, 360.0}) {
+      for (const Turned turned : {Turned::half_turns, Turned::from_zero, Turned::unwrapped}) {
+        std::vector<std::vector<Complex>> set = beam(order);
+        std::mt19937_64 random(7);
+        add_noise(set, random, 1e-3);
+        const PolarSearch search = search_of(exchanged(polar_of(set, per_turn, turned)), order == 1);
+        ASSERT_TRUE(search.finding()) << order << " " << per_turn << " " << static_cast<int>(turned);
+        EXPECT_THAT(*search.finding(), AllOf(HasSubstr("phases in"), HasSubstr("and magnitudes: no second number is below 0")));
+      }
+    }
+  }
+}
+
+/// A driving point alone: its imaginary part has one sign, so that levels of phases are no more than a doubt.
+TEST(PolarSearch, DoubtsPhasesBeforeMagnitudesOfOneDrivingPoint) {
+  const auto driving = std::vector<std::vector<Complex>>{beam(2).front()};
+  const PolarSearch search = search_of(exchanged(polar_of(driving, 360.0, Turned::from_zero)), false);
+  EXPECT_TRUE(search.finding() || search.doubt());
+  EXPECT_FALSE(search_of(driving, false).finding());
+  EXPECT_FALSE(search_of(driving, false).doubt());
 }
 
 /// Magnitudes of small receptances in decibels, all below 0.

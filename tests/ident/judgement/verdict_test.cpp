@@ -251,11 +251,12 @@ TEST(TellErrors, NoValidDigitOfKIsDoubtfulAndOfDIsSaidOfD) {
   double largest = 0.0;
   const auto is_damping = [](const Estimate& unknown) { return unknown.name.starts_with("D") && unknown.unit == "N/m"; };
   for (Estimate& unknown : of.found.unknowns) largest = std::max(largest, is_damping(unknown) ? std::abs(unknown.value) : 0.0);
-  std::ranges::find_if(of.found.unknowns, is_damping)->error_estimate = 1.1 * largest;
+  const auto without = std::ranges::find_if(of.found.unknowns, is_damping);
+  without->error_estimate = 1.1 * largest;
   of.tell();
   EXPECT_EQ(of.found.status, Status::ok) << of.found.message;
   ASSERT_EQ(of.found.warnings.size(), 1u);
-  EXPECT_THAT(of.found.warnings.front(), HasSubstr("hysteretic damping D has no valid digit in N/m"));
+  EXPECT_THAT(of.found.warnings.front(), HasSubstr("hysteretic damping D has no valid digit in N/m (" + without->name + "): errors reach"));
   EXPECT_THAT(of.found.message, HasSubstr("The status is that of the stiffness K alone: the hysteretic damping D has no valid digit in N/m"));
   of.found.unknowns.front().error_estimate = 2.0 * std::abs(of.found.unknowns.front().value);  // K(1,1), the largest in N/m
   of.tell();
