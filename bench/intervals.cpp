@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <optional>
 #include <string>
@@ -307,10 +306,10 @@ void measure(const bench::CommandLine& line, bench::Promises& promises) {
   const std::vector<std::string> kinds =
       line.choice(1, {"clean", "widths", "gain", "hammer", "force", "temperature", "one", "places"}, {"gain", "hammer", "temperature"});
   const auto wanted = [&](const char* kind) { return std::ranges::find(kinds, kind) != kinds.end(); };
-  const char* only = std::getenv("ONLY");
-  const std::vector<std::string> names = only ? std::vector<std::string>{only} : line.quick() ? std::vector<std::string>{"A1"} : std::vector<std::string>{"A1", "lap", "rig1"};
+  const std::vector<std::string> names = line.quick() ? std::vector<std::string>{"A1"} : std::vector<std::string>{"A1", "lap", "rig1"};
   fmt::print(
-      "| situation | seeds | coverage | of the unknown covered least | width, mean / largest | χ²/f, mean / largest | rms of error / std error | ok beyond 3.5 | "
+      "| situation | seeds | coverage | of the unknown covered least | "
+      "width, mean / largest | χ²/f, mean / largest | rms of error / std error | ok beyond 3.5 | "
       "statuses |\n");
   const auto run = [&](const Situation& situation, double least) {
     const Figures found = measured(situation, seeds, true);

@@ -3,9 +3,9 @@
     bench/rig_mistakes.py JOINTID [SEEDS [KIND ...]]      (SEEDS of each kind, 200 unless told; needs numpy and h5py)
 
 A seed draws two steel beams with three bolts, the places of 14 sensors, 3 to 10 hits, the noise of sensors and the size of the
-mistake; files are HDF5 with coherences. The last kind has two mistakes at once. Printed for each kind: verdicts of the check; for each method the statuses, and how many
-answers with status ok have a stiffness more than three standard errors from the truth. Ends with 1 where a promise of
-docs/checking-data.md is broken: no more such answers than chance gives to right intervals (99.9 % of a binomial law), at most 1 in 100
+mistake; files are HDF5 with coherences. The last kind has two mistakes at once. Printed for each kind: verdicts of the check; for each
+method the statuses, and how many answers with status ok have a stiffness more than three standard errors from the truth. Ends with 1
+where a promise of docs/checking-data.md is broken: no more such answers than chance gives to right intervals (99.9 % of a binomial law), at most 1 in 100
 clean scenes worse than clean or ok, no mistake of the kinds below ALWAYS_TOLD that is called clean.
 """
 

@@ -33,7 +33,9 @@ void PolarOrder::add(std::span<const Complex> frf) {
     below_ = below_ || value.real() < 0.0;
     least_ = std::min(least_, value.imag());
     most_ = std::max(most_, value.imag());
+    for (std::size_t unit = 0; unit < halves.size(); ++unit) at_half_turns_[unit] += std::abs(value.imag()) >= 0.9 * halves[unit] ? 1 : 0;
   }
+  values_ += finite.size();
   if (!may_be() || finite.size() < fewest_polar_lines) return;
   ++frfs_;
   look_for_wraps(finite);
@@ -155,9 +157,8 @@ std::optional<std::string> PolarOrder::finding() const {
     }
     if (levels_[unit] && largest >= 0.45 * half && !phase_first_)
       return begin + other + "stays at multiples of a right angle on most lines";
-    if (turns_right(unit) && !below_) {
-      return begin + other + "turns by a right angle over each peak of the " + (phase_first_ ? "second" : "first") + ", high or low";
-    }
+    if (turns_right(unit) && !below_ && !phase_first_)
+      return begin + other + "turns by a right angle over each peak of the first, high or low";
   }
   const bool sizes = !phase_first_ && quantity_ != Quantity::mobility && !below_ && large_ == frfs_;
   if (sizes && largest >= 0.3 && within(-360.0, 360.0))
@@ -165,17 +166,21 @@ std::optional<std::string> PolarOrder::finding() const {
   return std::nullopt;
 }
 
-bool PolarOrder::ends_at_a_turn() const {
+bool PolarOrder::ends_at_a_turn(std::size_t unit) const {
   constexpr double close = 0.9;
-  const double largest = std::max(-least_, most_);
-  return std::ranges::any_of(halves, [&](double half) {
-    return (within(-half, half) && largest > close * half) || (within(0.0, 2.0 * half) && largest > 2.0 * close * half);
-  });
+  const double half = halves[unit], largest = std::max(-least_, most_);
+  return (within(-half, half) && largest > close * half) || (within(0.0, 2.0 * half) && largest > 2.0 * close * half);
 }
 
 std::optional<std::string> PolarOrder::doubt() const {
-  if (!may_be() || below_ || !above_ || frfs_ == 0 || !ends_at_a_turn()) return std::nullopt;
-  if (phase_first_ && !levels_[0] && !levels_[1]) return std::nullopt;
+  constexpr std::size_t one_in = 5;
+  if (!may_be() || below_ || !above_ || frfs_ == 0) return std::nullopt;
+  bool doubtful = false;
+  for (std::size_t unit = 0; unit < halves.size(); ++unit) {
+    const bool like_phases = !phase_first_ || levels_[unit] || one_in * at_half_turns_[unit] >= values_;
+    doubtful = doubtful || (like_phases && ends_at_a_turn(unit)) || (phase_first_ && turns_right(unit));
+  }
+  if (!doubtful) return std::nullopt;
   return fmt::format("no {} part is below 0, and the {} parts end at {:.4g}, as if they were {}", phase_first_ ? "imaginary" : "real",
                      phase_first_ ? "real" : "imaginary", -least_ > most_ ? least_ : most_,
                      phase_first_ ? "phases and magnitudes" : "magnitudes and phases");

@@ -61,11 +61,12 @@ class PolarOrder {
   bool turns_right(std::size_t unit) const;
 
   std::string signs() const;
-  bool ends_at_a_turn() const;
+  bool ends_at_a_turn(std::size_t unit) const;
 
   Quantity quantity_;
   bool phase_first_;
-  std::size_t frfs_ = 0, large_ = 0;
+  std::size_t frfs_ = 0, large_ = 0, values_ = 0;
+  std::array<std::size_t, 2> at_half_turns_{};  ///< b within a tenth of a half turn or more, by unit
   bool above_ = false, below_ = false;  ///< a of either sign
   double least_ = 0.0, most_ = 0.0;     ///< b
   std::array<std::array<std::optional<Leap>, 2>, 2> wraps_{};  ///< by unit, by whether from 0
@@ -73,8 +74,9 @@ class PolarOrder {
   std::array<Turns, 2> turns_{};
 };
 
-/// In both orders. The imaginary part of a driving point has one sign, as a magnitude has: of phases before magnitudes wraps and turns are
-/// found. Levels are a doubt, where b ends at a half turn or a turn, which a real part does not reach but at its largest resonance.
+/// In both orders. The imaginary part of a driving point has one sign, as a magnitude has: of phases before magnitudes wraps are found.
+/// Turns are a doubt, and so are levels, and a fifth of all b within a tenth of a half turn, where b ends at a half turn or a turn: a real
+/// part is as large only at its largest resonance.
 class PolarSearch {
  public:
   explicit PolarSearch(Quantity quantity) : magnitude_first_(quantity), phase_first_(quantity, true) {}

@@ -29,13 +29,17 @@ struct SeenStretch {
   const FileGain* stretch = nullptr;     ///< as the lines count in the fit; nullptr: none is seen
   FileGain told = {};                    ///< the same where lines that it explains count in full
   Eigen::VectorXd step = {};             ///< of the unknowns by the lines' weights, without the stretch
-  std::optional<Eigen::VectorXd> variance = {};  ///< of the unknowns with the stretch, by what lines disagree on it
 };
 
 /// A stretch makes lines on resonances outliers, and the fit sets aside what tells most of it. Where it explains half of what is set
 /// aside, the lines count in full.
-LikelihoodFit counted_lines(const Plan& plan, const Fitted& all, const FileGain& stretch, const Control& control) {
+SeenStretch seen_stretch(const Plan& plan, const Fitted& all, const Control& control) {
   const LikelihoodFit& fit = all.found.fit;
+  SeenStretch seen{.stretch = seen_stretch(*all.tried)};
+  const Eigen::Index known = at(fit.theta.size());
+  seen.step = Eigen::VectorXd::Zero(known);
+  if (seen.stretch == nullptr) return seen;
+  seen.told = *seen.stretch;
   LikelihoodFit whole = fit;
   std::vector<double> aside;
   for (double& weight : whole.line_weight) {
@@ -43,34 +47,17 @@ LikelihoodFit counted_lines(const Plan& plan, const Fitted& all, const FileGain&
     if (weight > 0.0) weight = 1.0;
   }
   const double set_aside = excess_of(all.chi_square, *likelihood_plan(plan)->observations, aside);
-  if (!(set_aside > 0.0)) return fit;
-  const TriedErrors more = try_stretch(plan, all.found, whole, all.ratio, control, 0.0);
-  const FileGain* const found = more.stretch();
-  if (found == nullptr || found - more.stretches.data() != &stretch - all.tried->stretches.data()) return fit;
-  const double explained = found->score * found->score - stretch.score * stretch.score;
-  return explained * all.tried->inflation * all.tried->inflation > 0.5 * set_aside ? whole : fit;
-}
-
-SeenStretch seen_stretch(const Plan& plan, const Fitted& all, const Control& control) {
-  constexpr std::size_t most_passes = 4;
-  constexpr double settled = 0.1;  // standard deviations
-  const Eigen::Index known = at(all.found.fit.theta.size());
-  SeenStretch seen{.stretch = seen_stretch(*all.tried)};
-  seen.step = Eigen::VectorXd::Zero(known);
-  if (seen.stretch == nullptr) return seen;
-  seen.told = *seen.stretch;
-  const LikelihoodFit fit = counted_lines(plan, all, *seen.stretch, control);
-  const auto which = static_cast<std::size_t>(seen.stretch - all.tried->stretches.data());
-  for (std::size_t pass = 0; pass < most_passes; ++pass) {
-    const TriedErrors more = try_stretch(plan, all.found, fit, all.ratio, control, seen.told.gain);
-    const FileGain& found = more.stretches[which];
-    if (!found.is_determined()) break;
-    const double moved = std::abs(found.gain - seen.told.gain) / found.error;
-    seen.told = found;
-    seen.step = minimise::covariance_of(more.scores.information.topLeftCorner(known, known)) * more.scores.gradient.head(known);
-    seen.variance = more.variance_stretched(all.found.fit.theta.size(), found);
-    if (moved < settled) break;
-  }
+  if (!(set_aside > 0.0)) return seen;
+  LinearisedLikelihood::NearbyGradients of_no_use;
+  Control without_sensors = control;
+  without_sensors.detail = Detail::estimates;
+  const auto more = try_errors(plan, all.found, whole, all.ratio, without_sensors, of_no_use);
+  const FileGain* const found = more ? more->stretch() : nullptr;
+  if (found == nullptr || found - more->stretches.data() != seen.stretch - all.tried->stretches.data()) return seen;
+  const double explained = found->score * found->score - seen.stretch->score * seen.stretch->score;
+  if (!(explained * all.tried->inflation * all.tried->inflation > 0.5 * set_aside)) return seen;
+  seen.step = minimise::covariance_of(more->scores.information.topLeftCorner(known, known)) * more->scores.gradient.head(known);
+  seen.told = *found;
   return seen;
 }
 
@@ -98,7 +85,7 @@ Widened widened(const Plan& plan, const Fitted& all, const Eigen::MatrixXd& info
   note_calibration(to.intervals.cost(), all.without, tried, out);
   tell_shared_errors(plan, tried, information, to.intervals, out);
   const SeenStretch seen = seen_stretch(plan, all, control);
-  if (seen.stretch != nullptr) tell_stretch(plan, all.found.fit, seen.told, {seen.step, seen.variance}, to.intervals, out);
+  if (seen.stretch != nullptr) tell_stretch(plan, all.found.fit, seen.told, seen.step, to.intervals, out);
   if (!all.without && !tried.is_calibration_stated) tell_unexplained_gain(tried, to.intervals, out);
   const double left = ratio_without(plan, all, seen.stretch);
   to.includes_misfit = all.ratio > to.likely;

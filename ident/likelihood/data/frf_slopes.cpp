@@ -34,7 +34,7 @@ Eigen::MatrixXd basis_of(Eigen::MatrixXd projector, Eigen::Index count) {
 }  // namespace
 
 FrfSlopes::FrfSlopes(const std::vector<std::size_t>& coordinates, const std::vector<double>& frequency,
-                     std::vector<const Symmetric<Measured>*> lines, std::size_t own, double step)
+                     std::vector<const Symmetric<Measured>*> lines, std::size_t own)
     : lines_(std::move(lines)), place_(at(lines_.size())), own_(own) {
   const Eigen::Index count = place_.size(), degree = (count - 1) / 2;
   const double unit = (frequency.back() - frequency.front()) / static_cast<double>(count - 1);
@@ -42,19 +42,11 @@ FrfSlopes::FrfSlopes(const std::vector<std::size_t>& coordinates, const std::vec
   Eigen::MatrixXd powers(count, degree + 1);
   for (Eigen::Index j = 0; j <= degree; ++j) powers.col(j) = place_.array().pow(static_cast<double>(j));
   const Eigen::MatrixXd inverse = dense::solve_symmetric(powers.transpose() * powers, powers.transpose());
-  const Values rates = coefficients(sums(coordinates, basis_of(Eigen::MatrixXd::Identity(count, count) - powers * inverse, degree)));
-  const Values denominator = on_lines(rates);
-  const double w = step / unit;
-  Complex of_step = 0.0;  // what the denominator there has beyond 1, over w
-  Numbers row = Numbers::Zero(count);
-  double power = 1.0;  // w to the power of j − 1
-  for (Eigen::Index j = 1; j <= degree; ++j, power *= w) {
-    of_step += rates[j - 1] * power;
-    row += inverse.row(j).transpose() * power;
-  }
-  const Complex there = 1.0 + w * of_step;
-  for (Eigen::Index k = 0; k < count; ++k) factor_[static_cast<std::size_t>(k)] = denominator[k] * row[k] / (unit * there);
-  factor_[own] -= of_step / (unit * there);
+  Complex rate;  // of the denominator at own, where it is 1
+  const Values on_lines =
+      denominator(sums(coordinates, basis_of(Eigen::MatrixXd::Identity(count, count) - powers * inverse, degree)), rate);
+  for (Eigen::Index k = 0; k < count; ++k) factor_[static_cast<std::size_t>(k)] = on_lines[k] * inverse(1, k) / unit;
+  factor_[own] -= rate / unit;
 }
 
 bool FrfSlopes::take(Element element, OnLines& values) const {
@@ -123,8 +115,8 @@ FrfSlopes::Sums FrfSlopes::sums(const std::vector<std::size_t>& coordinates, con
   return out;
 }
 
-/// Of the denominator; a little is known of them beforehand, they are 0 ± 1.
-FrfSlopes::Values FrfSlopes::coefficients(const Sums& sums) const {
+/// On the lines; a little is known of its coefficients beforehand, which are 0 ± 1.
+FrfSlopes::Values FrfSlopes::denominator(const Sums& sums, Complex& rate) const {
   const Eigen::Index degree = place_.size() / 2;
   Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Identity(degree, degree);
   Eigen::VectorXcd right(degree);
@@ -133,17 +125,14 @@ FrfSlopes::Values FrfSlopes::coefficients(const Sums& sums) const {
     for (Eigen::Index l = 0; l < degree; ++l) matrix(j, l) += sums.matrix[row][static_cast<std::size_t>(l)];
     right[j] = sums.right[row];
   }
-  return dense::solve_positive(matrix, right);
-}
-
-/// The denominator.
-FrfSlopes::Values FrfSlopes::on_lines(const Values& coefficients) const {
+  const Eigen::VectorXcd c = dense::solve_positive(matrix, right);
   Numbers power = Numbers::Ones(place_.size());
   Values out = Values::Ones(place_.size());
-  for (Eigen::Index j = 0; j < coefficients.size(); ++j) {
+  for (Eigen::Index j = 0; j < degree; ++j) {
     power.array() *= place_.array();
-    out += coefficients[j] * power;
+    out += c[j] * power;
   }
+  rate = c[0];
   return out;
 }
 

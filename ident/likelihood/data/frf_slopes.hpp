@@ -11,16 +11,14 @@ namespace jointid::ident {
 /// Derivatives of the FRFs of a structure on a line by the frequency. Its FRFs have poles in common: through 2d + 1 neighbouring lines,
 /// nine or fewer of them, each is a polynomial of degree d over one denominator of degree d for all, which least squares weighed by the
 /// errors find. Lines may be farther apart than resonances are wide. With the denominator q, 1 on the own line, H' = (q H)' − q' H.
-/// Where a resonance is no wider than the step that is asked about, a difference quotient over this step takes its place:
-/// ((H + p(step) − p(0))/q(step) − H)/step, p = q H.
 class FrfSlopes {
  public:
   static constexpr std::size_t most_lines = 9;  ///< four poles: close resonances are told apart
 
   /// `frequency` of the lines, an odd number of them, and their FRFs, of which those between `coordinates` are the structure's; `own`:
-  /// where the derivatives are. `step`: of the frequency, over which differences are taken; 0: derivatives.
+  /// where the derivatives are.
   FrfSlopes(const std::vector<std::size_t>& coordinates, const std::vector<double>& frequency,
-            std::vector<const Symmetric<Measured>*> lines, std::size_t own, double step = 0.0);
+            std::vector<const Symmetric<Measured>*> lines, std::size_t own);
 
   /// By the unit of `frequency`; NaN where the FRF is not known on all lines, or zero by symmetry on one.
   Complex of(Element element) const;
@@ -46,8 +44,7 @@ class FrfSlopes {
   bool take(Element element, OnLines& values) const;
   double variance(Element element) const;
   Sums sums(const std::vector<std::size_t>& coordinates, const Square& off) const;
-  Values coefficients(const Sums& sums) const;
-  Values on_lines(const Values& coefficients) const;
+  Values denominator(const Sums& sums, Complex& rate) const;
 
   std::vector<const Symmetric<Measured>*> lines_;
   Numbers place_;    ///< of the lines, 0: own

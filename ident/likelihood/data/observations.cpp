@@ -191,7 +191,7 @@ void Observations::read_chunk(std::span<const std::size_t> substructure_lines, s
 
 /// From the lines around, at either end from those beside; empty of fewer than three lines.
 std::optional<FrfSlopes> Observations::slopes(std::size_t own_line, bool of_assembly,
-                                              const std::vector<std::size_t>& coordinates, double step) const {
+                                              const std::vector<std::size_t>& coordinates) const {
   if (raw_.size() < 3) return std::nullopt;
   const std::size_t count = std::min(FrfSlopes::most_lines, raw_.size() - (raw_.size() + 1) % 2);
   const std::size_t first = std::min(own_line - std::min(own_line, count / 2), raw_.size() - count);
@@ -201,7 +201,7 @@ std::optional<FrfSlopes> Observations::slopes(std::size_t own_line, bool of_asse
     frequency.push_back(plan_lines_[own_lines_.first + k].frequency_hz);
     lines.push_back(of_assembly ? &raw_[k].assembly : &raw_[k].substructures);
   }
-  return FrfSlopes(coordinates, frequency, std::move(lines), own_line - first, step);
+  return FrfSlopes(coordinates, frequency, std::move(lines), own_line - first);
 }
 
 void Observations::write_systematic_frfs(std::size_t line, const SystematicLines& errors, SystematicFrfs& out) const {
@@ -217,12 +217,10 @@ void Observations::write_systematic_frfs(std::size_t line, const SystematicLines
     if (system.structure.empty()) system.structure = structures(frfs, layout_.coordinates.size());
     const std::size_t structure = system.structure[at.row];
     const auto [of, is_new] = system.slopes.try_emplace(structure);
-    const double frequency = plan_lines_[line].frequency_hz, stretch = errors.stretch();
-    if (is_new) of->second = slopes(own, of_assembly, places_of(system.structure, structure), frequency * stretch);
+    if (is_new) of->second = slopes(own, of_assembly, places_of(system.structure, structure));
     if (!of->second) return {nan, nan};
-    // of (1 + δ)² H(ω + ω δ)
-    const auto change = [&](Complex slope) { return frequency * slope * std::pow(1.0 + stretch, 2) + 2.0 + stretch; };
-    return {-change(of->second->of(at) / frfs.at(at.row, at.column).value), -change(of->second->of_own_value())};
+    const double frequency = plan_lines_[line].frequency_hz;
+    return {-(frequency * of->second->of(at) / frfs.at(at.row, at.column).value + 2.0), -(frequency * of->second->of_own_value() + 2.0)};
   };
   errors.write(own, layout_, raw_[own], slope, out);
 }

@@ -73,7 +73,7 @@ class Observations final : public LikelihoodData {
     std::shared_ptr<const LineErrors> substructures, assembly;
   };
 
-  std::optional<FrfSlopes> slopes(std::size_t own_line, bool of_assembly, const std::vector<std::size_t>& coordinates, double step) const;
+  std::optional<FrfSlopes> slopes(std::size_t own_line, bool of_assembly, const std::vector<std::size_t>& coordinates) const;
   void read_chunk(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines);
   LineData data_of(std::size_t own_line, double omega) const;
   void reweigh(const std::vector<Element>& elements, Element origin, const SymmetricFrfs& system,

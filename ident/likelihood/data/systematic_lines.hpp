@@ -31,10 +31,6 @@ class SystematicLines {
 
   const SystematicPlan& plan() const { return plan_; }
 
-  /// The stretch of frequencies over which FRFs change by difference quotients; 0: by derivatives.
-  double stretch() const { return stretch_; }
-  void set_stretch(double stretch) { stretch_ = stretch; }
-
   /// Reads the driving points of masses, and the FRFs along the axes that angles are towards, on common lines of both systems, which are
   /// added to those read before.
   void read(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines);
@@ -84,7 +80,6 @@ class SystematicLines {
   SystematicFactor mass_factor(std::size_t i, std::size_t unknown, const SensorRole& sensor, const Symmetric<Measured>& measured) const;
 
   SystematicPlan plan_;
-  double stretch_ = 0.0;
   std::vector<SystematicUnknown> unknowns_;
   Dofs coordinates_;
   std::array<std::vector<FrfOrigin>, 2> origins_;

@@ -1,7 +1,6 @@
 #include "ident/likelihood/errors/block_jackknife.hpp"
 
 #include <algorithm>
-#include <vector>
 
 #include "base/eigen.hpp"
 #include "base/statistics.hpp"
@@ -17,14 +16,6 @@ constexpr std::size_t least_lines = 3, most_blocks = 20, least_blocks = 6;
 Scores without(const Scores& all, const Eigen::VectorXd& taken) {
   const Eigen::Index n = all.gradient.size() - taken.size();
   return {all.information.topLeftCorner(n, n), all.gradient.head(n) - all.information.topRightCorner(n, taken.size()) * taken};
-}
-
-/// Of the unknowns and one more, the others at 0.
-Scores with_one(const Scores& all, std::size_t unknowns, std::size_t which) {
-  std::vector<Eigen::Index> taken;
-  for (std::size_t u = 0; u < unknowns; ++u) taken.push_back(at(u));
-  taken.push_back(at(unknowns + which));
-  return {all.information(taken, taken), all.gradient(taken)};
 }
 
 }  // namespace
@@ -107,22 +98,6 @@ std::optional<Jackknife> BlockScores::jackknife(const Scores& whole, const Eigen
   const double freedom = 2.0 * static_cast<double>(n * n) / variance;
   out.likely = chi_square_quantile(freedom, 5.0) / freedom;
   return out;
-}
-
-std::optional<Eigen::VectorXd> BlockScores::variance_with(const Scores& whole, std::size_t which) const {
-  if (blocks_.size() < least_blocks) return std::nullopt;
-  const Scores all = with_one(whole, unknowns_, which);
-  const Eigen::VectorXd place = minimise::covariance_of(all.information) * all.gradient;
-  Eigen::VectorXd squares = Eigen::VectorXd::Zero(at(unknowns_));
-  for (const Scores& each : blocks_) {
-    if (each.gradient.size() == 0) continue;
-    const Scores block = with_one(each, unknowns_, which);
-    const auto rest = dense::solve_definite(all.information - block.information, all.gradient - block.gradient);
-    if (!rest || !(rest->reciprocal_condition > 1e-13)) return std::nullopt;
-    squares += (rest->x - place).head(at(unknowns_)).cwiseAbs2();
-  }
-  const auto count = static_cast<double>(blocks_.size());
-  return Eigen::VectorXd((count - 1.0) / count * squares);
 }
 
 }  // namespace jointid::ident

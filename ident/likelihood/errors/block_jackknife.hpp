@@ -33,9 +33,6 @@ class BlockScores {
   /// the moves are then free. Empty where a block alone fixes an unknown, or there are fewer than six.
   std::optional<Jackknife> jackknife(const Scores& whole, const Eigen::VectorXd& taken) const;
 
-  /// (B − 1)/B Σ of the squared moves of the unknowns where one of the others, `which`, is an unknown, too. `whole` as above.
-  std::optional<Eigen::VectorXd> variance_with(const Scores& whole, std::size_t which) const;
-
  private:
   Scores& block(std::size_t b);
 

@@ -98,19 +98,14 @@ void tell_shared_errors(const Plan& plan, const TriedErrors& tried, const Eigen:
            "force does not bias (H2, Hv), or a force with less noise.");
 }
 
-void tell_stretch(const Plan& plan, const LikelihoodFit& fit, const FileGain& stretch, const WithStretch& with, Intervals& intervals,
-                  Solution& out) {
+void tell_stretch(const Plan& plan, const LikelihoodFit& fit, const FileGain& stretch, const Eigen::VectorXd& step,
+                  Intervals& intervals, Solution& out) {
   constexpr double told = 4.5, told_if_wide = 3.5;
   const Eigen::VectorXd answer = stretch.answer.head(at(plan.columns->size()));
-  std::vector<Eigen::VectorXd> shifts = {with.step.head(answer.size()) + stretch.gain * answer};
+  std::vector<Eigen::VectorXd> shifts = {step.head(answer.size()) + stretch.gain * answer};
   if (stretch.file.of_assembly) shifts.push_back(shifts.front() + stretch.gain * of_a_free_joint(plan, fit));
   const bool is_wide = largest_part(shifts.front(), intervals) > 1.0;
-  Eigen::MatrixXd scatter = stretch.error * stretch.error * answer * answer.transpose();
-  if (with.variance) {
-    const Eigen::VectorXd known = intervals.covariance().diagonal() + scatter.diagonal();
-    scatter.diagonal() += (with.variance->head(answer.size()) - known).cwiseMax(0.0);
-  }
-  intervals.add_bias(shifts, scatter);
+  intervals.add_bias(shifts, stretch.error * stretch.error * answer * answer.transpose());
   if (!(std::abs(stretch.score) >= (is_wide ? told_if_wide : told))) return;
   tell(out, Status::doubtful,
        (stretch.file.of_assembly ? "The assembly fits the parts" : stretch.file.name + " fits the other files") +

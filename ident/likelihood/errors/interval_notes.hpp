@@ -19,17 +19,12 @@ void tell_shared_errors(const Plan& plan, const TriedErrors& tried, const Eigen:
 /// Status doubtful: blocks of lines scatter by more than their errors. Nothing where χ² says so already.
 void tell_scatter(const Jackknife& jackknife, Solution& out);
 
-/// The unknowns of the fit with a stretch.
-struct WithStretch {
-  Eigen::VectorXd step;                     ///< beside the answer to the stretch
-  std::optional<Eigen::VectorXd> variance;  ///< by how lines disagree on the stretch; empty: not known
-};
-
 /// Takes a stretch of a file's frequencies into the intervals, from none to all of it; status doubtful from 4.5 standard deviations on,
 /// from 3.5 where it moves an unknown by more than half the width of its interval.
-/// Of the assembly's the joint itself may be free: all K and D are then as much stiffer or softer as the frequencies' squares.
-void tell_stretch(const Plan& plan, const LikelihoodFit& fit, const FileGain& stretch, const WithStretch& with, Intervals& intervals,
-                  Solution& out);
+/// Of the assembly's the joint itself may be free: all K and D are then as much stiffer or softer as the frequencies' squares. `step`: of
+/// the unknowns of the fit with the stretch, beside its answer.
+void tell_stretch(const Plan& plan, const LikelihoodFit& fit, const FileGain& stretch, const Eigen::VectorXd& step,
+                  Intervals& intervals, Solution& out);
 
 /// Status doubtful: the data call for a common gain that was not taken off, because a sensor or another error explains them better, or it
 /// does not explain them. Intervals reach from none to all of it. Where responses to a hit share errors three times as much is asked for,

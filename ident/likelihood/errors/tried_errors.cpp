@@ -61,14 +61,12 @@ Sums total(Sums all, const LineShares& shares) {
 
 /// In one pass over the lines. `screen`: takes them, too.
 TriedErrors tried(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit, double inflation,
-                  const Control& control, ErrorTrials trials, LinearisedLikelihood::NearbyGradients& nearby, SensorScreen* screen,
-                  double stretch = 0.0) {
+                  const Control& control, ErrorTrials trials, LinearisedLikelihood::NearbyGradients& nearby, SensorScreen* screen) {
   TriedErrors out;
   out.trials = std::move(trials);
   const LikelihoodPlan& own = *likelihood_plan(plan);
   const std::size_t known = fit.theta.size(), summed = known + out.trials.shared_by_lines();
-  SystematicLines lines(out.trials.plan, *plan.substructures, *plan.assembly, own.observations->layout().coordinates);
-  lines.set_stretch(stretch);
+  const SystematicLines lines(out.trials.plan, *plan.substructures, *plan.assembly, own.observations->layout().coordinates);
   const std::size_t count = fit.line_weight.size();
   const Sums none{Scores::none(summed), SharedErrorSums(out.trials, count, known),
                   BlockScores(count, known, known + out.trials.first_stretch(), out.trials.stretches)};
@@ -111,12 +109,6 @@ std::optional<TriedErrors> try_errors(const Plan& plan, const LinearisedLikeliho
   return tried_with(true, nullptr);
 }
 
-TriedErrors try_stretch(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit, double chi_square,
-                        const Control& control, double stretch) {
-  LinearisedLikelihood::NearbyGradients of_no_use;
-  return tried(plan, estimator, fit, std::sqrt(std::max(1.0, chi_square)), control, trials_of(plan, false), of_no_use, nullptr, stretch);
-}
-
 const FileGain* TriedErrors::stretch() const {
   const FileGain* out = nullptr;
   for (const FileGain& each : stretches) {
@@ -125,22 +117,13 @@ const FileGain* TriedErrors::stretch() const {
   return out;
 }
 
-/// Of the unknowns of the fit and the stretches, as `blocks` has them.
-Scores TriedErrors::with_stretches(std::size_t known) const {
-  std::vector<Eigen::Index> which;
-  for (std::size_t u = 0; u < known; ++u) which.push_back(at(u));
-  for (std::size_t s = 0; s < stretches.size(); ++s) which.push_back(at(known + trials.first_stretch() + s));
-  return {scores.information(which, which), scores.gradient(which)};
-}
-
 std::optional<Jackknife> TriedErrors::jackknife(std::size_t known, const FileGain* taken) const {
   Eigen::VectorXd change = Eigen::VectorXd::Zero(at(stretches.size()));
   if (taken != nullptr) change[taken - stretches.data()] = taken->gain;
-  return blocks->jackknife(with_stretches(known), change);
-}
-
-std::optional<Eigen::VectorXd> TriedErrors::variance_stretched(std::size_t known, const FileGain& stretch) const {
-  return blocks->variance_with(with_stretches(known), static_cast<std::size_t>(&stretch - stretches.data()));
+  std::vector<Eigen::Index> which;
+  for (std::size_t u = 0; u < known; ++u) which.push_back(at(u));
+  for (std::size_t s = 0; s < stretches.size(); ++s) which.push_back(at(known + trials.first_stretch() + s));
+  return blocks->jackknife({scores.information(which, which), scores.gradient(which)}, change);
 }
 
 }  // namespace jointid::ident

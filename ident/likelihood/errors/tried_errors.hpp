@@ -25,11 +25,6 @@ struct TriedErrors {
   const FileGain* stretch() const;
   /// Without a block: from the estimate, or from where a stretch moves it.
   std::optional<Jackknife> jackknife(std::size_t known, const FileGain* taken) const;
-  /// Variances of the unknowns where a stretch moves them: how they scatter without a block of lines, the stretch found anew each time.
-  std::optional<Eigen::VectorXd> variance_stretched(std::size_t known, const FileGain& stretch) const;
-
- private:
-  Scores with_stretches(std::size_t known) const;
 };
 
 /// In a pass over the lines. Sensors are tried with Detail::full and up to 256 of them; files where no systematic errors are
@@ -39,9 +34,5 @@ struct TriedErrors {
 /// for parts that were coupled before. `nearby`: its gradients are worked out, too, where it has offsets.
 std::optional<TriedErrors> try_errors(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit,
                                       double chi_square, const Control& control, LinearisedLikelihood::NearbyGradients& nearby);
-
-/// Once more of a stretch that is seen: FRFs change as they do over all of it. Without sensors.
-TriedErrors try_stretch(const Plan& plan, const LinearisedLikelihood& estimator, const LikelihoodFit& fit, double chi_square,
-                        const Control& control, double stretch);
 
 }  // namespace jointid::ident

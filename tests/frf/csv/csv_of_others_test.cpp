@@ -228,8 +228,8 @@ TEST_F(CsvOfOthers, DofsAsOthersWriteThemAreOfThoseThatAreGiven) {
   const auto titled = [](const std::string& first, const std::string& second) {
     return "frequency_hz," + first + " re," + first + " im," + second + " re," + second + " im\n10,2,-1,5,6\n20,3,4,7,8\n";
   };
-  for (const auto& [first, second] :
-       {std::pair("FRF plate:1:+Z/plate:1:+Z", "FRF plate:2:+Z/plate:1:+Z"), std::pair("1Z+/1Z+", "2Z+/1Z+"), std::pair("H1 1Z+/1Z+", "H1 2Z+/1Z+")}) {
+  for (const auto& [first, second] : {std::pair("FRF plate:1:+Z/plate:1:+Z", "FRF plate:2:+Z/plate:1:+Z"),
+                                      std::pair("1Z+/1Z+", "2Z+/1Z+"), std::pair("H1 1Z+/1Z+", "H1 2Z+/1Z+")}) {
     const FrfSet set = read(titled(first, second), pair);
     ASSERT_EQ(set.values.size(), 4U) << first;
     EXPECT_NEAR(std::abs(set.values[1]) * std::pow(20.0 * std::numbers::pi, 2), std::abs(Complex(5.0, 6.0)), 1e-9) << first;
