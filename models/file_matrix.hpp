@@ -14,7 +14,7 @@ namespace jointid::models {
 struct RowLabel {
   std::int64_t node = 0;
   int component = 0;
-  auto operator<=>(const RowLabel&) const = default;
+  auto operator<=>(const RowLabel&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 sees a 0 in it
 };
 
 /// A square matrix as a file holds it, every element in its place whatever triangle the file lists.

@@ -19,6 +19,7 @@
 #include <cstdio>
 
 #include "base/error.hpp"
+#include "gui/look/theme.hpp"
 #include "gui/plot/plot_canvas.hpp"
 #include "widgets.hpp"
 
@@ -67,6 +68,26 @@ struct Drawn {
     plot.grab();
   }
 };
+
+/// The lightest pixel of the margin with the labels of the ordinates.
+int lightest_of_labels(QWidget& canvas) {
+  const QImage image = canvas.grab(QRect(0, 20, 60, canvas.height() - 60)).toImage();
+  int lightest = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) lightest = std::max(lightest, image.pixelColor(x, y).lightness());
+  }
+  return lightest;
+}
+
+TEST(FrfPlot, LabelsAreLightAfterTheThemeBecomesDark) {
+  Drawn drawn;
+  drawn.plot.set_cursor(420.0);
+  QTest::qWait(50);
+  apply(Theme::dark, *qApp);
+  QTest::qWait(50);
+  EXPECT_GT(lightest_of_labels(*drawn.canvas), 150);
+  apply(Theme::light, *qApp);
+}
 
 TEST(FrfPlot, DrawsEveryView) {
   Drawn drawn;

@@ -125,8 +125,10 @@ class Photographer {
     solve.results()->setCurrentWidget(solve.runs_table());
     keep("workbench-runs");
     show_tab_of(*solve.results(), *solve.plot());
+    wait_for([&] { return !solve.is_busy() && !solve.plot()->curves().empty(); });
     solve.plot()->set_cursor(420.0);
     window_.set_theme(Theme::dark);
+    QTest::qWait(4000);  // plots of all pages are drawn anew, one after the other
     keep("workbench-frfs-dark");
     window_.set_theme(Theme::light);
     project.pages()->setCurrentIndex(0);
