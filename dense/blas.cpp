@@ -56,7 +56,8 @@ void add_product(const Ref<const MatrixXcd>& a, const Ref<const MatrixXcd>& b, R
 }
 
 bool cholesky_in_place(Ref<MatrixXcd> a) {
-  if (BlasModule* blas = blas_for(a.rows() * a.rows() * a.rows() / 6)) return blas->cholesky(whole(a.rows()), a.data(), whole(a.outerStride()));
+  if (BlasModule* blas = blas_for(a.rows() * a.rows() * a.rows() / 6))
+    return blas->cholesky(whole(a.rows()), a.data(), whole(a.outerStride()));
   return Eigen::LLT<Ref<MatrixXcd>>(a).info() == Eigen::Success;
 }
 

@@ -56,7 +56,7 @@ std::string structure_text(Structure structure) { return "structure \"" + name(s
 
 /// What a free Z says of a structure that does not fit. It is fitted where the lines do not fit as they are, or first order shows that it
 /// would explain more than chance.
-void tell_structure(const LineScene& scene, const std::function<FreeFit(FreeFit::Kind)>& free_fit, const std::function<double(double)>& likely,
+void tell_structure(const LineScene& scene, const MakeFreeFit& free_fit, const std::function<double(double)>& likely,
                     IdentifiedLines& out) {
   if (scene.structure == Structure::symmetric) return;
   const auto contradicts = [&](const FreeFit& free) {
@@ -83,7 +83,7 @@ void tell_structure(const LineScene& scene, const std::function<FreeFit(FreeFit:
   }
 }
 
-void judge_fit(const ident::Plan& plan, const LineScene& scene, const std::function<FreeFit(FreeFit::Kind)>& free_fit, IdentifiedLines& out) {
+void judge_fit(const ident::Plan& plan, const LineScene& scene, const MakeFreeFit& free_fit, IdentifiedLines& out) {
   const auto& differences = ident::likelihood_plan(plan)->observations->mirror_differences();
   const auto likely = [&](double freedom) { return ident::likely_chi_square(plan, freedom, differences); };
   for (const auto& line : out.likelihood.lines) {
@@ -217,7 +217,7 @@ bool is_active(const Basis& basis, const LineValue& value) {
   return variance > 0.0 && found.values(0) < -limit * std::sqrt(variance);
 }
 
-void judge_lines(const ident::Plan& plan, const LineScene& scene, const std::function<FreeFit(FreeFit::Kind)>& free_fit,
+void judge_lines(const ident::Plan& plan, const LineScene& scene, const MakeFreeFit& free_fit,
                  IdentifiedLines& out) {
   judge_fit(plan, scene, free_fit, out);
   const bool lines_fit = out.status == Status::ok && out.freedom > 0.0;

@@ -15,7 +15,7 @@ struct LinePlan {
   std::vector<frf::Dof> dofs;
   std::vector<double> frequency_hz;
   std::vector<ElementName> elements;                        ///< of the scene's structure
-  std::vector<std::pair<std::string, std::size_t>> blocks;  ///< "H_sub(j,n)" and how many FRFs of it a line has, one of each reciprocal pair
+  std::vector<std::pair<std::string, std::size_t>> blocks;  ///< "H_sub(j,n)", and how many FRFs of it, reciprocal pairs once
   double freedom = 0.0;                                     ///< degrees of freedom of the line
   std::vector<ident::VarianceSource> variances;
   std::vector<std::string> warnings, notes;

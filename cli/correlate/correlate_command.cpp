@@ -44,12 +44,15 @@ void add_correlate(CLI::App& app, Chosen& chosen) {
       app, chosen, "correlate", "Compare FRFs or mode shapes of two files: FRAC, LAC, FDAC, MAC, CoMAC beside χ²/f");
   command->add_option("ONE", arguments->one, "FRFs of a structure (UFF, HDF5, MAT, numpy, CSV, text), or its modes with --modes")
       ->required();
-  command->add_option("OTHER", arguments->other, "The same structure, measured again or by a model; the description of one (*.toml), too")->required();
+  command
+      ->add_option("OTHER", arguments->other, "The same structure, measured again or by a model; the description of one (*.toml), too")
+      ->required();
   CLI::Option* modes = command->add_flag("--modes", arguments->modes, "Compare mode shapes (universal files, dataset 55)");
   command->add_option("--fdac", arguments->fdac, "A reference, e.g. 1:+Z: its FDAC, line by line, in the JSON")->excludes(modes);
   add_outputs(command, *arguments, "all criteria", "one FRF or mode a row");
   command->footer(
-      "Examples:\n  jointid correlate measured.uff model.h5\n  jointid correlate measured.uff bracket.toml\n  jointid correlate test_modes.uff fe_modes.uff --modes --json -");
+      "Examples:\n  jointid correlate measured.uff model.h5\n  jointid correlate measured.uff bracket.toml\n"
+      "  jointid correlate test_modes.uff fe_modes.uff --modes --json -");
 }
 
 ExitCode execute(const CorrelateArguments& arguments, std::ostream& out) {

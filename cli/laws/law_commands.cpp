@@ -66,7 +66,8 @@ ExitCode solve_laws(const SolveArguments& arguments, const std::string& text, st
 ExitCode plan_lines(const PlanArguments& arguments, const std::string& text, std::ostream& out) {
   if (!arguments.candidates.empty()) {
     throw InputError({ErrorKind::usage, arguments.scene.string(), "--candidates",
-                      "what further coordinates bring Z at every line is not predicted", "compare `plan --bound` of two scenes, with and without them"});
+                      "what further coordinates bring Z at every line is not predicted",
+                      "compare `plan --bound` of two scenes, with and without them"});
   }
   const impedance::LineScene scene = impedance::parse_line_scene(text, arguments.scene);
   check_targets(ident::files_of(scene.scene), {{"--json", arguments.json}});
@@ -97,7 +98,8 @@ ExitCode plan_laws(const PlanArguments& arguments, const std::string& text, std:
 ExitCode check_lines(const CheckArguments& arguments, const std::string& text, std::ostream& out) {
   if (!scene::is_line_scene(text, arguments.scene)) {
     throw InputError({ErrorKind::usage, arguments.scene.string(), "[[joint.friction]]",
-                      "scenes of friction laws have no check of their own", "run `jointid solve`: it states which levels and harmonics no law explains"});
+                      "scenes of friction laws have no check of their own",
+                      "run `jointid solve`: it states which levels and harmonics no law explains"});
   }
   const impedance::LineScene scene = impedance::parse_line_scene(text, arguments.scene);
   check_targets(ident::files_of(scene.scene), {{"--json", arguments.json}});

@@ -78,6 +78,7 @@ const Hints& hints() {
       {"data.files.* frequency_variable", QT_TRANSLATE_NOOP("Said", "variable with its frequencies")},
       {"data.files.* frequency_unit", QT_TRANSLATE_NOOP("Said", "of its frequencies, if missing or wrong: kHz, rad/s")},
       {"data.files.* mass", QT_TRANSLATE_NOOP("Said", "of the structure as weighed, hung free, in kg")},
+      {"data.files.* model", QT_TRANSLATE_NOOP("Said", "model of the same structure that the check compares: bracket.toml")},
       {"data.files.* frequency_scale", QT_TRANSLATE_NOOP("Said", "true frequency divided by that of the file: 0.5 to 2")},
       {"data.files.* rename", QT_TRANSLATE_NOOP("Said", "sensors: { \"OLD\" = \"NEW\" }, { \"4:+Y\" = \"5:+Y\" }")},
       {"data.files.* rename_reference", QT_TRANSLATE_NOOP("Said", "hammer or shaker: { \"4:+Y\" = \"5:+Y\" }")},

@@ -111,7 +111,8 @@ class Findings {
     const double order = std::round(found_.slope);
     if (order != 0.0 && std::abs(order) <= 2.0 && std::abs(found_.slope - order) < 0.35) {
       add(SuspectKind::quantity, {},
-          fmt::format("the FRFs over those of the model go with ω to the power of {:.2g}: receptance, mobility and accelerance are mixed up",
+          fmt::format("the FRFs over those of the model go with ω to the power of {:.2g}: receptances, mobilities and accelerances "
+                      "are mixed up",
                       found_.slope),
           0.85, "");
       return true;
@@ -133,7 +134,8 @@ class Findings {
       add(SuspectKind::sign, {channel.dof}, "the sensor at " + name + " points the other way", channel.agreement, "flip = [" + dof + "]");
     } else if (channel.agreement >= sure && std::abs(std::log(channel.factor)) > size_error) {
       add(SuspectKind::gain, {channel.dof},
-          fmt::format("the sensor at {} reads {} times what it should", name, digits(channel.factor, "%.3g")), 0.7 * channel.agreement, fmt::format("gain = {{ {} = {} }}", dof, digits(1.0 / channel.factor, "%.3g")));
+          fmt::format("the sensor at {} reads {} times what it should", name, digits(channel.factor, "%.3g")), 0.7 * channel.agreement,
+          fmt::format("gain = {{ {} = {} }}", dof, digits(1.0 / channel.factor, "%.3g")));
     }
   }
 
@@ -177,7 +179,8 @@ void check_file(const Scene& scene, const DataFile& file, CheckResult& result) {
   const std::vector<std::size_t> lines = some_lines(scene, header.frequency_hz);
   if (lines.empty()) return;
   const frf::FrfSet measured = frf::load(source, {lines, all_of(header.response.size()), all_of(header.reference.size())});
-  const auto model = models::open_model(*file.model, model_lines(measured.header.frequency_hz.front(), measured.header.frequency_hz.back()));
+  const std::vector<double>& hz = measured.header.frequency_hz;
+  const auto model = models::open_model(*file.model, model_lines(hz.front(), hz.back()));
   Findings(name_in_scene(scene, header.file), *file.model,
            correlation::beside_model(measured, model_set(*model, measured.header), shift), result)
       .tell();

@@ -80,7 +80,7 @@ std::string bound_text(const impedance::IdentifiedLines& bound) {
   std::string text = "\nbound: smallest standard errors at a line with these FRFs and their errors\n" + element_table(bound).text();
   if (!bound.laws.empty() && bound.laws.front().converged) {
     text += "\nof law " + impedance::name(bound.laws.front().law) + "\n" + parameter_table(bound.laws.front()).text();
-    if (bound.laws.size() > 1) text += "laws told apart\n" + law_table(bound).text();
+    if (bound.laws.size() > 1) text += "how far AIC separates the laws\n" + law_table(bound).text();
   }
   for (const std::string& note : bound.notes) text += "note: " + note + "\n";
   return text + (bound.status == Status::ok ? "" : "The FRFs themselves: " + bound.message + "\n");

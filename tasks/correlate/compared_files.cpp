@@ -52,7 +52,8 @@ correlation::ModeFile read_modes(const Path& file) { return {file.string(), frf:
 correlation::ExpandedFrfs expanded_files(const Path& parent, const Path& measured, const std::string& way, std::size_t modes) {
   const frf::FrfSet set = read_frfs(measured);
   if (way == "serep") return correlation::expanded(read_modes(parent), set, modes);
-  return correlation::expanded(read_beside(parent, set.header), set, way == "semm" ? correlation::Semm::basic : correlation::Semm::extended);
+  const auto semm = way == "semm" ? correlation::Semm::basic : correlation::Semm::extended;
+  return correlation::expanded(read_beside(parent, set.header), set, semm);
 }
 
 std::vector<ident::NamedFile> compared_inputs(const Path& file, const std::string& place) {

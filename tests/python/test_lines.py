@@ -45,9 +45,9 @@ def test_the_answers_are_those_of_the_command(isolator, solution):
 
 def test_check_plan_and_bound_are_those_of_the_command(isolator):
     checked, planned, bound = jointid.check(isolator), jointid.plan(isolator), jointid.bound(isolator)
-    assert checked.to_dict() == command("check", isolator, "--json", "-") and checked.status == "clean"
-    assert planned.to_dict() == command("plan", isolator, "--json", "-") and "bound" not in planned.to_dict()
-    assert bound.to_dict() == command("plan", isolator, "--bound", "--json", "-")
+    assert numbers(checked) == command("check", isolator, "--json", "-") and checked.status == "clean"
+    assert numbers(planned) == command("plan", isolator, "--json", "-") and "bound" not in planned.to_dict()
+    assert numbers(bound) == command("plan", isolator, "--bound", "--json", "-")
     with pytest.raises(jointid.InputError, match="further coordinates"):
         jointid.bound(isolator, candidates=["3:+Y"])
     with pytest.raises(AssertionError, match="--candidates"):
