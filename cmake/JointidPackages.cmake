@@ -68,7 +68,8 @@ set(CPACK_DEBIAN_WORKBENCH_PACKAGE_DEPENDS "jointid ${_same}")
 set(CPACK_DEBIAN_WORKBENCH_PACKAGE_RECOMMENDS "qt6-translations-l10n")
 jointid_package(dev libjointid-dev libdevel "headers and static libraries of jointid"
   "For C++20 programs: find_package(jointid). Every command is a call of the library.")
-set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "jointid ${_same}, libeigen3-dev")
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS # what jointid-config.cmake finds
+  "jointid ${_same}, pkg-config, libeigen3-dev, libfmt-dev, nlohmann-json3-dev, libtbb-dev, libtomlplusplus-dev")
 jointid_package(python python3-jointid python "joints of structures from measured frequency response functions (Python)"
   "Arrays in, joint with uncertainty out. Bridges to pyFBS, SDynPy and pyuff.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "jointid ${_same}, python3 (>= ${JOINTID_PYTHON_FROM}), python3 (<< ${JOINTID_PYTHON_BELOW}), python3-numpy")

@@ -181,7 +181,7 @@ class OfManyDofs(jointid.Solution):
     def __init__(self, table):
         self.table = table
 
-    def to_dict(self):
+    def _numbers(self):
         return self.table
 
     def __getitem__(self, key):
