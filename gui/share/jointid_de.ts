@@ -2990,6 +2990,18 @@ Eine Auswertung und die Kanäle wählen, dann ausführen.</translation>
         <translation>Fehler in dB (Effektivwert)</translation>
     </message>
     <message>
+        <source>FRAC</source>
+        <translation>FRAC</translation>
+    </message>
+    <message>
+        <source>LAC, mean</source>
+        <translation>LAC, Mittel</translation>
+    </message>
+    <message>
+        <source>model of the same structure that the check compares: bracket.toml</source>
+        <translation>Modell derselben Struktur, mit dem die Prüfung vergleicht: bracket.toml</translation>
+    </message>
+    <message>
         <source>resonance (Hz)</source>
         <translation>Resonanz (Hz)</translation>
     </message>
@@ -4096,6 +4108,18 @@ Eine Auswertung und die Kanäle wählen, dann ausführen.</translation>
     <message>
         <source>within the intervals</source>
         <translation>innerhalb der Intervalle</translation>
+    </message>
+    <message>
+        <source>FRAC</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LAC, mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>model of the same structure that the check compares: bracket.toml</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
