@@ -125,7 +125,9 @@ bool is_own_file(const std::filesystem::path& file, bool record) {
     if (head.starts_with(begin)) return true;
   }
   if (head.starts_with("%%MatrixMarket")) return has(head, "\n% jointid: joint of ");
-  if (head.starts_with("# jointid") || head.starts_with("jointid-journa") || head.starts_with("jointid-state")) return true;
+  for (const char* begin : {"# jointid", "jointid-journa", "jointid-state"}) {
+    if (head.starts_with(begin)) return true;
+  }
   if (is_own_csv(head)) return true;
   return record && is_record(head);
 }

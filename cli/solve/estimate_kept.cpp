@@ -22,8 +22,8 @@ bool is_finite(const ident::Matrices& matrices) {
 }  // namespace
 
 std::string EstimateKept::state_of(const ident::Solution& best) const {
-  if (is_loose_ || !ident::traits(best.used.method).iterates) return "";
-  if (best.bands.size() != 1 || !is_finite(best.bands.front().matrices)) return "";
+  if (is_loose_ || !ident::traits(best.used.method).iterates || best.bands.size() != 1) return "";
+  if (!is_finite(best.bands.front().matrices)) return "";
   Json matrices = Json::object();
   for (const auto& [kind, matrix] : best.bands.front().matrices) matrices[restrictions::key(kind)] = matrix;
   return Json({{"method", ident::name(best.used.method)}, {"chosen", best.used.chosen}, {"matrices", matrices}}).dump() + "\n";
@@ -45,10 +45,6 @@ void EstimateKept::take_up(ident::Scene& scene) {
   } catch (const Json::exception&) {
     throw InputError({ErrorKind::data, state_.file().string(), "--resume", "is no state of this command", "remove the file to start anew"});
   }
-}
-
-void EstimateKept::name_choice(ident::Plan& plan) const {
-  if (!chosen_.empty()) plan.chosen = chosen_;
 }
 
 void EstimateKept::put(const ident::Solution& best) {

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "base/stopwatch.hpp"
 #include "cli/resume/kept_state.hpp"
-#include "ident/plan/plan.hpp"
 #include "ident/result/solution.hpp"
+#include "ident/scene/scene.hpp"
 
 namespace jointid::cli {
 
@@ -20,8 +21,8 @@ class EstimateKept {
   /// Of a run before, as the start of the scene, with the method that it used. Throws InputError as KeptState::read().
   void take_up(ident::Scene& scene);
 
-  /// In a plan of that scene: why its method was chosen.
-  void name_choice(ident::Plan& plan) const;
+  /// Why its method was chosen, for the plan of that scene; empty where nothing was taken up, or the scene names the method.
+  const std::string& chosen() const { return chosen_; }
 
   /// At most once in a second.
   void put(const ident::Solution& best);

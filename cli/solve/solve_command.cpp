@@ -194,7 +194,7 @@ ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
   }
   const ident::Scene& scene = *read;
   const auto plan = with_progress("planning", [&] { return ident::make_plan(scene, *team); });
-  kept->name_choice(*plan);
+  if (!kept->chosen().empty()) plan->chosen = kept->chosen();
   std::optional<tasks::FrfEntry> entry;
   ident::start_together(*team, [&] {
     if (arguments.plot) entry = plotted_entry(*arguments.plot, *plan);
