@@ -240,15 +240,15 @@ class HeaderRow {
     return {pair / header_.reference.size(), pair % header_.reference.size()};
   }
 
-  /// A label that names DOFs as others write them names no other of those that are given than the one at its place.
+  /// A label that names DOFs as others write them names those that are given at its place.
   void require_order(std::size_t column, std::string_view label, const Pair& pair) const {
     const std::size_t slash = label.find('/');
     if (slash == std::string_view::npos) return;
     const auto require = [&](const std::vector<Dof>& given, std::size_t at, std::string_view text) {
       const std::string meant = proposed_dof(text);
-      if (meant.empty() || given[at].name() == meant || !has_name(given, meant)) return;
+      if (meant.empty() || given[at].name() == meant) return;
       fail(column, "'" + table_.columns[column] + "' is of " + meant + " by its title, and " + given[at].name() + " was given for it",
-           "give the DOFs in the order of the columns");
+           has_name(given, meant) ? "give the DOFs in the order of the columns" : "give " + meant + ", which a scene may rename");
     };
     require(header_.response, pair.first, label.substr(0, slash));
     require(header_.reference, pair.second, label.substr(slash + 1));

@@ -60,7 +60,7 @@ TEST_F(UnreadUnits, TitlesOfOtherPrograms) {
   expect_frf(read(tabbed("Frequency [kHz],Real [g/N],Imaginary [g/N]\n0.01,2,-1\n0.02,3,4\n"), of_point()), one_gravity);
   EXPECT_THAT(error(tabbed("Frequency [Hz],Real [V/N],Imaginary [V/N]\n" + numbers), of_point()), HasSubstr("V is a voltage"));
   EXPECT_THAT(error("Frequency,H1 Real,H1 Imag\n" + numbers), HasSubstr("--response"));
-  EXPECT_THAT(error("Frequency,2X/1X Real,2X/1X Imag\n" + numbers, of_point()), HasSubstr("did you mean 2:+X?"));
+  EXPECT_THAT(error("Frequency,2X/1X Real,2X/1X Imag\n" + numbers, of_point()), HasSubstr("is of 2:+X by its title, and 1:+Z was given for it; give 2:+X, which a scene may rename"));
 }
 
 TEST_F(UnreadUnits, TitlesInTheCommentAboveTheNumbers) {
