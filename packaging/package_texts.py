@@ -1,6 +1,7 @@
 """package_texts.py DATE OUT: the copyright and the changelog that every Debian package carries. DATE as in mails."""
 
 import gzip
+import os
 import pathlib
 import re
 import sys
@@ -19,10 +20,17 @@ def licence_text(path: str) -> str:
     return paragraph(re.split(r"^Copyright.*$", text, maxsplit=1, flags=re.MULTILINE)[1])
 
 
+def maintainer() -> str:
+    """As cmake/JointidPackages.cmake has it."""
+    if "DEBEMAIL" in os.environ:
+        return f"{os.environ.get('DEBFULLNAME', '')} <{os.environ['DEBEMAIL']}>"
+    return "The jointid authors <jointid@localhost>"
+
+
 def changelog(date: str) -> str:
     version = re.search(r"project\(jointid VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
     return (f"jointid ({version}-1) unstable; urgency=medium\n\n  * Version {version}: CHANGELOG.md of the sources.\n\n"
-            f" -- The jointid authors <jointid@localhost>  {date}\n")
+            f" -- {maintainer()}  {date}\n")
 
 
 def main(date: str, out: str) -> None:
