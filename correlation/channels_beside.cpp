@@ -28,7 +28,7 @@ std::vector<CommonDof> pairs_of_dofs(const std::vector<frf::Dof>& measured, cons
   return out;
 }
 
-/// ShapeSums over lines of a measured response and a coordinate of the model in the matching shapes.
+/// Sums over lines of a measured response and a coordinate of the model in the matching shapes.
 struct ShapeSums {
   Complex cross{};  ///< conj(model) · measured
   double model = 0.0, measured = 0.0;
@@ -45,7 +45,8 @@ struct ShapeSums {
 /// A measured column over the common responses and the model's that is most like it.
 struct ShapeMatch {
   std::size_t line = 0, model_line = 0;
-  Complex scale{};  ///< measured ≈ scale · model
+  Complex scale{};    ///< measured ≈ scale · model
+  double unit = 0.0;  ///< 1 / |scale · model|
 };
 
 class Comparison {
@@ -119,27 +120,26 @@ class Comparison {
         const double alike = frac(column, measured);
         if (!(alike > most)) continue;
         most = alike;
-        best = {line, k, {}};
+        best = {line, k, {}, 0.0};
         best_column = std::move(column);
       }
       if (most < 0.0) continue;
       best.scale = scale_of(best_column, measured);
-      if (std::abs(best.scale) > 0.0) out.push_back(best);
+      double norm = 0.0;
+      for (const Complex each : best_column) norm += std::norm(best.scale * each);
+      best.unit = 1.0 / std::sqrt(norm);
+      if (norm > 0.0) out.push_back(best);
     }
     return out;
   }
 
-  /// Of a measured response and a coordinate of the model, every line with the same weight.
-  ShapeSums sums_of(const CommonDof& response, std::size_t of_model, double sign) const {
+  /// Of a measured response, with the sign of the model's DOF of its own, and a coordinate of the model; every line with the same weight.
+  ShapeSums sums_of(const CommonDof& response, std::size_t of_model) const {
     ShapeSums out;
     for (std::size_t c = 0; c < references_.size(); ++c) {
       for (const ShapeMatch& match : matches_[c]) {
-        double norm = 0.0;
-        for (const CommonDof& each : responses_) norm += std::norm(match.scale * model_at(match.model_line, each.model, references_[c]));
-        if (!(norm > 0.0)) continue;
-        const double unit = 1.0 / std::sqrt(norm);
-        out.add(unit * match.scale * sign * model_at(match.model_line, of_model, references_[c]),
-                unit * sign * measured_at(match.line, response, references_[c]));
+        out.add(match.unit * match.scale * model_at(match.model_line, of_model, references_[c]),
+                match.unit * measured_at(match.line, response, references_[c]));
       }
     }
     return out;
@@ -149,7 +149,7 @@ class Comparison {
     constexpr double little = 0.7;
     std::vector<double> agreements;
     for (const CommonDof& response : responses_) {
-      const ShapeSums own = sums_of(response, response.model, response.sign);
+      const ShapeSums own = sums_of(response, response.model);
       ChannelBeside channel{.dof = measured_.header.response[response.measured],
                             .factor = own.factor(),
                             .agreement = own.agreement(),
@@ -164,11 +164,11 @@ class Comparison {
   void find_alike(const CommonDof& response, ChannelBeside& channel) const {
     for (std::size_t k = 0; k < model_.header.response.size(); ++k) {
       if (k == response.model) continue;
-      const ShapeSums other = sums_of(response, k, response.sign);
+      const ShapeSums other = sums_of(response, k);
       if (!(other.agreement() > channel.agreement_alike)) continue;
       channel.agreement_alike = other.agreement();
       channel.alike = model_.header.response[k];
-      // The sums carry the sign of the measured DOF on both sides; what is asked for is the DOF that the sensor was along.
+      // Of the response without that sign: the DOF that the sensor was along.
       if (other.factor() * response.sign < 0.0) channel.alike->sign = -channel.alike->sign;
     }
   }
@@ -204,7 +204,6 @@ class Comparison {
         log_size.push_back(std::log(std::abs(match.scale)));
       }
     }
-    out.lines = sizes.size();
     if (sizes.empty()) return;
     out.factor = median(sizes);
     out.frequency_ratio = median(ratios);

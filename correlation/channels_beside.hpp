@@ -25,7 +25,6 @@ struct SetBeside {
   double factor = 1.0;                  ///< measured over model, median over lines and references
   double slope = 0.0;                   ///< of log |factor| over log ω: −1 for a mobility taken for a receptance …
   double frequency_ratio = 1.0;         ///< model over measured, of the lines that are alike
-  std::size_t lines = 0;                ///< that were compared
 };
 
 /// Compares channel by channel. A model's resonances are off by some per cent, so that FRFs are not compared line by line: each measured

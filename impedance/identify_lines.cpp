@@ -381,13 +381,7 @@ IdentifiedLines identify(const LineScene& scene, const ident::Plan& plan, const 
     constexpr double enough = 0.03;  // for χ²
     lines.go_on_from(out.likelihood, enough);
     lines.run_likelihood(wider, result);
-    FreeFit free;
-    for (const auto& line : result.lines) {
-      if (!line || !std::isfinite(line->chi_square)) continue;
-      free.chi_square += line->chi_square;
-      free.freedom += std::max(0.0, line->freedom);
-    }
-    return free;
+    return total_of(result.lines);
   };
   judge_lines(plan, scene, free_fit, out);
   add_laws(scene, out);

@@ -86,11 +86,9 @@ void tell_structure(const LineScene& scene, const MakeFreeFit& free_fit, const s
 void judge_fit(const ident::Plan& plan, const LineScene& scene, const MakeFreeFit& free_fit, IdentifiedLines& out) {
   const auto& differences = ident::likelihood_plan(plan)->observations->mirror_differences();
   const auto likely = [&](double freedom) { return ident::likely_chi_square(plan, freedom, differences); };
-  for (const auto& line : out.likelihood.lines) {
-    if (!line || !std::isfinite(line->chi_square)) continue;
-    out.chi_square += line->chi_square;
-    out.freedom += std::max(0.0, line->freedom);
-  }
+  const FreeFit total = total_of(out.likelihood.lines);
+  out.chi_square = total.chi_square;
+  out.freedom = total.freedom;
   if (!(out.freedom > 0.0)) {
     tell(Status::doubtful,
          "Nothing can contradict this answer: there are as many unknowns as FRFs. Add FRFs away from the joint, or a structure "
@@ -181,6 +179,16 @@ void judge_data(const ident::Plan& plan, bool lines_fit, IdentifiedLines& out) {
 }
 
 }  // namespace
+
+FreeFit total_of(const std::vector<std::optional<LineValue>>& lines) {
+  FreeFit out;
+  for (const auto& line : lines) {
+    if (!line || !std::isfinite(line->chi_square)) continue;
+    out.chi_square += line->chi_square;
+    out.freedom += std::max(0.0, line->freedom);
+  }
+  return out;
+}
 
 std::optional<std::pair<std::size_t, std::size_t>> bad_run(std::size_t lines, const std::function<bool(std::size_t)>& is_bad) {
   constexpr std::size_t least = 3;

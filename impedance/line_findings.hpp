@@ -16,6 +16,9 @@ struct FreeFit {
   double chi_square = 0.0, freedom = 0.0;
 };
 
+/// Of the lines that have a value.
+FreeFit total_of(const std::vector<std::optional<LineValue>>& lines);
+
 using MakeFreeFit = std::function<FreeFit(FreeFit::Kind)>;
 
 /// Holds the lines against their data: fills χ², status, message and notes.

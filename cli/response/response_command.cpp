@@ -77,7 +77,7 @@ void check_outputs(const ResponseArguments& arguments, const tasks::ResponseScen
   if (arguments.compare && (arguments.history || arguments.curves || arguments.out || arguments.report)) {
     refuse("--compare", "it writes --json and --csv alone", "leave the others out");
   }
-  if (arguments.compare && arguments.resume.any())
+  if (arguments.compare && arguments.resume.keeps_from_start())
     refuse("--compare", "it keeps no finished levels", "leave --resume, --stop-before and --state out");
 }
 

@@ -14,11 +14,8 @@ struct ResumeOptions {
   std::optional<double> stop_before{};  ///< seconds of wall time
   std::filesystem::path state{};        ///< empty: by the scene's name
 
-  /// Whether the state is kept from the start, and not first when the command is interrupted.
+  /// Whether one of the three was given: the state is kept from the start, and not first when the command is interrupted.
   bool keeps_from_start() const { return resume || stop_before || !state.empty(); }
-
-  /// Whether one of the three was given.
-  bool any() const { return keeps_from_start(); }
 };
 
 /// `what`: what is kept, "the finished force levels"; `end`: of the default name of the file, ".response.partial".

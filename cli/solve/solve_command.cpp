@@ -138,7 +138,7 @@ report::Display display_of(const SolveArguments& arguments, const ident::Plan& p
 
 void refuse_display(const SolveArguments& arguments) {
   refuse_units(arguments.units);
-  if (arguments.resume.any()) {
+  if (arguments.resume.keeps_from_start()) {
     throw InputError({ErrorKind::usage, "", "--resume", "does not apply to friction laws and joints at every line",
                       "leave --resume, --stop-before and --state out"});
   }

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "base/text.hpp"
 #include "correlation/channels_beside.hpp"
+#include "ident/check/inquiry.hpp"
 #include "ident/check/trial/measured_channel.hpp"
 #include "ident/check/trial/mistake_trial.hpp"
 #include "ident/check/trial/mistaken_units.hpp"
@@ -26,25 +26,6 @@ constexpr double unlike = 0.5;      ///< one below is not that of the model's co
 constexpr double size_error = 0.3;  ///< of a model's FRF, in log |factor| of a channel beside the others
 constexpr double off_scale = 3.0;   ///< of a whole file
 constexpr double one_unit = 0.25;   ///< of log factor
-
-/// A few of the lines in the scene's range, evenly spread; none at 0 Hz.
-std::vector<std::size_t> some_lines(const Scene& scene, const std::vector<double>& hz) {
-  constexpr std::size_t most = 120;
-  std::vector<std::size_t> all, some;
-  const auto& range = scene.frequency.range_hz;
-  for (std::size_t i = 0; i < hz.size(); ++i) {
-    if (hz[i] > 0.0 && (!range || (hz[i] >= (*range)[0] && hz[i] <= (*range)[1]))) all.push_back(i);
-  }
-  const std::size_t step = std::max<std::size_t>(1, (all.size() + most - 1) / most);
-  for (std::size_t i = 0; i < all.size(); i += step) some.push_back(all[i]);
-  return some;
-}
-
-std::vector<std::size_t> all_of(std::size_t count) {
-  std::vector<std::size_t> out(count);
-  std::iota(out.begin(), out.end(), std::size_t{0});
-  return out;
-}
 
 /// Lines of a model for a measured band: beyond it by the shift, close enough for a shape to change little from one to the next.
 std::vector<double> model_lines(double low, double high) {
@@ -66,7 +47,7 @@ frf::FrfSet model_set(frf::FrfSource& model, const frf::FrfHeader& measured) {
   for (std::size_t k = 0; k < header.reference.size(); ++k) {
     if (frf::has(measured.reference, header.reference[k])) references.push_back(k);
   }
-  const std::vector<std::size_t> lines = all_of(header.frequency_hz.size());
+  const std::vector<std::size_t> lines = all_indices(header.frequency_hz.size());
   return frf::load(model, {lines, responses, references});
 }
 
@@ -176,9 +157,10 @@ void check_file(const Scene& scene, const DataFile& file, CheckResult& result) {
   const Sources opened = open_all({file});
   frf::FrfSource& source = *opened.front();
   const frf::FrfHeader& header = source.header();
-  const std::vector<std::size_t> lines = some_lines(scene, header.frequency_hz);
+  constexpr std::size_t most = 120;
+  const std::vector<std::size_t> lines = lines_in_range(scene, header.frequency_hz, most);
   if (lines.empty()) return;
-  const frf::FrfSet measured = frf::load(source, {lines, all_of(header.response.size()), all_of(header.reference.size())});
+  const frf::FrfSet measured = frf::load(source, {lines, all_indices(header.response.size()), all_indices(header.reference.size())});
   const std::vector<double>& hz = measured.header.frequency_hz;
   const auto model = models::open_model(*file.model, model_lines(hz.front(), hz.back()));
   Findings(name_in_scene(scene, header.file), *file.model,
@@ -205,7 +187,7 @@ void check_beside_models(const Scene& scene, const Control& control, CheckResult
   result.suspects.erase(std::remove_if(first, result.suspects.end(), is_known), result.suspects.end());
   if (result.suspects.empty()) return;
   std::ranges::stable_sort(result.suspects, std::ranges::greater{}, &Suspect::confidence);
-  result.verdict = std::max(result.verdict, result.suspects.front().confidence >= 0.8 ? Verdict::wrong : Verdict::suspicious);
+  result.verdict = std::max(result.verdict, verdict_of(result.suspects));
 }
 
 }  // namespace jointid::ident

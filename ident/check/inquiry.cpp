@@ -257,14 +257,14 @@ void leave_out_repeated(std::vector<Suspect>& suspects) {
   suspects = std::move(kept);
 }
 
+}  // namespace
+
 Verdict verdict_of(const std::vector<Suspect>& suspects) {
   double surest = 0.0;
   for (const Suspect& suspect : suspects) surest = std::max(surest, suspect.confidence);
   if (suspects.empty()) return Verdict::clean;
   return surest >= 0.8 ? Verdict::wrong : Verdict::suspicious;
 }
-
-}  // namespace
 
 namespace {
 

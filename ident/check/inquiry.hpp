@@ -15,4 +15,7 @@ CheckResult inquire(std::vector<CheckedFile> files, const Dofs& joint, const Con
 /// not looked for: exchanged files, labels of other parts.
 CheckResult inquire_by_parts(const std::vector<CheckedFile>& files, const Dofs& joint, const Control& control, bool with_axis);
 
+/// Of suspects, by the surest.
+Verdict verdict_of(const std::vector<Suspect>& suspects);
+
 }  // namespace jointid::ident

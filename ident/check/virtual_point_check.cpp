@@ -7,24 +7,13 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "ident/check/test/checked_file.hpp"
 #include "ident/plan/data_source.hpp"
 
 namespace jointid::ident {
 namespace {
 
 constexpr std::size_t most_lines = 400;
-
-std::vector<std::size_t> lines_of(const Scene& scene, const std::vector<double>& frequency_hz) {
-  std::vector<std::size_t> all, some;
-  const auto& range = scene.frequency.range_hz;
-  for (std::size_t line = 0; line < frequency_hz.size(); ++line) {
-    const double f = frequency_hz[line];
-    if (f > 0.0 && (!range || (f >= (*range)[0] && f <= (*range)[1]))) all.push_back(line);
-  }
-  const std::size_t step = (all.size() + most_lines - 1) / most_lines;
-  for (std::size_t i = 0; i < all.size(); i += step) some.push_back(all[i]);
-  return some;
-}
 
 /// The files as they were measured.
 Scene without_virtual_points(Scene scene) {
@@ -101,7 +90,7 @@ void check_virtual_points(const Scene& scene, const Control& control, CheckResul
       const DataFile& file = (*files)[i];
       if (file.virtual_points.empty()) continue;
       frf::FrfSource& source = *(*sources)[i];
-      const std::vector<std::size_t> lines = lines_of(scene, source.header().frequency_hz);
+      const std::vector<std::size_t> lines = lines_in_range(scene, source.header().frequency_hz, most_lines);
       for (const virtualpoint::VirtualPoint& point : file.virtual_points) {
         if (control.interrupted && control.interrupted()) return;
         virtualpoint::Consistency of = virtualpoint::consistency(source, point, lines);

@@ -13,6 +13,7 @@
 #include "report/text/dof_list.hpp"
 #include "report/text/table.hpp"
 #include "report/text/variances_text.hpp"
+#include "report/text/words.hpp"
 
 namespace jointid::report {
 namespace {
@@ -46,14 +47,10 @@ std::string elements_text(const LinePlan& plan) {
 }
 
 template <class Kind>
-std::string words(const std::vector<Kind>& list) {
+std::string names_of(const std::vector<Kind>& list) {
   std::vector<std::string> names;
   for (const Kind each : list) names.push_back(impedance::name(each));
   return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
-}
-
-std::string phrases(const char* title, const std::vector<std::string>& list) {
-  return list.empty() ? "" : fmt::format("\n{}\n  {}\n", title, fmt::join(list, "\n  "));
 }
 
 /// Of every element over the lines.
@@ -126,8 +123,8 @@ std::string line_plan_text(const LineScene& scene, const LinePlan& plan) {
                                   plan.frequency_hz.back())});
   table.add({"structure", impedance::name(scene.structure)});
   table.add({"unknowns of a line", elements_text(plan)});
-  table.add({"ways", words(scene.ways)});
-  table.add({"laws", words(scene.laws)});
+  table.add({"ways", names_of(scene.ways)});
+  table.add({"laws", names_of(scene.laws)});
   for (const auto& [block, count] : plan.blocks) table.add({"FRFs of a line, " + block, std::to_string(count)});
   table.add({"degrees of freedom of a line",
              fmt::format("{:.0f}{}", plan.freedom, plan.freedom > 0.0 ? "" : ": nothing can contradict the answer")});

@@ -117,13 +117,6 @@ Json variances_json(const std::vector<ident::VarianceSource>& files) {
   return all;
 }
 
-std::string phrases(const char* title, const std::vector<std::string>& list) {
-  if (list.empty()) return "";
-  std::string text = fmt::format("\n{}\n", title);
-  for (const std::string& phrase : list) text += "  " + phrase + "\n";
-  return text;
-}
-
 Json cost_json(const ident::Plan& plan) {
   const ident::Cost& cost = plan.cost;
   return {{"equations_per_line", cost.equations_per_line},

@@ -78,4 +78,11 @@ std::string method_text(ident::Method method, const std::vector<ident::Equation>
   return fmt::format("{}, equations {}, {}solver {}", ident::name(method), equations_text(equations), weights, solver);
 }
 
+std::string phrases(const char* title, const std::vector<std::string>& list) {
+  if (list.empty()) return "";
+  std::string text = fmt::format("\n{}\n", title);
+  for (const std::string& phrase : list) text += "  " + phrase + "\n";
+  return text;
+}
+
 }  // namespace jointid::report

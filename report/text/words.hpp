@@ -34,4 +34,7 @@ std::string delta_text(ident::Method method, double delta);
 std::string method_text(ident::Method method, const std::vector<ident::Equation>& equations, weighting::Weighting weighting,
                         double delta, const std::string& solver);
 
+/// A paragraph with a line for each phrase below its title; nothing of no phrases.
+std::string phrases(const char* title, const std::vector<std::string>& list);
+
 }  // namespace jointid::report

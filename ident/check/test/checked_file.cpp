@@ -15,12 +15,6 @@
 namespace jointid::ident {
 namespace {
 
-std::vector<std::size_t> all_indices(std::size_t count) {
-  std::vector<std::size_t> all(count);
-  for (std::size_t i = 0; i < count; ++i) all[i] = i;
-  return all;
-}
-
 Dofs positive(const Dofs& dofs) {
   Dofs result = dofs;
   for (frf::Dof& dof : result) dof.sign = 1;
@@ -265,6 +259,24 @@ double row_difference(const CheckedFile& file, Eigen::Index a, Eigen::Index b) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> all_indices(std::size_t count) {
+  std::vector<std::size_t> all(count);
+  for (std::size_t i = 0; i < count; ++i) all[i] = i;
+  return all;
+}
+
+std::vector<std::size_t> lines_in_range(const Scene& scene, const std::vector<double>& frequency_hz, std::size_t most) {
+  std::vector<std::size_t> all, some;
+  const auto& range = scene.frequency.range_hz;
+  for (std::size_t line = 0; line < frequency_hz.size(); ++line) {
+    const double f = frequency_hz[line];
+    if (f > 0.0 && (!range || (f >= (*range)[0] && f <= (*range)[1]))) all.push_back(line);
+  }
+  const std::size_t step = (all.size() + most - 1) / most;
+  for (std::size_t i = 0; i < all.size(); i += step) some.push_back(all[i]);
+  return some;
+}
 
 std::string name_in_scene(const Scene& scene, const std::string& file) {
   const Path relative = Path(file).lexically_relative(scene.file.parent_path());

@@ -13,6 +13,12 @@
 
 namespace jointid::ident {
 
+/// 0, 1, … count − 1.
+std::vector<std::size_t> all_indices(std::size_t count);
+
+/// Places of the lines in the scene's range, at most so many, evenly spread; none at 0 Hz.
+std::vector<std::size_t> lines_in_range(const Scene& scene, const std::vector<double>& frequency_hz, std::size_t most);
+
 /// Of a file that was opened, as the scene names it.
 std::string name_in_scene(const Scene& scene, const std::string& file);
 
