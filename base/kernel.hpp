@@ -26,9 +26,9 @@ namespace jointid {
 
 /// Numbers in a register of this machine.
 inline std::size_t lanes_of_machine() {
-  static const std::size_t lanes = [] {
+  static const std::size_t lanes = []() -> std::size_t {
     __builtin_cpu_init();
-    return __builtin_cpu_supports("avx512f") ? 8 : __builtin_cpu_supports("x86-64-v3") ? 4 : 2;
+    return __builtin_cpu_supports("avx512f") ? 8U : __builtin_cpu_supports("x86-64-v3") ? 4U : 2U;
   }();
   return lanes;
 }

@@ -140,7 +140,7 @@ void sliders_table(bool quick, bench::Promises& promises) {
   const auto iwan = any("iwan", {1000.0, 1e7, -0.5, 0.5});
   const double slip = iwan->kinks().front(), small = 0.01 * slip;
   fmt::print("\n{:<34}{:>18}{:>22}{:>22}\n", "sliders", "Ren: A − B", "Iwan at 1 %: even", "placed by slip_knots");
-  for (const std::size_t count : {10, 32, 100, 320, 1000}) {
+  for (const std::size_t count : {10U, 32U, 100U, 320U, 1000U}) {
     if (quick && count > 320) break;
     DistributedSlip state(sliders(*ren, slip_knots(*ren, count, 1e-6)));
     MasingPath path(*ren);

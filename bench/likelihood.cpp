@@ -186,7 +186,7 @@ Run bolts(bool few) {
 
 void measure_lines(bool quick, bench::Promises& promises) {
   double first = 0.0;
-  for (const std::size_t lines : {100, 300, 1000}) {
+  for (const std::size_t lines : {100U, 300U, 1000U}) {
     if (quick && lines > 100) break;
     const Run run = random_problem(lines);
     const double each = run.processor_seconds / static_cast<double>(run.iterations);

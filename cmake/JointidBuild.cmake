@@ -45,7 +45,7 @@ if(CMAKE_BUILD_TYPE MATCHES "^(Dev|Asan)$")
 endif()
 
 add_library(jointid_warnings INTERFACE)
-target_compile_options(jointid_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion
+target_compile_options(jointid_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion
                                                   # Sources compiled as one see each other's names.
                                                   $<$<NOT:$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wshadow>
                                                   $<$<BOOL:${JOINTID_WERROR}>:-Werror>)

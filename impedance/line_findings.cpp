@@ -148,7 +148,7 @@ void judge_closed_form(const WayResult& result, IdentifiedLines& out) {
 void note_lost(const WayResult& result, IdentifiedLines& out) {
   std::size_t lost = 0, missing = 0;
   for (const auto& line : result.lines) {
-    missing += line ? 0 : 1;
+    missing += line ? 0U : 1U;
     if (!line) continue;
     bool small = false;
     for (Eigen::Index t = 0; t < line->z.size(); ++t) {

@@ -265,7 +265,7 @@ FileMatrix read_abaqus_matrix(const std::filesystem::path& file) {
       places.push_back(*place);
     }
     if (width == 5) {
-      for (const std::size_t i : {1, 3}) {
+      for (const std::size_t i : {1U, 3U}) {
         if (places[i] < 0 || places[i] > 1000) fail("degree of freedom " + cells[i] + " is none");
       }
       labelled.add({places[0], static_cast<int>(places[1])}, {places[2], static_cast<int>(places[3])}, value, 0.0);

@@ -94,7 +94,7 @@ class Chooser {
     std::size_t count = 0;
     for (std::size_t j = 0; j < groups_.size(); ++j) {
       if (j == i || !is_in(set, j)) continue;
-      count += std::ranges::any_of(keys_[i], [&](std::int64_t key) { return keys_[j].contains(key); }) ? 1 : 0;
+      count += std::ranges::any_of(keys_[i], [&](std::int64_t key) { return keys_[j].contains(key); }) ? 1U : 0U;
     }
     return count;
   }

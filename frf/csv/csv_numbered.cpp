@@ -113,7 +113,7 @@ std::size_t length_of_dof(std::string_view label, std::size_t begin) {
   std::size_t at = begin;
   while (at < label.size() && is_digit(label[at])) ++at;
   if (at == begin || at + 2 >= label.size() || label[at] != ':' || (label[at + 1] != '+' && label[at + 1] != '-')) return 0;
-  at += label[at + 2] == 'R' ? 3 : 2;
+  at += label[at + 2] == 'R' ? 3U : 2U;
   const bool direction = at < label.size() && label[at] >= 'X' && label[at] <= 'Z';
   const bool ends = at + 1 >= label.size() || std::isalnum(static_cast<unsigned char>(label[at + 1])) == 0;
   return direction && ends ? at + 1 - begin : 0;

@@ -139,8 +139,8 @@ bool WildSearch::others_rise(std::size_t line, std::size_t entry) {
     rise_ = Rise{.line = line};
     for (std::size_t i = 0; i < header_.entries(); ++i) {
       const std::optional<bool> rise = rises(line, i);
-      rise_->compared += rise ? 1 : 0;
-      rise_->risen += rise.value_or(false) ? 1 : 0;
+      rise_->compared += rise ? 1U : 0U;
+      rise_->risen += rise.value_or(false) ? 1U : 0U;
     }
   }
   const std::optional<bool> own = rises(line, entry);

@@ -33,7 +33,7 @@ void PolarOrder::add(std::span<const Complex> frf) {
     below_ = below_ || value.real() < 0.0;
     least_ = std::min(least_, value.imag());
     most_ = std::max(most_, value.imag());
-    for (std::size_t unit = 0; unit < halves.size(); ++unit) at_half_turns_[unit] += std::abs(value.imag()) >= 0.9 * halves[unit] ? 1 : 0;
+    for (std::size_t unit = 0; unit < halves.size(); ++unit) at_half_turns_[unit] += std::abs(value.imag()) >= 0.9 * halves[unit] ? 1U : 0U;
   }
   values_ += finite.size();
   if (!may_be() || finite.size() < fewest_polar_lines) return;

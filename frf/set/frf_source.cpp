@@ -221,13 +221,13 @@ void FrfSource::read_factor(const Block& block, std::span<Complex> rows, std::sp
     std::size_t unknown = 0, infinite = 0;
     for (std::size_t k = 0; k < shape.rank; ++k) {
       const Complex value = rows[(at / columns * shape.rank + k) * columns + at % columns];
-      unknown += std::isnan(value.real()) || std::isnan(value.imag()) ? 1 : 0;
-      infinite += std::isinf(value.real()) || std::isinf(value.imag()) ? 1 : 0;
+      unknown += std::isnan(value.real()) || std::isnan(value.imag()) ? 1U : 0U;
+      infinite += std::isinf(value.real()) || std::isinf(value.imag()) ? 1U : 0U;
     }
     if (shape.diagonal) {
       const double d = diagonal[at];
       if (d < 0.0 || std::isinf(d)) wrong(at, fmt::format("its diagonal part {:g} is no variance", d));
-      unknown += std::isnan(d) ? 1 : 0;
+      unknown += std::isnan(d) ? 1U : 0U;
     }
     if (infinite > 0) wrong(at, "its factor has an infinite number");
     const std::size_t all = shape.rank + (shape.diagonal ? 1 : 0);

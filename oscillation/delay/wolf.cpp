@@ -40,7 +40,7 @@ class Wolf {
       bits += std::log2(distance(next, moved) / distance(i, *partner));
       ++out.pairs;
       const std::optional<std::size_t> instead = replacement(next, moved);
-      out.replaced += instead ? 1 : 0;
+      out.replaced += instead ? 1U : 0U;
       partner = instead.value_or(moved);
       i = next;
     }

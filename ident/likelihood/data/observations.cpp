@@ -21,7 +21,7 @@ void append(Channel& channel, const Measured& m) {
 
 std::size_t count_measured(const Channel& channel) {
   std::size_t count = 0;
-  for (const Complex& weight : channel.weight) count += (weight.real() > 0.0) + (weight.imag() > 0.0);
+  for (const Complex& weight : channel.weight) count += (weight.real() > 0.0 ? 1U : 0U) + (weight.imag() > 0.0 ? 1U : 0U);
   return count;
 }
 
