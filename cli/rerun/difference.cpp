@@ -13,11 +13,23 @@ using report::Json;
 
 constexpr std::array not_compared = {"provenance", "runtime_s", "seconds", "solve_s", "full_seconds", "expected_s", "expected_range_s"};
 
-double relative(const Json& a, const Json& b) {
+/// To the larger one, or to `scale` where that is more.
+double relative(const Json& a, const Json& b, double scale) {
   if (!a.is_number() || !b.is_number()) return 1.0;
   const double one = a.get<double>(), other = b.get<double>();
-  const double size = std::max(std::abs(one), std::abs(other));
+  const double size = std::max({std::abs(one), std::abs(other), scale});
   return size > 0.0 ? std::abs(one - other) / size : 0.0;
+}
+
+/// The largest number of a list or matrix, by size; 0 where it holds anything else.
+double largest_of(const Json& list) {
+  double largest = 0.0;
+  for (const Json& each : list) {
+    if (each.is_object()) return 0.0;
+    if (each.is_array()) largest = std::max(largest, largest_of(each));
+    if (each.is_number()) largest = std::max(largest, std::abs(each.get<double>()));
+  }
+  return largest;
 }
 
 std::string shown(const Json* value) {
@@ -31,14 +43,15 @@ class Walk {
  public:
   Difference out;
 
-  /// `a`, `b`: null where there is none.
-  void compare(const std::string& at, const Json* a, const Json* b) {
+  /// `a`, `b`: null where there is none. `scale`: the largest number of the list or matrix that they stand in.
+  void compare(const std::string& at, const Json* a, const Json* b, double scale = 0.0) {
     if (a != nullptr && b != nullptr && a->is_object() && b->is_object()) return objects(at, *a, *b);
-    if (a != nullptr && b != nullptr && a->is_array() && b->is_array()) return arrays(at, *a, *b);
+    if (a != nullptr && b != nullptr && a->is_array() && b->is_array())
+      return arrays(at, *a, *b, std::max({scale, largest_of(*a), largest_of(*b)}));
     if (a != nullptr) ++out.values;
     if (a != nullptr && b != nullptr && *a == *b) return;
     ++out.other;
-    const double size = a != nullptr && b != nullptr ? relative(*a, *b) : 1.0;
+    const double size = a != nullptr && b != nullptr ? relative(*a, *b, scale) : 1.0;
     if (size <= out.largest && !out.at.empty()) return;
     out.largest = size;
     out.at = at;
@@ -57,9 +70,9 @@ class Walk {
     }
   }
 
-  void arrays(const std::string& at, const Json& a, const Json& b) {
+  void arrays(const std::string& at, const Json& a, const Json& b, double scale) {
     for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i)
-      compare(at + "[" + std::to_string(i) + "]", i < a.size() ? &a[i] : nullptr, i < b.size() ? &b[i] : nullptr);
+      compare(at + "[" + std::to_string(i) + "]", i < a.size() ? &a[i] : nullptr, i < b.size() ? &b[i] : nullptr, scale);
   }
 };
 

@@ -23,6 +23,7 @@ std::vector<PlotMenu::Named> plots_of(const tasks::ResponseResult& run) {
   return {{Said::tr("response"), report::level_plots(run)},     {Said::tr("peaks over force"), report::backbone_plots(run)},
           {Said::tr("harmonics"), report::harmonic_plots(run)}, {Said::tr("loop"), report::loop_plots(run)},
           {Said::tr("curve"), report::curve_plots(run)},        {Said::tr("equivalent joints"), report::equivalent_plots(run)},
+          {Said::tr("clamping force"), report::clamping_plots(run)},
           {Said::tr("motion"), report::transient_plots(run)}};
 }
 
@@ -36,6 +37,8 @@ std::vector<TableMenu::Named> tables_of(const tasks::ResponseScene& scene, const
     out.emplace_back(q(curve.name + report::curve_remark(curve)), rows_of(report::curve_table(curve, run, most_of_curve)));
   }
   if (!run.equivalents.empty()) out.emplace_back(Said::tr("equivalent joints"), rows_of(report::equivalents_table(run)));
+  for (const tasks::ClampingRun& clamping : run.clampings)
+    out.emplace_back(Said::tr("clamping force, %1 N").arg(clamping.level), rows_of(report::clamping_table(clamping)));
   if (!run.transients.empty()) out.emplace_back(Said::tr("motions from rest"), rows_of(report::transients_table(run)));
   out.emplace_back(Said::tr("remarks"), remark_rows(report::response_remarks(scene, run)));
   return out;

@@ -3214,6 +3214,14 @@ Eine Auswertung und die Kanäle wählen, dann ausführen.</translation>
         <translation>Ersatzfügestellen</translation>
     </message>
     <message>
+        <source>clamping force</source>
+        <translation>Klemmkraft</translation>
+    </message>
+    <message>
+        <source>clamping force, %1 N</source>
+        <translation>Klemmkraft, %1 N</translation>
+    </message>
+    <message>
         <source>motion</source>
         <translation>Bewegung</translation>
     </message>

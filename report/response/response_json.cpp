@@ -97,6 +97,23 @@ Json transient_json(const tasks::TransientRun& run) {
   return out;
 }
 
+Json clamped_json(const tasks::ClampedPeak& peak) {
+  return {{"load", value(peak.load)},
+          {"amplitude", value(peak.amplitude)},
+          {"frequency", peak.amplitude ? value(peak.frequency_hz) : Json()},
+          {"complete", peak.complete}};
+}
+
+Json clamping_json(const tasks::ClampingRun& clamping) {
+  Json out = {{"force", clamping.level}, {"nominal", value(clamping.nominal)}, {"peaks", Json::array()}, {"best", Json()}};
+  for (const tasks::ClampedPeak& peak : clamping.peaks) out["peaks"].push_back(clamped_json(peak));
+  if (!clamping.best) return out;
+  out["best"] = clamped_json(*clamping.best);
+  out["at_end"] = clamping.at_end;
+  out["within_tenth"] = {value(clamping.within_tenth[0]), value(clamping.within_tenth[1])};
+  return out;
+}
+
 }  // namespace
 
 std::string response_json(const tasks::ResponseScene& scene, const tasks::ResponseResult& run) {
@@ -138,6 +155,7 @@ std::string response_json(const tasks::ResponseScene& scene, const tasks::Respon
   }
   for (const tasks::CurveRun& curve : run.curves) out["curves"].push_back(curve_json(curve, run));
   for (const tasks::EquivalentRow& row : run.equivalents) out["equivalents"].push_back(equivalent_json(row));
+  for (const tasks::ClampingRun& clamping : run.clampings) out["clamping"].push_back(clamping_json(clamping));
   for (const tasks::TransientRun& transient : run.transients) out["transients"].push_back(transient_json(transient));
   return json_text(out);
 }

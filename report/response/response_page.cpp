@@ -57,6 +57,11 @@ void add_further(const tasks::ResponseResult& run, ReportPage& page) {
     page.add(equivalent_plots(run));
     page.add(equivalents_table(run));
   }
+  if (!run.clampings.empty()) {
+    page.section("Clamping force");
+    page.add(clamping_plots(run));
+    for (const tasks::ClampingRun& clamping : run.clampings) page.add(clamping_table(clamping), clamping_verdict(clamping));
+  }
   if (!run.transients.empty()) {
     page.section("Motions from rest");
     page.add(transient_plots(run));

@@ -226,6 +226,21 @@ PlotGroup equivalent_plots(const tasks::ResponseResult& run) {
   return {"", {std::move(choice)}};
 }
 
+PlotGroup clamping_plots(const tasks::ResponseResult& run) {
+  if (run.clampings.empty()) return {"", {}};
+  ScatterPlot plot{
+      "Peak |X|/force at " + run.dofs.front(), {"normal load / that of the laws", true}, {"|X|/force (m/N)", true}, {}, {}};
+  for (const tasks::ClampingRun& clamping : run.clampings) {
+    PointGroup group{fmt::format("{:.6g} N", clamping.level), {}};
+    for (const tasks::ClampedPeak& peak : clamping.peaks) {
+      if (!peak.amplitude) continue;
+      group.points.push_back({peak.load, *peak.amplitude / clamping.level, fmt::format("{:.6g} Hz", peak.frequency_hz)});
+    }
+    plot.groups.push_back(std::move(group));
+  }
+  return {"", {{"", {std::move(plot)}}}};
+}
+
 PlotGroup transient_plots(const tasks::ResponseResult& run) {
   PlotGroup group{"motion", {}};
   for (const tasks::TransientRun& each : run.transients) {

@@ -24,6 +24,9 @@ PlotGroup curve_plots(const tasks::ResponseResult& run);
 /// k_e and d_e over amplitude, and the mode with them.
 PlotGroup equivalent_plots(const tasks::ResponseResult& run);
 
+/// |X|/force of the peak over the normal load of [clamping], all levels together.
+PlotGroup clamping_plots(const tasks::ResponseResult& run);
+
 /// Motions of [transient] over time, and loops of the joints.
 PlotGroup transient_plots(const tasks::ResponseResult& run);
 

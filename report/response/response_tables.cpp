@@ -160,6 +160,50 @@ Table equivalents_table(const tasks::ResponseResult& run) {
   return table;
 }
 
+Table clamping_table(const tasks::ClampingRun& clamping) {
+  std::vector<Column> columns = {{"normal load / that of the laws"}};
+  if (clamping.nominal) columns.push_back({"N"});
+  columns.insert(columns.end(), {{"peak Hz"}, {"|X| m"}, {"|X|/force m/N"}, {"", Align::left}});
+  Table table(columns);
+  for (const tasks::ClampedPeak& peak : clamping.peaks) {
+    std::vector<std::string> cells = {number(peak.load)};
+    if (clamping.nominal) cells.push_back(number(peak.load * *clamping.nominal));
+    if (peak.amplitude) {
+      const bool least = clamping.best && peak.load == clamping.best->load;
+      cells.insert(cells.end(), {number(peak.frequency_hz), number(*peak.amplitude), number(*peak.amplitude / clamping.level),
+                                 least ? "least" : (peak.complete ? "" : "some frequencies did not converge")});
+    } else {
+      cells.insert(cells.end(), {"–", "–", "–", "not converged"});
+    }
+    table.add(cells);
+  }
+  return table;
+}
+
+std::string clamping_verdict(const tasks::ClampingRun& clamping) {
+  const std::string level = fmt::format("{:.6g} N: ", clamping.level);
+  if (!clamping.best) return level + "no peak was found under any normal load";
+  const tasks::ClampedPeak &best = *clamping.best, &loose = clamping.peaks.front(), &tight = clamping.peaks.back();
+  const auto in_newtons = [&](double load) { return clamping.nominal ? fmt::format(" ({:.4g} N)", load * *clamping.nominal) : ""; };
+  if (clamping.at_end) {
+    return level + fmt::format(
+                       "the peak is least at an end of the range, under {:.3g} times the normal load{}. Widen range; if that changes "
+                       "nothing, friction does not damp this resonance",
+                       best.load, in_newtons(best.load));
+  }
+  const auto [from, to] = clamping.within_tenth;
+  std::string text =
+      level + fmt::format(
+                  "the peak is least under {:.3g} times the normal load{}, with |X| = {:.4g} m at {:.6g} Hz. It is at most a tenth "
+                  "higher from {:.3g}{} to {:.3g}{} times that load",
+                  best.load, in_newtons(best.load), *best.amplitude, best.frequency_hz, from, in_newtons(from), to, in_newtons(to));
+  if (loose.amplitude && tight.amplitude) {
+    text += fmt::format(". At the ends of the range it is {:.3g} and {:.3g} times as high", *loose.amplitude / *best.amplitude,
+                        *tight.amplitude / *best.amplitude);
+  }
+  return text;
+}
+
 Table transients_table(const tasks::ResponseResult& run) {
   std::vector<Column> columns = {{"", Align::left}, {"until s"}};
   for (const std::string& dof : run.dofs) columns.push_back({"max |x(" + dof + ")| m"});

@@ -20,6 +20,12 @@ std::string curve_remark(const tasks::CurveRun& curve);
 /// k_e and d_e of each joint over amplitude, and the mode with them.
 Table equivalents_table(const tasks::ResponseResult& run);
 
+/// The peak over each normal load of [clamping], those tried on the way to the best among them.
+Table clamping_table(const tasks::ClampingRun& clamping);
+
+/// "1 N: least under 2.31 of the normal load …"; why there is none.
+std::string clamping_verdict(const tasks::ClampingRun& clamping);
+
 /// Largest motions and forces of each transient.
 Table transients_table(const tasks::ResponseResult& run);
 

@@ -202,6 +202,7 @@ std::vector<std::string> response_remarks(const tasks::ResponseScene& scene, con
   add_stability(run, remarks);
   add_problems(scene, run, remarks);
   add_further_problems(scene, run, remarks);
+  for (const tasks::ClampingRun& clamping : run.clampings) remarks.push_back(clamping_verdict(clamping));
   return remarks;
 }
 
@@ -217,6 +218,8 @@ std::string response_text(const tasks::ResponseScene& scene, const tasks::Respon
     text += fmt::format("\nalong {}{}\n", curve.name, curve_remark(curve)) + curve_table(curve, run, tasks::most_told / 2).text();
   }
   if (!run.equivalents.empty()) text += "\nequivalent joints\n" + equivalents_table(run).text();
+  for (const tasks::ClampingRun& clamping : run.clampings)
+    text += fmt::format("\npeak over the normal load, {:.6g} N\n", clamping.level) + clamping_table(clamping).text();
   if (!run.transients.empty()) text += "\nfrom rest\n" + transients_table(run).text();
   const std::vector<std::string> remarks = response_remarks(scene, run);
   for (std::size_t i = 0; i < remarks.size(); ++i) text += (i == 0 ? "\n" : "") + remarks[i] + "\n";

@@ -34,6 +34,13 @@ std::vector<double> read_deviations(const scene::Item& item, const response::Joi
 
 }  // namespace
 
+std::size_t read_joint_place(const scene::Item& item, const ResponseScene& scene) {
+  if (!item.is_text()) return static_cast<std::size_t>(item.whole(1, static_cast<int>(scene.joints.size()))) - 1;
+  std::vector<std::string> names;
+  for (const SceneJoint& joint : scene.joints) names.push_back(joint.joint.name);
+  return static_cast<std::size_t>(std::ranges::find(names, item.word(names)) - names.begin());
+}
+
 SceneJoint read_joint(const scene::Item& item, const ResponseScene& scene, std::size_t number) {
   const scene::Table table =
       item.table({"name", "dofs", "law", "parameters", "parts", "deviations", "stiffness", "damping", "cubic"});

@@ -131,27 +131,30 @@ LevelResponse arc_length(const response::HarmonicBalance& balance, const Respons
 
 }  // namespace
 
+LevelResponse level_response(const response::HarmonicBalance& balance, const ResponseScene& scene, const Prepared& prepared,
+                             double amplitude, const std::function<void(const std::vector<HarmonicSolution>&)>& advance,
+                             std::vector<HarmonicSolution> begun) {
+  if (scene.method == CurveMethod::arc_length) return arc_length(balance, scene, amplitude);
+  std::vector<double> omegas;
+  for (const double hz : prepared.frequency_hz) omegas.push_back(angular(hz));
+  LevelResponse level = {.level = amplitude};
+  level.points = response::sweep(balance, omegas, amplitude, advance, std::move(begun));
+  find_peak(balance, scene, level);
+  return level;
+}
+
 void run_levels(const response::HarmonicBalance& balance, const ResponseScene& scene, const Prepared& prepared,
                 const ident::Control& control, ResponseResult& run,
                 std::vector<HarmonicSolution> begun, const KeepLevels& keep) {
-  std::vector<double> omegas;
-  for (const double hz : prepared.frequency_hz) omegas.push_back(angular(hz));
   for (std::size_t i = run.levels.size(); i < scene.levels.size(); ++i) {
-    const double amplitude = scene.levels[i];
-    const std::string stage = fmt::format("{:.6g} N", amplitude);
-    LevelResponse level = {.level = amplitude};
-    if (scene.method == CurveMethod::arc_length) {
-      tell(control, stage);
-      level = arc_length(balance, scene, amplitude);
-    } else {
-      const auto advance = [&](const std::vector<HarmonicSolution>& points) {
-        tell(control, stage, points.size(), omegas.size());
-        if (keep) keep(run.levels, points);
-        stop_if(control.interrupted);
-      };
-      level.points = response::sweep(balance, omegas, amplitude, advance, std::exchange(begun, {}));
-      find_peak(balance, scene, level);
-    }
+    const std::string stage = fmt::format("{:.6g} N", scene.levels[i]);
+    const auto advance = [&](const std::vector<HarmonicSolution>& points) {
+      tell(control, stage, points.size(), prepared.frequency_hz.size());
+      if (keep) keep(run.levels, points);
+      stop_if(control.interrupted);
+    };
+    if (scene.method == CurveMethod::arc_length) tell(control, stage);
+    LevelResponse level = level_response(balance, scene, prepared, scene.levels[i], advance, std::exchange(begun, {}));
     find_deviations(balance, scene, level);
     find_left_out(balance, level);
     describe_peak(balance, scene, prepared, level);

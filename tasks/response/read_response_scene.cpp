@@ -98,7 +98,7 @@ void read_response(const scene::Item& item, ResponseScene& scene) {
 
 ResponseScene parse_response_scene(const std::string& text, const ident::Path& file) {
   const scene::Document document(
-      text, file, {"data", "structure", "joints", "force", "frequency", "response", "curves", "equivalent", "transient"});
+      text, file, {"data", "structure", "joints", "force", "frequency", "response", "curves", "equivalent", "transient", "clamping"});
   const scene::Table& table = document.table();
   ResponseScene scene;
   scene.file = file;
@@ -134,6 +134,10 @@ ResponseScene parse_response_scene(const std::string& text, const ident::Path& f
     for (const scene::Item& curve : curves->list_not_empty()) scene.curves.push_back(read_curve(curve, scene));
   }
   if (const auto equivalent = table.find("equivalent")) scene.equivalent = read_equivalent(*equivalent, scene);
+  if (const auto clamping = table.find("clamping")) {
+    if (!force) clamping->fail("there is no [force]", "state where it acts");
+    scene.clamping = read_clamping(*clamping, scene);
+  }
   return scene;
 }
 

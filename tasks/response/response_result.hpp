@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -61,6 +62,24 @@ struct EquivalentRow {
   std::string problem{};  ///< the reason if there is no mode
 };
 
+/// The peak over frequency under one normal load.
+struct ClampedPeak {
+  double load = 0.0;                        ///< over the one that the laws belong to
+  std::optional<double> amplitude{};        ///< |X| of the first response and lowest harmonic above 0, m; none where nothing converged
+  double frequency_hz = 0.0;
+  bool complete = true;                     ///< every frequency converged
+};
+
+/// Result of [clamping] at one force level.
+struct ClampingRun {
+  double level = 0.0;                    ///< N
+  std::optional<double> nominal{};       ///< the normal load that the laws belong to, N
+  std::vector<ClampedPeak> peaks{};      ///< by load, ascending; those tried on the way to the best among them
+  std::optional<ClampedPeak> best{};     ///< of least amplitude
+  bool at_end = false;                   ///< of the range: the least lies beyond
+  std::array<double, 2> within_tenth{};  ///< loads up to which no amplitude is more than a tenth above the least
+};
+
 /// One motion of [transient].
 struct TransientRun {
   std::string name;  ///< "pulse of 5 N, 0.01 s", "1 N at 50 Hz", "record"
@@ -75,6 +94,7 @@ struct ResponseResult {
   std::vector<CurveRun> curves{};            ///< one for each of [[curves]]
   std::vector<EquivalentRow> equivalents{};  ///< one for each amplitude of [equivalent]
   std::vector<std::string> marched{};        ///< friction elements and cubic springs: the columns of q and f of transients
+  std::vector<ClampingRun> clampings{};      ///< one for each amplitude of [force], with [clamping]
   std::vector<TransientRun> transients{};    ///< one for each pulse, record or force level of [transient]
   std::vector<std::string> doubts;           ///< of the measured parts, one phrase each
 };

@@ -47,6 +47,14 @@ struct SceneEquivalent {
   std::size_t joint = 0;             ///< whose amplitude it is
 };
 
+/// [clamping]: which normal load of friction joints makes the peak of the response least.
+struct SceneClamping {
+  std::vector<std::size_t> joints;    ///< of [[joints]], all with a law; clamped alike
+  std::array<double, 2> range{};      ///< of the normal load over the one that the laws belong to
+  std::size_t points = 13;            ///< over the range, in proportion
+  std::optional<double> nominal{};    ///< the load that the laws belong to, N
+};
+
 /// A force of [transient] from a file of time records.
 struct SceneRecord {
   SceneDof dof;
@@ -104,6 +112,7 @@ struct ResponseScene {
   bool stability = false;
   std::vector<SceneCurve> curves;
   std::optional<SceneEquivalent> equivalent;
+  std::optional<SceneClamping> clamping{};
   std::optional<SceneTransient> transient;
 };
 

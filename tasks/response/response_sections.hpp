@@ -25,8 +25,12 @@ std::shared_ptr<const friction::Element> read_friction(const scene::Table& table
 /// One of [[joints]]; `number` counts from 1.
 SceneJoint read_joint(const scene::Item& item, const ResponseScene& scene, std::size_t number);
 
-/// One of [[curves]], [equivalent] and [transient]; they stand behind the joints.
+/// The joint of [[joints]] with this number from 1, or this name.
+std::size_t read_joint_place(const scene::Item& item, const ResponseScene& scene);
+
+/// One of [[curves]], [clamping], [equivalent] and [transient]; they stand behind the joints.
 SceneCurve read_curve(const scene::Item& item, const ResponseScene& scene);
+SceneClamping read_clamping(const scene::Item& item, const ResponseScene& scene);
 SceneEquivalent read_equivalent(const scene::Item& item, const ResponseScene& scene);
 SceneTransient read_transient(const scene::Item& item, const ident::Path& folder, const ResponseScene& scene);
 

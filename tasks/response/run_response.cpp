@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "tasks/response/clamping_run.hpp"
 #include "tasks/response/further_runs.hpp"
 #include "tasks/response/level_runs.hpp"
 
@@ -19,6 +20,7 @@ ResponseResult run(const ResponseScene& scene, const Prepared& prepared, const i
     result.levels = std::move(before.finished);
     run_levels(balance, scene, prepared, control, result, std::move(before.begun), keep);
     run_curves(balance, scene, control, result);
+    run_clamping(scene, prepared, control, result);
   }
   run_equivalents(scene, prepared, result);
   run_transients(scene, prepared, control, result);

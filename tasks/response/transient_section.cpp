@@ -36,14 +36,6 @@ bool divides(double step, double whole) {
   return count >= 1.0 && std::abs(whole / step - count) <= 1e-9 * count;
 }
 
-/// The joint of [[joints]] with this number from 1, or this name.
-std::size_t read_joint_place(const scene::Item& item, const ResponseScene& scene) {
-  if (!item.is_text()) return static_cast<std::size_t>(item.whole(1, static_cast<int>(scene.joints.size()))) - 1;
-  std::vector<std::string> names;
-  for (const SceneJoint& joint : scene.joints) names.push_back(joint.joint.name);
-  return static_cast<std::size_t>(std::ranges::find(names, item.word(names)) - names.begin());
-}
-
 /// { joint, load = [[time, N], …], nominal = N, period, sliders }
 SceneNormal read_normal(const scene::Item& item, const ResponseScene& scene) {
   const scene::Table table = item.table({"joint", "load", "nominal", "period", "sliders"});

@@ -10,6 +10,7 @@
 #include "friction/law/menq_bar.hpp"
 #include "friction/path/quadrature.hpp"
 #include "friction/path/ring.hpp"
+#include "friction/path/clamped.hpp"
 #include "friction/path/scaled.hpp"
 #include "random_element.hpp"
 
@@ -77,7 +78,7 @@ std::unique_ptr<Element> any_joint() {
   switch (any_of(3)) {
     case 0: {
       const double outer = any_in(0.01, 0.1);
-      return std::make_unique<Ring>(any_element(), outer * any_in(0.05, 0.9), outer);
+      return std::make_unique<Ring>(any_single(), outer * any_in(0.05, 0.9), outer);
     }
     case 1: {
       const double length = any_in(0.05, 1.0), spring = any_of(2) == 0 ? 0.0 : any_decade(1e6, 1e9);
@@ -177,11 +178,46 @@ TEST(Scaled, MultipliesForcesOnly) {
   EXPECT_EQ(twice.values(), law->values());
 }
 
+TEST(Clamped, HasSlipLimitsInProportionToTheLoad) {
+  const auto law = std::shared_ptr(make_element("bilinear", std::array{1.5e-5, 2e6}));
+  const auto same = make_element("bilinear", std::array{3.75e-5, 2e6});
+  const Clamped clamped(law, 2.5);
+  ASSERT_EQ(clamped.kinks().size(), 1U);
+  EXPECT_DOUBLE_EQ(clamped.kinks().front(), same->kinks().front());
+  EXPECT_DOUBLE_EQ(clamped.limit(), 75.0);
+  for (const double u : {1e-6, 2e-5, 3.7e-5, 4e-5, 1e-3}) {
+    EXPECT_DOUBLE_EQ(clamped.response(u).force, same->response(u).force) << u;
+    EXPECT_DOUBLE_EQ(clamped.response(u).tangent, same->response(u).tangent) << u;
+    EXPECT_NEAR(clamped.energy(u), same->energy(u), 1e-12 * same->energy(u)) << u;
+    EXPECT_NEAR(clamped.cycle_energy(u), same->cycle_energy(u), 1e-11 * same->energy(u)) << u;
+    EXPECT_NEAR(clamped.equivalent_stiffness(u), same->equivalent_stiffness(u), 1e-9 * same->equivalent_stiffness(u)) << u;
+    EXPECT_NEAR(clamped.second_moment(u), same->second_moment(u), 1e-9 * same->second_moment(u)) << u;
+  }
+  EXPECT_DOUBLE_EQ(clamped.displacement(50.0), same->displacement(50.0));
+}
+
+RC_GTEST_PROP(Clamped, IsItsOwnDerivativeAndIntegral, ()) {
+  const auto law = std::shared_ptr(any_element());
+  const double load = any_in(0.2, 5.0), u = any_in(1e-7, 1e-5);
+  const Clamped clamped(law, load);
+  const double step = 1e-6 * u;
+  RC_ASSERT(near((clamped.energy(u + step) - clamped.energy(u - step)) / (2.0 * step), clamped.response(u).force, 1e-4));
+  std::vector<double> slopes(clamped.parameters().size()), values = clamped.values();
+  clamped.derivative(u, slopes);
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    std::vector<double> above = values;
+    above[p] *= 1.0 + 1e-6;
+    const double difference = clamped.with(above)->response(u).force - clamped.response(u).force;
+    RC_ASSERT(std::abs(difference - slopes[p] * (above[p] - values[p])) <= 1e-4 * std::abs(difference) + 1e-9 * clamped.response(u).force);
+  }
+}
+
 TEST(Joint, SenselessValuesAreRefused) {
   EXPECT_THROW(Ring(make_element("spring", std::array{1.0}), 0.1, 0.1), InputError);
   EXPECT_THROW(MenqBar({1.0, 1.0, 1.0, 1.0, -1.0}), InputError);
   EXPECT_THROW(BendingRoot(1.0, 0.0, 1.0), InputError);
   EXPECT_THROW(Scaled(make_element("spring", std::array{1.0}), 0.0), InputError);
+  EXPECT_THROW(Clamped(make_element("spring", std::array{1.0}), 0.0), InputError);
 }
 
 }  // namespace
