@@ -7,6 +7,7 @@
 #include "ident/admissible/admissible_linear.hpp"
 #include "ident/equations/assemble.hpp"
 #include "ident/equations/linear_plan.hpp"
+#include "ident/identify.hpp"
 #include "ident/plan/interpret.hpp"
 #include "ident/result/chunk_pipeline.hpp"
 
@@ -130,6 +131,32 @@ UnknownsByLine unknowns_by_line(const ident::Plan& plan, std::size_t points, con
     out.lines.push_back({i + 1, plan.lines[i].frequency_hz, values_of(together), alone ? values_of(*alone) : std::vector<double>()});
   };
   follow(plan, std::make_unique<Follower>(plan, points, true, judge), control);
+  return out;
+}
+
+UnknownsByIteration unknowns_by_iteration(ident::Plan& plan, const ident::Control& control) {
+  if (linear_plan(plan) != nullptr) {
+    throw InputError({ErrorKind::usage, "", "--by-iteration",
+                      "method \"" + ident::name(plan.scene.identify.method) + "\" does not iterate",
+                      "follow its lines by --by-line, or take method = \"likelihood\" or \"newton\""});
+  }
+  UnknownsByIteration out;
+  ident::Control watched = control;
+  watched.detail = ident::Detail::estimates;
+  watched.judgement = ident::Judgement::none;
+  watched.so_far = [&](const ident::Solution& best) {
+    const std::size_t last = out.iterations.empty() ? 0 : out.iterations.back().iteration;
+    if (best.status != ident::Status::not_converged || best.fit.iterations <= last) return;  // the end is the solution's
+    out.iterations.push_back({best.fit.iterations, best.fit.objective, values_of(best)});
+  };
+  const ident::Solution solution = ident::solve(plan, watched);
+  for (const auto& unknown : solution.unknowns) out.names.push_back(unknown.name);
+  if (out.iterations.empty()) return out;
+  IterationUnknowns end = out.iterations.back();
+  ++end.iteration;
+  end.objective.reset();
+  end.values = values_of(solution);
+  if (end.values != out.iterations.back().values) out.iterations.push_back(std::move(end));
   return out;
 }
 

@@ -34,4 +34,19 @@ struct UnknownsByLine {
 /// not accumulate lines.
 UnknownsByLine unknowns_by_line(const ident::Plan& plan, std::size_t points, const ident::Control& control = {});
 
+/// A step of an iterative method that came nearer to the minimum than all before.
+struct IterationUnknowns {
+  std::size_t iteration = 0;
+  std::optional<double> objective{};  ///< ident::Fit::objective; none before it is known
+  std::vector<double> values;         ///< in the order of `names`
+};
+struct UnknownsByIteration {
+  std::vector<std::string> names;
+  std::vector<IterationUnknowns> iterations;  ///< the solution itself is the last
+};
+
+/// The objective and each unknown over the iterations (Ren's figures 6.26, 6.27), by a solution of its own: an unknown that still moves
+/// while the objective no longer does is not determined. Throws InputError (usage) for methods that do not iterate.
+UnknownsByIteration unknowns_by_iteration(ident::Plan& plan, const ident::Control& control = {});
+
 }  // namespace jointid::tasks

@@ -34,6 +34,7 @@ void check_outputs(const SolveArguments& arguments, const ident::Scene& scene) {
                                          {"--csv", arguments.csv},
                                          {"--report", arguments.report},
                                          {"--by-line", arguments.by_line},
+                                         {"--by-iteration", arguments.by_iteration},
                                          {"--state", state_file(arguments.resume, arguments.scene, state_end).string()}});
 }
 
@@ -102,6 +103,14 @@ void write_by_line(const std::string& target, const ident::Plan& plan, std::ostr
   write_target(target, target.ends_with(".json") ? report::by_line_json(found) : report::by_line_csv(found), out);
 }
 
+void write_by_iteration(const std::string& target, ident::Plan& plan, std::ostream& out) {
+  const tasks::UnknownsByIteration found = [&] {
+    Progress progress;
+    return tasks::unknowns_by_iteration(plan, progress.control());
+  }();
+  write_target(target, target.ends_with(".json") ? report::by_iteration_json(found) : report::by_iteration_csv(found), out);
+}
+
 /// The entry of --plot, RESPONSE/REFERENCE. Throws InputError (usage) when the assembly has no such FRF.
 tasks::FrfEntry plotted_entry(const std::string& text, const ident::Plan& plan) {
   const std::size_t slash = text.find('/');
@@ -142,9 +151,10 @@ void refuse_display(const SolveArguments& arguments) {
     throw InputError({ErrorKind::usage, "", "--resume", "does not apply to friction laws and joints at every line",
                       "leave --resume, --stop-before and --state out"});
   }
-  if (arguments.by_line) {
-    throw InputError({ErrorKind::usage, "", "--by-line", "does not apply to friction laws and joints at every line",
-                      "leave it out, or give a scene with [joint] and a linear method"});
+  if (arguments.by_line || arguments.by_iteration) {
+    throw InputError({ErrorKind::usage, "", arguments.by_line ? "--by-line" : "--by-iteration",
+                      "does not apply to friction laws and joints at every line",
+                      "leave it out, or give a scene with [joint] of matrices"});
   }
   if (arguments.quantity == SolveArguments().quantity) return;
   throw InputError({ErrorKind::usage, "", "--quantity", "does not apply to friction laws and joints at every line",
@@ -160,6 +170,8 @@ SolveArguments& add_linear_solve(CLI::App& app, Chosen& chosen) {
   command->add_option("--plot", arguments->plot, "Plot an assembly FRF, measured and synthesised, e.g. 1:+Y/5:+Y");
   command->add_option("--by-line", arguments->by_line,
                       "Write each unknown over the accumulated lines and from each line alone to a file, CSV or .json; linear methods");
+  command->add_option("--by-iteration", arguments->by_iteration,
+                      "Write the objective and each unknown over the iterations to a file, CSV or .json; likelihood and newton");
   add_resume(command, arguments->resume, "the best values so far of an iterative method", state_end);
   add_units(command, arguments->units);
   add_quantity(command, arguments->quantity, "as the assembly's file");
@@ -207,6 +219,7 @@ ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
   const bool has_text = !takes_output({arguments.json, arguments.csv, arguments.report});
   if (has_text && entry && !solution.bands.empty()) plot(*entry, *plan, solution, display, out);
   if (arguments.by_line) write_by_line(*arguments.by_line, *plan, out);
+  if (arguments.by_iteration) write_by_iteration(*arguments.by_iteration, *plan, out);
   if (arguments.report) write_report(*arguments.report, *plan, solution, entry, display, out);
   kept->remove();
   return tell_status(arguments.scene.string(), solution.status, solution.message);

@@ -25,6 +25,7 @@ struct SolveArguments {
   std::string units = "SI";  ///< of text, CSV and page: SI or mm
   std::string quantity = "receptance";  ///< of plotted FRFs; "measured": that of the assembly's file
   Target by_line;  ///< the unknowns over the lines: JSON where the name ends in .json, else CSV
+  Target by_iteration;  ///< the objective and the unknowns over the iterations, the same
   std::size_t threads = 0;
   ResumeOptions resume;
   LawSceneRun<SolveArguments> run_laws = nullptr;

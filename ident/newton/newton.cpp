@@ -136,6 +136,7 @@ class Search {
     linear.rank = linear.y.size();
     interpret(plan_, linear, best);
     best.fit.iterations = steps_;
+    best.fit.objective = misfit;
     control_.so_far(best);
   }
 

@@ -32,4 +32,24 @@ std::string by_line_json(const tasks::UnknownsByLine& found) {
   return json_text(out);
 }
 
+std::string by_iteration_csv(const tasks::UnknownsByIteration& found) {
+  std::vector<std::string> titles = {"iteration", "objective"};
+  titles.insert(titles.end(), found.names.begin(), found.names.end());
+  std::string text = csv_line(titles);
+  for (const tasks::IterationUnknowns& step : found.iterations) {
+    std::vector<std::string> row = {std::to_string(step.iteration), csv_number(step.objective)};
+    for (const double each : step.values) row.push_back(csv_number(each));
+    text += csv_line(row);
+  }
+  return text;
+}
+
+std::string by_iteration_json(const tasks::UnknownsByIteration& found) {
+  Json out = {{"status", "ok"}, {"unknowns", found.names}, {"iterations", Json::array()}};
+  for (const tasks::IterationUnknowns& step : found.iterations) {
+    out["iterations"].push_back({{"iteration", step.iteration}, {"objective", value(step.objective)}, {"values", values(step.values)}});
+  }
+  return json_text(out);
+}
+
 }  // namespace jointid::report

@@ -11,4 +11,9 @@ std::string by_line_csv(const tasks::UnknownsByLine& found);
 /// The keys stay.
 std::string by_line_json(const tasks::UnknownsByLine& found);
 
+/// "iteration,objective", then each unknown.
+std::string by_iteration_csv(const tasks::UnknownsByIteration& found);
+/// The keys stay.
+std::string by_iteration_json(const tasks::UnknownsByIteration& found);
+
 }  // namespace jointid::report

@@ -77,6 +77,31 @@ TEST(Convergence, UnknownsOfOtherMethodsFollowNoLines) {
   EXPECT_THROW(tasks::unknowns_by_line(*plan, 10), InputError);
 }
 
+TEST(Convergence, ObjectiveFallsOverTheIterationsToTheSolution) {
+  for (const std::string name : {"H4", "A1"}) {
+    const problems::Problem problem = problems::make(name);
+    Scene scene = problems::scene(problem);
+    if (name == "A1") scene.identify.method = Method::likelihood;
+    const auto plan = problems::plan(scene, problems::polluted(problem, 1, 0));
+    const tasks::UnknownsByIteration found = tasks::unknowns_by_iteration(*plan);
+    const Solution solution = solve(*plan);
+    ASSERT_GE(found.iterations.size(), 2U) << name;
+    for (std::size_t i = 1; i < found.iterations.size(); ++i) {
+      EXPECT_GT(found.iterations[i].iteration, found.iterations[i - 1].iteration) << name;
+      if (!found.iterations[i].objective || !found.iterations[i - 1].objective) continue;
+      EXPECT_LE(*found.iterations[i].objective, *found.iterations[i - 1].objective) << name;
+    }
+    ASSERT_EQ(found.names.size(), solution.unknowns.size()) << name;
+    for (std::size_t u = 0; u < found.names.size(); ++u) {
+      const Estimate& estimate = solution.unknowns[u];
+      EXPECT_EQ(found.names[u], estimate.name);
+      EXPECT_NEAR(found.iterations.back().values[u], estimate.value, 1e-9 * std::abs(estimate.value)) << name << ' ' << estimate.name;
+    }
+  }
+}
+
+TEST(Convergence, LinearMethodsDoNotIterate) { EXPECT_THROW(tasks::unknowns_by_iteration(*noisy_plan("A1")), InputError); }
+
 TEST(Convergence, WithoutATruthThereIsNone) {
   const auto plan = noisy_plan("A1");
   plan->scene.truth.clear();

@@ -48,6 +48,7 @@ void BestJoint::tell(const LikelihoodFit& fit, double loss) {
   best.fit.lines = plan_.lines.size();
   best.fit.equations_used = equations_used(*likelihood_plan(plan_)->observations, {});
   best.fit.iterations = steps_;
+  if (std::isfinite(loss)) best.fit.objective = loss;
   best.runtime_s.solve = std::max(0.0, seconds_since(begin_) - best.runtime_s.start);
   control_.so_far(best);
 }

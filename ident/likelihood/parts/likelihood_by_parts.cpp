@@ -95,6 +95,7 @@ PartsFit PartsMethod::fitted(const Plan& plan, const Control& control, Solution&
     linear.rank = linear.y.size();
     interpret(plan, linear, best);
     best.fit.iterations = step.iterations;
+    best.fit.objective = 2.0 * step.cost;
     control.so_far(best);
   };
   double conditions = 0.0;
