@@ -106,7 +106,7 @@ def expand(parent: Any, measured: Any, *, way: str = "extended", modes: int = 0,
     Raises
     ------
     InputError
-        For an unknown way, sets without common coordinates or lines, gaps of the parent, and more modes than the coordinates tell apart.
+        For an unknown way, sets without common coordinates or lines, gaps of the parent, and more modes than the coordinates distinguish.
 
     >>> import jointid, numpy as np
     >>> f = np.arange(10.0, 20.0)

@@ -166,7 +166,7 @@ def identify_lines(substructures: Any = None, assembly: Any = None, joint: Any =
                    laws: Any = None, threads: int = 0, progress: Any = None, **sections: Any) -> LineSolution:
     """Dynamic stiffness Z_J(ω) of a joint at every line, with 95 % bands: ``jointid solve`` of a scene with ``[joint] lines``.
 
-    The joint is called an isolator or a rubber mount where nobody knows its law. The field calls this inverse substructuring.
+    The joint is called an isolator or a rubber mount if its law is not known. The field calls this inverse substructuring.
 
     Parameters
     ----------

@@ -88,7 +88,7 @@ _LISTED = re.compile(rf"--([a-z][a-z-]*) {_QUOTED}(?: --\1 {_QUOTED})+")  # "--c
 
 
 class NoScene:
-    """Stands for a scene where a command has none; `names` by paths that nobody but this package knows."""
+    """In place of a scene, for commands without one; `names` by paths that only this package has."""
 
     def __init__(self, scene: Scene | None = None, names: Mapping[str, str] | None = None, files: Iterable[str] = (),
                  arrays: Mapping[str, Iterable[Any]] | None = None) -> None:
@@ -113,7 +113,7 @@ class NoScene:
 
     @contextmanager
     def errors(self) -> Iterator[None]:
-        """Errors with names for paths that nobody knows, and arguments for options of the command."""
+        """Errors with names in place of paths of this package, and arguments for options of the command."""
         try:
             with self._scene.errors():
                 yield

@@ -112,7 +112,7 @@ def _frf_set() -> type:
 class Scene:
     """The text of a scene, and the FRFs in memory that it names.
 
-    While one is alive, so are the files in memory that stand for its sets.
+    While one is alive, so are the files in memory that represent its sets.
     """
 
     def __init__(self, scene: Any, file: str | None = None) -> None:
@@ -189,7 +189,7 @@ class Scene:
         return path
 
     def add(self, frfs: Any) -> str:
-        """The path that stands for a set outside of the scene's text."""
+        """The path that represents a set outside of the scene's text."""
         return self._path_of(frfs)
 
     def inputs(self, run_ns: int) -> Iterator[dict[str, Any]]:

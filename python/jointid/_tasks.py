@@ -150,9 +150,9 @@ def loading_curve(curves: Any, *, progress: Any = None, **options: Any) -> Resul
     ----------
     curves : path or paths; or (displacement, force), or a list of these or {name: (displacement, force)}
         Arrays in m and N, loaded once from rest. One array of two columns is a curve.
-    options : law, ring, limit, normal_load, friction_coefficient, shared, weighting, minimiser; of files also
-        displacement, force, time, energy, stiffness, damping, unit, force_unit, time_unit, sign, velocity, kind,
-        specimen_stiffness, specimen: as those of the command
+    options : law, ring, limit, normal_load, friction_coefficient, shared, weighting, minimiser
+        As those of the command. Of files also displacement, force, time, energy, stiffness, damping, unit, force_unit, time_unit,
+        sign, velocity, kind, specimen_stiffness, specimen.
 
     Raises
     ------
