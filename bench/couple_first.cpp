@@ -46,7 +46,7 @@ void add(const problems::Problem& problem, const ident::Scene& scene, std::uint6
   for (std::size_t i = 0; i < solution.unknowns.size(); ++i) {
     const ident::Estimate& unknown = solution.unknowns[i];
     const double truth = problem.unknowns[i].value;  // of the translational spring: the first
-    to.inside += unknown.ci95 && (*unknown.ci95)[0] <= truth && truth <= (*unknown.ci95)[1] ? 1 : 0;
+    to.inside += unknown.ci95 && (*unknown.ci95)[0] <= truth && truth <= (*unknown.ci95)[1] ? 1U : 0U;
     to.squares += std::pow(unknown.value / truth - 1.0, 2);
     ++to.count;
   }

@@ -187,7 +187,7 @@ void add(const problems::Problem& problem, const ident::Scene& scene, problems::
     for (std::size_t k = 0; k < solution.unknowns.size(); ++k) {
       if (solution.unknowns[k].unit == unknown.unit) largest = std::max(largest, std::abs(problem.unknowns[k].value));
     }
-    to.inside += (*unknown.ci95)[0] <= truth && truth <= (*unknown.ci95)[1] ? 1 : 0;
+    to.inside += (*unknown.ci95)[0] <= truth && truth <= (*unknown.ci95)[1] ? 1U : 0U;
     to.squares += std::pow((unknown.value - truth) / largest, 2);
     ++to.count;
   }

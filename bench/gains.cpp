@@ -61,7 +61,7 @@ Coverage coverage(const problems::Problem& problem, const ident::Scene& scene, s
       const auto& truth = data->unknowns[i].truth;
       if (!truth || *truth == 0.0) continue;
       ++out.count;
-      out.inside += trial.ci95[i] && (*trial.ci95[i])[0] <= *truth && *truth <= (*trial.ci95[i])[1] ? 1 : 0;
+      out.inside += trial.ci95[i] && (*trial.ci95[i])[0] <= *truth && *truth <= (*trial.ci95[i])[1] ? 1U : 0U;
     }
   }
   return out;
@@ -124,8 +124,8 @@ void measure_one_off(std::size_t seeds, bench::Promises& promises) {
       }
       return std::string();
     };
-    false_alarms += gain_of(right).empty() ? 0 : 1;
-    named += gain_of(found).find("sensor " + sensor) != std::string::npos ? 1 : 0;
+    false_alarms += gain_of(right).empty() ? 0U : 1U;
+    named += gain_of(found).find("sensor " + sensor) != std::string::npos ? 1U : 0U;
     if (seed == 1) fmt::print("  {}\n", gain_of(found));
     clean += std::pow(error_of_stiffness(problem, right), 2);
     wrong += std::pow(error_of_stiffness(problem, found), 2);

@@ -115,8 +115,9 @@ BeamCase beam_at(double hz, double cycles) {
 
 /// Largest |row| where the slider is at ±A: a quarter and three quarters of each cycle.
 double at_slider_ends(const Eigen::RowVectorXd& row) {
+  constexpr auto cycle = static_cast<Eigen::Index>(samples_a_cycle);
   double largest = 0.0;
-  for (auto i = static_cast<Eigen::Index>(samples_a_cycle / 4); i < row.size(); i += samples_a_cycle / 2) {
+  for (Eigen::Index i = cycle / 4; i < row.size(); i += cycle / 2) {
     largest = std::max(largest, std::abs(row[i]));
   }
   return largest;

@@ -35,7 +35,7 @@ void add_joint(const problems::Problem& problem, const ident::Scene& scene, Figu
     const double truth = problem.unknowns[i].value;
     ++to.count;
     if (!unknown.ci95) continue;
-    to.inside += (*unknown.ci95)[0] <= truth && truth <= (*unknown.ci95)[1] ? 1 : 0;
+    to.inside += (*unknown.ci95)[0] <= truth && truth <= (*unknown.ci95)[1] ? 1U : 0U;
     to.squares += std::pow((unknown.value - truth) / *unknown.std_error, 2);
   }
 }
@@ -48,7 +48,7 @@ void measure(const bench::CommandLine& line, bench::Promises& promises) {
     const TestFolder folder;
     const ident::Scene straight = written("flange", seed, folder);
     add_joint(problem, straight, figures);
-    figures.false_alarms += ident::check_scene(straight).verdict == ident::Verdict::clean ? 0 : 1;
+    figures.false_alarms += ident::check_scene(straight).verdict == ident::Verdict::clean ? 0U : 1U;
     const ident::CheckResult turned = ident::check_scene(written("flange-turned", seed, folder));
     const bool named = !turned.suspects.empty() && turned.suspects.front().kind == ident::SuspectKind::direction &&
                        turned.suspects.front().dofs.front().name() == "13:+Y";

@@ -25,7 +25,7 @@ Count count(const ReproductionReport& report) {
       continue;
     }
     ++counted.legible;
-    counted.inside += report.results[e].inside ? 1 : 0;
+    counted.inside += report.results[e].inside ? 1U : 0U;
   }
   return counted;
 }

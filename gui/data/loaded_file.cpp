@@ -90,7 +90,7 @@ std::optional<double> mean_coherence(const Sample& sample, std::size_t r, std::s
   for (std::size_t line = 0; line < sample.lines && !sample.coherences.empty(); ++line) {
     const double value = sample.coherences[sample.at(line, r, c)];
     sum += usable(value);
-    count += std::isfinite(value) ? 1 : 0;
+    count += std::isfinite(value) ? 1U : 0U;
   }
   return count > 0 ? std::optional(sum / static_cast<double>(count)) : std::nullopt;
 }

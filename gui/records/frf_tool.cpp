@@ -64,7 +64,7 @@ std::vector<records::Record> records_of(const tasks::FrfTask& task) {
 
 QString summary(const tasks::FrfRun& run) {
   std::size_t left_out = 0;
-  for (const records::Blow& blow : run.made.blows) left_out += blow.rejected.empty() ? 0 : 1;
+  for (const records::Blow& blow : run.made.blows) left_out += blow.rejected.empty() ? 0U : 1U;
   const std::size_t all = run.made.blows.size();
   QStringList lines{q(report::estimate_text(run)) + Said::tr("; %1 of %2 segments averaged").arg(all - left_out).arg(all)};
   for (const std::string& note : report::notes(run)) lines << q(note);

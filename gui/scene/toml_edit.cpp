@@ -15,7 +15,7 @@ std::size_t end_of_value(const std::string& text, std::size_t at) {
   for (; at < text.size(); ++at) {
     const char c = text[at];
     if (c == '"' || c == '\'') {
-      for (++at; at < text.size() && text[at] != c && text[at] != '\n'; ++at) at += c == '"' && text[at] == '\\' ? 1 : 0;
+      for (++at; at < text.size() && text[at] != c && text[at] != '\n'; ++at) at += c == '"' && text[at] == '\\' ? 1U : 0U;
     } else if (c == '#') {
       if (depth == 0) break;
       at = std::min(text.find('\n', at), text.size());

@@ -19,7 +19,7 @@ std::size_t distinct(std::vector<double> values) {
   std::ranges::sort(values);
   const double width = 1e-5 * std::max(std::abs(values.front()), std::abs(values.back()));
   std::size_t count = 1;
-  for (std::size_t k = 1; k < values.size(); ++k) count += values[k] - values[k - 1] > width ? 1 : 0;
+  for (std::size_t k = 1; k < values.size(); ++k) count += values[k] - values[k - 1] > width ? 1U : 0U;
   return count;
 }
 
@@ -143,7 +143,7 @@ std::string sweep_line(const tasks::OscillateResult& run) {
   for (const oscillation::SweepPoint& point : run.sweep) {
     const std::size_t count = distinct(point.values);
     values += point.values.size();
-    none += count == 0 || (run.system.is_driven() && point.values.empty()) ? 1 : 0;
+    none += count == 0 || (run.system.is_driven() && point.values.empty()) ? 1U : 0U;
     single += count == 1 ? 1 : 0;
     many += count > 20 ? 1 : 0;
   }

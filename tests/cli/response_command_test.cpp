@@ -84,7 +84,7 @@ struct Answer {
   std::size_t lines_with(const std::string& words) const {
     std::size_t found = 0;
     std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) found += line.find(words) == std::string::npos ? 0 : 1;
+    for (std::string line; std::getline(lines, line);) found += line.find(words) == std::string::npos ? 0U : 1U;
     return found;
   }
 };

@@ -89,7 +89,7 @@ TEST_F(Hdf5Bytes, StorageIsHeldAgainstTheFile) {
     put(bad, at, std::uint64_t{1} << 30U);
     rusage before{}, after{};
     ::getrusage(RUSAGE_SELF, &before);
-    hits += said_of(bad) == "read" ? 0 : 1;
+    hits += said_of(bad) == "read" ? 0U : 1U;
     ::getrusage(RUSAGE_SELF, &after);
     EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 100'000) << "kB";
   }
@@ -114,12 +114,12 @@ TEST_F(Hdf5Bytes, NoChangeCrashesOrHangs) {
       }
       return false;
     };
-    refused += refuses([&] { load(*open_hdf5(file)); }) ? 1 : 0;
+    refused += refuses([&] { load(*open_hdf5(file)); }) ? 1U : 0U;
     refused += refuses([&] {
       const TableReader table(file);
       std::vector<double> numbers(std::min<std::size_t>(table.rows(), 8));
       for (std::size_t column = 0; column < table.header().columns.size(); ++column) table.read(column, 0, numbers);
-    }) ? 1 : 0;
+    }) ? 1U : 0U;
     EXPECT_LT(seconds_since(begun), 3.0) << i;
   }
   EXPECT_GT(refused, 100U) << "each is at best one of the two";

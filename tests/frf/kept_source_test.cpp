@@ -24,7 +24,7 @@ class Counted final : public FrfSource {
   void note(int what, const Block& block) {
     for (const std::size_t l : block.lines) {
       for (const std::size_t r : block.responses) {
-        for (const std::size_t c : block.references) count_.again += count_.asked.emplace(what, l, r, c).second ? 0 : 1;
+        for (const std::size_t c : block.references) count_.again += count_.asked.emplace(what, l, r, c).second ? 0U : 1U;
       }
     }
   }

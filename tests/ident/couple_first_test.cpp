@@ -171,7 +171,7 @@ TEST(CoupleFirst, IntervalsKnowWhatCoupledErrorsHaveInCommon) {
     const Solution solution = g.solution(scene, seed);
     for (std::size_t i = 0; i < exact.size(); ++i) {
       const auto& interval = solution.unknowns.at(i).ci95;
-      inside += interval && (*interval)[0] <= exact[i] && exact[i] <= (*interval)[1] ? 1 : 0;
+      inside += interval && (*interval)[0] <= exact[i] && exact[i] <= (*interval)[1] ? 1U : 0U;
     }
   }
   EXPECT_GE(inside, 31u);

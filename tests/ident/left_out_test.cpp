@@ -42,7 +42,7 @@ class Recorder final : public frf::FrfSource {
       for (const std::size_t c : block.references) {
         const std::string response = header_.response[r].name(), reference = header_.reference[c].name();
         asked_.frfs.emplace(response, reference);
-        for (const std::size_t line : block.lines) asked_.again += asked_.values.emplace(line, response, reference).second ? 0 : 1;
+        for (const std::size_t line : block.lines) asked_.again += asked_.values.emplace(line, response, reference).second ? 0U : 1U;
       }
     }
     asked_.lines.insert(block.lines.begin(), block.lines.end());

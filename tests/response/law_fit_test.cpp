@@ -211,7 +211,7 @@ RC_GTEST_PROP(LawFit, DerivativesAreThoseOfDifferences, ()) {
   const Eigen::VectorXd start = unknowns.start();
   const auto value = residuals.evaluate(start);
   RC_ASSERT(value.has_value());
-  const Eigen::Index i = at(static_cast<std::size_t>(any_of(static_cast<int>(free.size()))));
+  const Eigen::Index i = at(any_of(free.size()));
   const auto residual = [&](double step) -> Eigen::VectorXd {
     const auto moved = residuals.evaluate(start + step * Eigen::VectorXd::Unit(start.size(), i), value->states);
     RC_PRE(moved.has_value());

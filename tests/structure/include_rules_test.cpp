@@ -123,7 +123,7 @@ TEST(IncludeRules, TheRoomsKeepThem) {
 
 std::size_t files_in(const std::filesystem::path& directory) {
   std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(directory)) files += entry.is_regular_file() ? 1 : 0;
+  for (const auto& entry : std::filesystem::directory_iterator(directory)) files += entry.is_regular_file() ? 1U : 0U;
   return files;
 }
 

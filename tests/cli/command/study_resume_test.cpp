@@ -67,7 +67,7 @@ TEST(StudyResume, ADamagedResultIsRefused) {
     folder.write("a.h5", bad);
     const Outcome outcome = study(folder, {"--trials", "40", "--out", "a.h5", "--resume", "--csv", "-"});
     refused += outcome.code == 3 ? 1 : 0;
-    same += outcome.code == 0 && outcome.out == said ? 1 : 0;
+    same += outcome.code == 0 && outcome.out == said ? 1U : 0U;
     EXPECT_EQ(refused + same, i + 1) << "other statistics, or another exit code: " << outcome.code << outcome.err;
   }
   EXPECT_GT(refused, 5U);

@@ -149,7 +149,7 @@ TEST(check, covariances_say_that_the_hammers_noise_is_no_wrong_gain) {
     const problems::Measurement exact{problem.substructures, problem.assembly};
     const ident::CheckResult result = checked(problem, hammered(exact, seed, true));
     EXPECT_EQ(result.verdict, ident::Verdict::clean) << (result.suspects.empty() ? "" : result.suspects.front().evidence);
-    alone += checked(problem, hammered(exact, seed, false)).verdict == ident::Verdict::clean ? 0 : 1;
+    alone += checked(problem, hammered(exact, seed, false)).verdict == ident::Verdict::clean ? 0U : 1U;
   }
   EXPECT_GE(alone, 1u);
 }

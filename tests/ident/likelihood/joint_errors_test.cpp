@@ -85,7 +85,7 @@ TEST(JointErrors, AreWhatTheJointMovesByWhenAnFrfDoes) {
           const double deviation = std::sqrt(variance * errors.covariance(static_cast<Eigen::Index>(m), static_cast<Eigen::Index>(m)));
           EXPECT_NEAR(stated, expected, 2e-3 * deviation)
               << set.header.response[r].name() << "/" << set.header.reference[c].name() << " " << m;
-          told += std::abs(expected) > 0.02 * deviation ? 1 : 0;
+          told += std::abs(expected) > 0.02 * deviation ? 1U : 0U;
         }
       }
     }

@@ -112,8 +112,8 @@ TEST(SystematicScene, IntervalsHoldWithPriors) {
       };
       if (truth == 0.0 || !good.unknowns[i].ci95) continue;
       ++count;
-      inside += holds(good) ? 1 : 0;
-      inside_without += bad.unknowns[i].ci95 && holds(bad) ? 1 : 0;
+      inside += holds(good) ? 1U : 0U;
+      inside_without += bad.unknowns[i].ci95 && holds(bad) ? 1U : 0U;
     }
   }
   EXPECT_GE(static_cast<double>(inside), 0.85 * static_cast<double>(count));

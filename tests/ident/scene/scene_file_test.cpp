@@ -96,14 +96,14 @@ TEST(SceneText, ADamagedSceneIsAnInputErrorOrAnotherScene) {
   ASSERT_TRUE(is_scene(whole));
   std::size_t scenes = 0;
   for (std::size_t i = 0; i < whole.size(); ++i) {
-    scenes += is_scene(whole.substr(0, i)) ? 1 : 0;
+    scenes += is_scene(whole.substr(0, i)) ? 1U : 0U;
     std::string damaged = whole;
     for (const char c : {'"', '[', '.', '-', '9', '\n', '\0', '\xff'}) {
       damaged[i] = c;
-      scenes += is_scene(damaged) ? 1 : 0;
+      scenes += is_scene(damaged) ? 1U : 0U;
     }
     damaged.erase(i, 1);
-    scenes += is_scene(damaged) ? 1 : 0;
+    scenes += is_scene(damaged) ? 1U : 0U;
   }
   EXPECT_GT(scenes, 0u);
   EXPECT_LT(scenes, 10 * whole.size());
