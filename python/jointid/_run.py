@@ -14,7 +14,7 @@ from typing import Any
 from ._progress import watcher
 from ._provenance import of_arrays, of_file
 from ._scene import Scene
-from .errors import DoubtfulWarning, InputError, UnusableWarning
+from .errors import DoubtfulWarning, InputError, UnusableWarning, short
 from .results import Result
 
 
@@ -46,7 +46,7 @@ def stopped(names: Any, command: str, kind: type[Result]) -> Iterator[None]:
 def run_scene(scene: Scene, command: str, function: Callable, *options: Any, threads: int = 0, progress: Any = None,
               kind: type[Result] = Result) -> Any:
     if not hasattr(threads, "__index__") or isinstance(threads, bool) or threads < 0:
-        raise InputError(f"{threads!r} is no number of threads", place="threads", remedy="give 0 for all cores, or how many")
+        raise InputError(f"{short(threads)} is no number of threads", place="threads", remedy="give 0 for all cores, or how many")
     with stopped(scene, command, kind), watcher(progress) as watch, scene.errors():
         outcome = function(scene.text, scene.file, int(threads), watch, *options)
     result = kind(outcome, scene, command)
@@ -67,7 +67,7 @@ def with_options(task: Any, options: Mapping[str, Any], what: str) -> Any:
         try:
             setattr(task, name, _plain(value))
         except TypeError:
-            raise InputError(f"{value!r} is a {type(value).__name__}, which {name} does not take", place=name,
+            raise InputError(f"{short(value)} is a {type(value).__name__}, which {name} does not take", place=name,
                              remedy=f"see help(jointid.{what})") from None
     return task
 

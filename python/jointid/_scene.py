@@ -16,7 +16,7 @@ from typing import Any
 
 from . import _jointid
 from ._provenance import files_named, of_file, of_set, of_text
-from .errors import InputError
+from .errors import InputError, short
 
 _IN_MEMORY = "scene"  # what messages call a scene that is no file
 _LINE = re.compile(r"^((?:scene|\S*\.toml): )?line \d+(?:, column \d+)?(?:, |: |$)")  # of a text that nobody wrote
@@ -76,7 +76,7 @@ def _other_value(value: Any, place: str) -> str:
             return toml_value(kind(value), place)
     if isinstance(value, (list, tuple, set, frozenset, range)):
         return toml_value(list(value), place)
-    raise InputError(f"{value!r} is a {type(value).__name__}, which no scene can have", place=place,
+    raise InputError(f"{short(value)} is a {type(value).__name__}, which no scene can have", place=place,
                      remedy="give a number, text, bool, list, dict, array, path or FrfSet")
 
 
@@ -109,6 +109,11 @@ def _frf_set() -> type:
     return FrfSet
 
 
+def _no_scene(value: Any) -> InputError:
+    return InputError(f"{short(value)} is no scene", place="scene",
+                      remedy="give the path of a scene file, or a dict with the same keys")
+
+
 class Scene:
     """The text of a scene, and the FRFs in memory that it names.
 
@@ -124,13 +129,14 @@ class Scene:
         self.is_file = isinstance(scene, (str, os.PathLike))
         self.file = os.fspath(scene) if self.is_file else file or _IN_MEMORY
         if not self.is_file and not isinstance(scene, Mapping):
-            raise InputError(f"{type(scene).__name__} is no scene", place="scene",
-                             remedy="give the path of a scene file, or a dict with the same keys")
+            raise _no_scene(scene)
         self.text: str | bytes = _jointid.read_text(self.file) if self.is_file else toml_text(self._with_paths(scene))
 
     @staticmethod
     def table_of(file: str | os.PathLike) -> dict[str, Any]:
         """A scene file as a dict."""
+        if not isinstance(file, (str, os.PathLike)):
+            raise _no_scene(file)
         try:
             return tomllib.loads(_jointid.read_text(os.fspath(file)).decode("utf-8-sig"))
         except ValueError as error:
@@ -233,7 +239,7 @@ def pair_of(value: Any, place: str) -> tuple[float, float]:
     try:
         low, high = (float(number) for number in value)
     except (TypeError, ValueError):
-        raise InputError(f"{value!r} is no pair of numbers", place=place, remedy="give (low, high) in Hz") from None
+        raise InputError(f"{short(value)} is no pair of numbers", place=place, remedy="give (low, high) in Hz") from None
     return low, high
 
 
@@ -241,16 +247,10 @@ def whole_number(value: Any, place: str) -> int:
     try:
         number = value.__index__()
     except AttributeError:
-        raise InputError(f"{value!r} is no whole number", place=place, remedy="give e.g. 1000") from None
+        raise InputError(f"{short(value)} is no whole number", place=place, remedy="give e.g. 1000") from None
     if not 0 <= number < 2**64 or isinstance(value, bool):
-        raise InputError(f"{value!r} is no number from 0 to 2^64", place=place, remedy="give e.g. 1000")
+        raise InputError(f"{short(value)} is no number from 0 to 2^64", place=place, remedy="give e.g. 1000")
     return number
-
-
-def short(value: Any) -> str:
-    """Of any argument for a message: what it is, on one line."""
-    text = repr(value)
-    return text if len(text) < 60 and "\n" not in text else f"an object of type {type(value).__name__}"
 
 
 def paths_of(value: Any, place: str, also: str = "") -> list[str]:
@@ -262,6 +262,33 @@ def paths_of(value: Any, place: str, also: str = "") -> list[str]:
         raise TypeError
     except TypeError:
         raise InputError(f"{short(value)} is no path", place=place, remedy=f"give the path of a file, or a list of them{also}") from None
+
+
+def path_of(value: Any, place: str) -> str:
+    """One path as text."""
+    if isinstance(value, (str, os.PathLike)):
+        return paths_of(value, place)[0]
+    raise InputError(f"{short(value)} is no path", place=place, remedy="give the path of a file or a folder")
+
+
+def text_of(value: Any, place: str, remedy: str) -> str:
+    if isinstance(value, str):
+        return value
+    raise InputError(f"{short(value)} is no text", place=place, remedy=remedy)
+
+
+def table_of(value: Any, place: str) -> dict[str, Any]:
+    """A dict of an argument, as one of its own."""
+    if isinstance(value, Mapping):
+        return dict(value)
+    raise InputError(f"{short(value)} is no dict", place=place, remedy="give a dict with the keys of that table of a scene")
+
+
+def list_of(value: Any, place: str, remedy: str) -> list:
+    """Of a list or another iterable that is no text."""
+    if isinstance(value, Iterable) and not isinstance(value, (str, bytes, Mapping)):
+        return list(value)
+    raise InputError(f"{short(value)} is no list", place=place, remedy=remedy)
 
 
 def as_list(value: Any) -> list:

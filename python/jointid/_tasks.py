@@ -13,7 +13,7 @@ import numpy as np
 from . import _jointid
 from ._records import save_record
 from ._run import NoScene, run_scene, run_task, with_options
-from ._scene import Scene, as_list, paths_of, whole_number
+from ._scene import Scene, as_list, path_of, paths_of, whole_number
 from .errors import InputError
 from .files import open_options
 from .frf_set import FrfSet, real_numbers
@@ -136,7 +136,7 @@ def modalfit(frfs: Any, *, range: tuple[float, float] | None = None, modes: int 
     (40.0, 0.01)
     """
     scene = Scene({})
-    files = [scene.add(each) if isinstance(each, FrfSet) else paths_of(each, "frfs")[0] for each in as_list(frfs)]
+    files = [scene.add(each) if isinstance(each, FrfSet) else path_of(each, "frfs") for each in as_list(frfs)]
     task = with_options(_jointid.ModalTask(), {"range": range, "modes": modes, "poles": poles, "real": real, "damping": damping},
                          "modalfit")
     options = open_options(quantity, unit, None, None, None, None)
@@ -321,4 +321,4 @@ def write_problem(name: str, directory: str | os.PathLike, *, format: str = "h5"
     >>> os.path.basename(write_problem("A1", tempfile.mkdtemp(), format="uff"))
     'A1.toml'
     """
-    return _jointid.write_problem(str(name), os.fspath(directory), str(format), whole_number(seed, "seed"), bool(clean))
+    return _jointid.write_problem(str(name), path_of(directory, "directory"), str(format), whole_number(seed, "seed"), bool(clean))

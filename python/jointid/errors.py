@@ -2,7 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 __all__ = ["InputError", "JointidWarning", "DoubtfulWarning", "UnusableWarning", "DataWarning"]
+
+
+def short(value: Any) -> str:
+    """Of any argument for a message: what it is, on one line."""
+    text = repr(value)
+    return text if len(text) < 60 and "\n" not in text else f"an object of type {type(value).__name__}"
 
 
 class InputError(ValueError):

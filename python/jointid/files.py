@@ -9,7 +9,7 @@ from typing import Any
 
 from . import _jointid
 from ._progress import watcher
-from ._scene import paths_of
+from ._scene import path_of, paths_of, text_of
 from .errors import DataWarning, InputError
 from .frf_set import FrfSet, at_zero, dofs_of
 
@@ -18,12 +18,13 @@ __all__ = ["read", "write"]
 
 def open_options(quantity, unit, responses, references, variable, frequency_variable):
     options = _jointid.OpenOptions()
-    options.quantity = quantity
-    options.unit = unit or ""
+    options.quantity = None if quantity is None else text_of(quantity, "quantity", "write receptance, mobility or accelerance")
+    options.unit = "" if unit is None else text_of(unit, "unit", "write e.g. m/N or g/N")
     options.responses = [str(dof) for dof in dofs_of(responses, "responses")] if responses is not None else []
     options.references = [str(dof) for dof in dofs_of(references, "references")] if references is not None else []
-    options.variable = variable or ""
-    options.frequency_variable = frequency_variable or ""
+    options.variable = "" if variable is None else text_of(variable, "variable", "give the name of an array in the file")
+    options.frequency_variable = "" if frequency_variable is None else \
+        text_of(frequency_variable, "frequency_variable", "give the name of an array in the file")
     return options
 
 
@@ -89,4 +90,4 @@ def write(path: str | os.PathLike, frfs: FrfSet, format: str = "") -> None:
         hint = " (the path comes first)" if isinstance(path, FrfSet) else ""
         raise InputError(f"{type(frfs).__name__} is no FrfSet{hint}", place="frfs",
                          remedy="jointid.FrfSet(array, frequency, dofs) makes one")
-    _jointid.write(frfs._parts(), os.fspath(path), format)
+    _jointid.write(frfs._parts(), path_of(path, "path"), text_of(format, "format", "write h5, uff, mat or csv"))

@@ -11,9 +11,9 @@ import numpy as np
 
 from . import _jointid
 from ._arithmetic import scaled, summed
-from ._scene import pair_of
+from ._scene import pair_of, text_of
 from .dof import Dof
-from .errors import DataWarning, InputError
+from .errors import DataWarning, InputError, short
 
 __all__ = ["FrfSet"]
 
@@ -29,7 +29,10 @@ def _numbers(value: Any, dtype: type, place: str) -> np.ndarray:
     """As a contiguous array of float64 or complex128: the array itself where it is one."""
     if isinstance(value, np.ma.MaskedArray):  # what is masked was not measured
         value = value.astype(dtype).filled(np.nan)
-    array = np.asarray(value)
+    try:
+        array = np.asarray(value)
+    except ValueError as error:  # of lists of unequal lengths
+        raise _refuse(place, f"it makes no array: {error}", "give rows of the same length") from None
     valid = "biufc" if dtype is complex else "biuf"
     if array.dtype.kind not in valid:
         raise _refuse(place, f"an array of {array.dtype} holds no {'complex' if dtype is complex else 'real'} numbers",
@@ -59,7 +62,7 @@ def dofs_of(names: Iterable[str] | str, place: str) -> tuple[Dof, ...]:
     except InputError as error:
         raise InputError(error.problem, place=place, remedy=error.remedy, kind="data") from None
     except TypeError:
-        raise _refuse(place, f"{names!r} is no list of DOFs", 'give e.g. ["4:+Y", "4:+RZ"]') from None
+        raise _refuse(place, f"{short(names)} is no list of DOFs", 'give e.g. ["4:+Y", "4:+RZ"]') from None
     return dofs
 
 
@@ -75,7 +78,7 @@ def _positions(nodes: Any) -> dict[int, tuple[float, float, float]]:
     if hasattr(nodes, "itertuples"):
         nodes = {row[0]: row[1:] for row in nodes.itertuples()}
     try:
-        found: dict[int, Any] = {int(node): tuple(float(x) for x in place) for node, place in nodes.items()}
+        found: dict[int, Any] = {_node_number(node): tuple(float(x) for x in place) for node, place in nodes.items()}
     except (AttributeError, TypeError, ValueError):
         raise _refuse("nodes", "they are no positions of node numbers", "give {4: (0.1, 0.0, 0.25)}, in m") from None
     wrong = next((node for node, place in found.items() if len(place) != 3), None)
@@ -84,17 +87,26 @@ def _positions(nodes: Any) -> dict[int, tuple[float, float, float]]:
     return found
 
 
+def _node_number(node: Any) -> int:
+    number = int(node)
+    if not isinstance(node, str) and number != node:
+        raise ValueError(node)
+    return number
+
+
 def _number(value: Any, place: str) -> float:
     try:
         return float(value)
     except (TypeError, ValueError):
-        raise _refuse(place, f"{value!r} is no number", "give e.g. 5") from None
+        raise _refuse(place, f"{short(value)} is no number", "give e.g. 5") from None
 
 
 def _word(value: Any) -> str:
-    if isinstance(value, str):
-        return _jointid.quantity_word(value)
-    raise _refuse("quantity", f"{value!r} is no text", "write receptance, mobility or accelerance")
+    return _jointid.quantity_word(text_of(value, "quantity", "write receptance, mobility or accelerance"))
+
+
+def _quantity_of_unit(unit: Any) -> str:
+    return _jointid.quantity_of_unit(text_of(unit, "unit", "write e.g. m/N, m/s/N or g/N"))
 
 
 def _precision(array: Any) -> float:
@@ -152,7 +164,7 @@ class FrfSet:
         self.name = str(name)
         self.responses = dofs_of(responses, "responses")
         self.references = self.responses if references is None else dofs_of(references, "references")
-        self.quantity = _jointid.quantity_of_unit(unit) if unit is not None else _word(quantity)
+        self.quantity = _word(quantity) if unit is None else _quantity_of_unit(unit)
         self.frequency = _numbers(frequency, float, "frequency").reshape(-1)
         self.averages = _number(averages, "averages")
         self.nodes = _positions(nodes)
@@ -343,7 +355,7 @@ class FrfSet:
         if isinstance(key, tuple) and len(key) == 2 and all(isinstance(each, str) for each in key):
             key = (slice(None), *key)
         if not (isinstance(key, tuple) and len(key) == 3):
-            raise InputError(f"{key!r} is no pair of DOFs", place="frfs[...]",
+            raise InputError(f"{short(key)} is no pair of DOFs", place="frfs[...]",
                              remedy='write frfs["4:+Y", "1:+Y"], frfs[line, response, reference] or frfs.sel(...)')
         line, response, reference = key
         sign = 1
@@ -492,7 +504,7 @@ class FrfSet:
 
     def values_in(self, unit: str) -> np.ndarray:
         """A copy of the numbers in another unit, also of another quantity: ``frfs.values_in("g/N")``. For translations only."""
-        quantity = _jointid.quantity_of_unit(unit)
+        quantity = _quantity_of_unit(unit)
         return self.to(quantity).frfs / self._like(quantity=quantity)._factor(unit)
 
     # Elsewhere.
