@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import os
-import pathlib
 import tempfile
 from typing import Any
 
 from . import _jointid
 from ._progress import watcher
 from ._run import NoScene, stopped
-from ._scene import path_of, text_of, whole_number
+from ._scene import path_of, text_of, whole_number, write_text
 from .errors import InputError
 from .results import Result, Solution
 
@@ -68,5 +67,5 @@ def export(of: Any, out: str | os.PathLike | None = None, *, to: str, way: str =
             {ending: text.replace(file, "a solution of jointid.identify()") for ending, text in found.items()}
     if out is not None:
         for ending, text in files.items():
-            pathlib.Path(path_of(out, "out") + ending).write_text(text, encoding="utf-8")
+            write_text(path_of(out, "out") + ending, text)
     return files

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from .errors import InputError, short
-from .frf_set import FrfSet, dofs_of
+from .frf_set import FrfSet, complex_numbers, dofs_of
 
 _KINDS = {"displacement": "receptance", "velocity": "mobility", "acceleration": "accelerance", "force": "receptance"}
 
@@ -47,7 +47,7 @@ def phasors(values: Any, frequency: Any, dofs: Iterable[str], *, kind: str = "di
     """
     if kind not in _KINDS:
         raise InputError(f"{short(kind)} is no kind of phasor", place="kind", remedy="give one of " + ", ".join(_KINDS))
-    array = np.asarray(values)
+    array = complex_numbers(values, "values")
     if array.ndim != 2:
         raise InputError(f"it has {array.ndim} axes, not 2", place="values", kind="data", remedy="the axes are [line, DOF]")
     own = dofs_of(dofs, "dofs")

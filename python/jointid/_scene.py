@@ -76,7 +76,7 @@ def _other_value(value: Any, place: str) -> str:
             return toml_value(kind(value), place)
     if isinstance(value, (list, tuple, set, frozenset, range)):
         return toml_value(list(value), place)
-    raise InputError(f"{short(value)} is a {type(value).__name__}, which no scene can have", place=place,
+    raise InputError(f"{short(value)} is of type {type(value).__name__}, which no scene can have", place=place,
                      remedy="give a number, text, bool, list, dict, array, path or FrfSet")
 
 
@@ -87,7 +87,7 @@ def _below(place: str, key: str) -> str:
 def _key(key: Any, place: str) -> str:
     if isinstance(key, str):
         return key
-    raise InputError(f"the key {key!r} is a {type(key).__name__}", place=place, remedy="keys are text")
+    raise InputError(f"the key {short(key)} is of type {type(key).__name__}", place=place or "scene", remedy="keys are text")
 
 
 def toml_text(scene: Mapping) -> str:
@@ -112,6 +112,17 @@ def _frf_set() -> type:
 def _no_scene(value: Any) -> InputError:
     return InputError(f"{short(value)} is no scene", place="scene",
                       remedy="give the path of a scene file, or a dict with the same keys")
+
+
+_OPTION = re.compile(r"--([a-z][a-z-]*)(?: [A-Z]+\b)?")  # "--rate HZ"
+_QUOTED = r"'[^']*'"
+_LISTED = re.compile(rf"--([a-z][a-z-]*) {_QUOTED}(?: --\1 {_QUOTED})+")  # "--channel '1=1:+Z N' --channel '2=4:+Z m/s^2'"
+
+
+def with_arguments(text: str) -> str:
+    """A message with arguments of functions in place of options of the command."""
+    text = _LISTED.sub(lambda option: f"{option[1]}=[{', '.join(re.findall(_QUOTED, option[0]))}]", text)
+    return _OPTION.sub(lambda option: option[1].replace("-", "_") + ("" if text[option.end():option.end() + 1] in ("", ":") else "="), text)
 
 
 class Scene:
@@ -139,6 +150,8 @@ class Scene:
             raise _no_scene(file)
         try:
             return tomllib.loads(_jointid.read_text(os.fspath(file)).decode("utf-8-sig"))
+        except InputError:
+            raise
         except ValueError as error:
             raise InputError(str(error), file=os.fspath(file), remedy="see https://toml.io") from None
 
@@ -227,11 +240,10 @@ class Scene:
 
     def _readable(self, error: InputError) -> InputError:
         def readable(text: str) -> str:
-            text = self.named(text)
+            text = with_arguments(self.named(text))
             return text if self.is_file else _LINE.sub(r"\1", text)
 
-        return InputError(readable(error.problem), file=self.named(error.file), place=readable(error.place),
-                          remedy=readable(error.remedy), kind=error.kind, what=readable(error.what))
+        return error.with_texts(readable)
 
 
 def pair_of(value: Any, place: str) -> tuple[float, float]:
@@ -271,6 +283,21 @@ def path_of(value: Any, place: str) -> str:
     raise InputError(f"{short(value)} is no path", place=place, remedy="give the path of a file or a folder")
 
 
+def write_text(path: str, text: str) -> None:
+    """A file that is complete or not there."""
+    temporary = f"{path}.{os.getpid()}.part"
+    try:
+        with open(temporary, "w", encoding="utf-8") as stream:
+            stream.write(text)
+        os.replace(temporary, path)
+    except OSError as error:
+        raise InputError(f"cannot be written: {error.strerror}", file=path, kind="data",
+                         remedy="check the folder, its permissions and the space left on the disk") from None
+    finally:
+        if os.path.exists(temporary):
+            os.remove(temporary)
+
+
 def text_of(value: Any, place: str, remedy: str) -> str:
     if isinstance(value, str):
         return value
@@ -292,12 +319,14 @@ def list_of(value: Any, place: str, remedy: str) -> list:
 
 
 def as_list(value: Any) -> list:
-    """One set or path as a list of one."""
+    """One set or path as a list of one; lists may have lists of files that measure the same."""
     if isinstance(value, (str, os.PathLike, _frf_set())):
         return [value]
-    if hasattr(value, "dtype") or hasattr(value, "read"):
-        raise InputError(f"{short(value)} is neither a path nor a set of FRFs", place="data",
-                         remedy="jointid.FrfSet(array, frequency, dofs) makes a set")
-    if isinstance(value, Iterable) and not isinstance(value, Mapping):
-        return list(value)
-    raise InputError(f"{short(value)} is neither a path nor a set of FRFs", place="data", remedy="give paths and FrfSets, or a list of them")
+    array = any(hasattr(value, name) for name in ("dtype", "read", "columns", "dims"))
+    if array or not isinstance(value, Iterable) or isinstance(value, (bytes, Mapping)):
+        raise InputError(f"{short(value)} is neither a path nor a set of FRFs", place="data", remedy=_MAKES_A_SET if array else
+                         "give paths and FrfSets, or a list of them")
+    return [as_list(each) if isinstance(each, (list, tuple)) else as_list(each)[0] for each in value]
+
+
+_MAKES_A_SET = "jointid.FrfSet(array, frequency, dofs) makes a set; so do from_xarray() and from_pandas() of jointid.bridges"

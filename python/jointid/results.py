@@ -13,7 +13,7 @@ import numpy as np
 
 from ._progress import watcher
 from ._provenance import provenance
-from ._scene import path_of
+from ._scene import path_of, write_text
 from .dof import Dof
 from .errors import InputError
 
@@ -264,14 +264,7 @@ class Result:
         text = makers[ending]()  # type: ignore[operator]
         if text is None:
             raise InputError(f"{self._command} has no {ending}", file=path, remedy="write .json or .txt")
-        temporary = f"{path}.{os.getpid()}.part"
-        try:
-            with open(temporary, "w", encoding="utf-8") as stream:
-                stream.write(text)
-            os.replace(temporary, path)
-        finally:
-            if os.path.exists(temporary):
-                os.remove(temporary)
+        write_text(path, text)
 
     def __repr__(self) -> str:
         """The text, as far as one screen has lines."""
