@@ -213,8 +213,8 @@ def frf(files: Any, *, progress: Any = None, **options: Any) -> FrfResult:
 
     Parameters
     ----------
-    files : path or paths: .npy, CSV or text, MATLAB, HDF5, UFF 58; or an array [sample, channel], or several
-        (one a hit), or [hit, sample, channel]; or a DataFrame of channels
+    files : path or paths, an array [sample, channel], several of these (one a hit), [hit, sample, channel], or a DataFrame
+        Files are .npy, CSV or text, MATLAB, HDF5, UFF 58. A DataFrame has a column for each channel.
     options : channel (["2=1:+Z N", ...]), time, rate, reference, shaker, block, pretrigger, trigger, second_blow, force_window,
         exponential, overlap, window, remove_mean, reject, keep_faulty, estimator, variances, highest: as those of the command
 
