@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/error.hpp"
 #include "correlation/common_places.hpp"
 #include "correlation/criteria.hpp"
 #include "frf/set/recorded_variance.hpp"

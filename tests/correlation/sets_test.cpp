@@ -1,5 +1,5 @@
 // Sets of FRFs and modes of two sources: signs, gaps, noise, what they do not share.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <random>
