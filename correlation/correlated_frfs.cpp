@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/error.hpp"
 #include "correlation/common_places.hpp"
 #include "correlation/criteria.hpp"
 #include "frf/set/recorded_variance.hpp"
@@ -127,8 +128,13 @@ ShapesOverLines shapes_over_lines(const frf::FrfSet& one, const frf::FrfSet& oth
   const std::vector<Match> found = common_dofs({reference}, other.header.reference);
   const std::size_t place = frf::find_coordinate(one.header.reference, reference);
   if (place == frf::npos || found.empty()) {
-    fail_nothing_common(one.header.file, other.header.file, "references", some_names(one.header.reference),
-                        some_names(other.header.reference));
+    std::vector<frf::Dof> valid;
+    for (const Match& each : sets.common.references) valid.push_back(one.header.reference[each.one]);
+    throw InputError({.kind = ErrorKind::usage,
+                      .file = "",
+                      .place = "FDAC",
+                      .problem = reference.name() + " is no reference of both " + one.header.file + " and " + other.header.file,
+                      .remedy = "name one of " + some_names(valid)});
   }
   const Match both{place, found.front().other, 1.0};
   const auto n = static_cast<Eigen::Index>(sets.common.responses.size()),

@@ -31,8 +31,8 @@ MatrixXcd serep(const MatrixXcd& shapes, const Places& b) {
   throw InputError({.kind = ErrorKind::data,
                     .file = "",
                     .place = "SEREP",
-                    .problem = std::to_string(shapes.cols()) + " modes are kept, but the coordinates that were measured tell " +
-                               std::to_string(rank) + " apart",
+                    .problem = std::to_string(shapes.cols()) + " modes are kept, but the coordinates that were measured distinguish " +
+                               std::to_string(rank),
                     .remedy = "keep at most as many modes, or measure more coordinates"});
 }
 

@@ -297,8 +297,7 @@ class Lines {
     if (std::ranges::any_of(fits_of, [](const LineFit& fit) { return fit.value.z.size() > 0; })) return;
     ident::fail(scene_.scene, "[data]", "no line has the FRFs that a way to Z begins from",
                 "measure both systems at the joint, or H(n,j) of both at as many other DOFs as the joint has, or H(n,n) of both "
-                "and H(j,n) of "
-                "the parts; else identify matrices ([joint.stiffness])");
+                "and H(j,n) of the parts. Else identify matrices ([joint.stiffness])");
   }
 
   const LineScene& scene_;

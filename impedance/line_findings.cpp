@@ -91,9 +91,8 @@ void judge_fit(const ident::Plan& plan, const LineScene& scene, const MakeFreeFi
   out.freedom = total.freedom;
   if (!(out.freedom > 0.0)) {
     tell(Status::doubtful,
-         "Nothing can contradict this answer: there are as many unknowns as FRFs. Add FRFs away from the joint, or a structure "
-         "such as "
-         "lines = \"massless\".",
+         "Nothing can contradict this answer: there are as many unknowns as FRFs. Add FRFs at internal DOFs, or a structure "
+         "such as lines = \"massless\".",
          out);
     return;
   }

@@ -109,7 +109,8 @@ void bind_options(py::module_& module) {
           "references", [](const OpenOptions& of) { return frf::names(of.reference); },
           [](OpenOptions& of, const py::object& names) { of.reference = dofs_of(names); })
       .def_readwrite("variable", &OpenOptions::variable)
-      .def_readwrite("frequency_variable", &OpenOptions::frequency_variable);
+      .def_readwrite("frequency_variable", &OpenOptions::frequency_variable)
+      .def_readwrite("frequency_unit", &OpenOptions::frequency_unit);
 }
 
 /// node, direction ("X" … "RZ"), sign.

@@ -137,7 +137,7 @@ void require_ending(const OutputFile& output) {
   if (kind == own.end() || !telling.contains(ending) || std::ranges::find(kind->second, ending) != kind->second.end()) return;
   std::string names;
   for (const std::string& each : kind->second) names += " " + each;
-  refuse_use(output.words(), "would not be a file of the kind that " + ending + " says", "name it" + names);
+  refuse_use(output.words(), "would not be a file of the kind that " + ending + " names", "name it" + names);
 }
 
 /// "-" is standard output, a file where the shell says so.

@@ -1,6 +1,6 @@
 """Which friction law has a joint that I can only shake: FRFs of the part, and arrays of forces and motions at a few force levels?
 
-phasors() makes sets of arrays [line, DOF]; harmonic n of a force at f stands at n·f.
+phasors() makes sets of arrays [line, DOF]; harmonic n of a force at f is at n·f.
 """
 
 import tempfile

@@ -1,4 +1,4 @@
-"""What can a test tell about the joint, before it is made, and what would a further sensor bring?
+"""What can a test find out about the joint, before it is made, and what would a further sensor bring?
 
 bound() takes FRFs of a model or of an earlier test, a noise and a guess of the joint: the Cramér–Rao bound of every unknown.
 """

@@ -1,6 +1,6 @@
 """Which method, which weighting?
 
-compare() runs every combination on the same trials with simulated noise and tells error and run time of each.
+compare() runs every combination on the same trials with simulated noise and reports error and run time of each.
 """
 
 import tempfile

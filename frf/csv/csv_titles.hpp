@@ -45,8 +45,8 @@ std::optional<CsvHeaderPlace> find_csv_header(std::string_view text, char separa
 
 /// What to do about a table without titles.
 inline constexpr std::string_view write_titles =
-    "write one above them, with the same sign between its cells, e.g. 'Frequency [Hz]', 'Real [m/s^2/N]', 'Imaginary [m/s^2/N]' (or "
-    "Magnitude and Phase [deg]; a column before them that counts the lines is titled No), or export a universal file (UFF 58)";
+    "write one above them, with the same sign between its cells, e.g. 'Frequency [Hz]', 'Real [m/s^2/N]', 'Imaginary [m/s^2/N]', or "
+    "Magnitude and Phase [deg]. A column before them that counts the lines is titled No. Or export a universal file (UFF 58)";
 
 /// The first line of numbers of a text that has no row of titles above it; 0 where there is none.
 std::size_t line_without_titles(std::string_view text);

@@ -175,7 +175,7 @@ const Format& format_of(const std::filesystem::path& path) {
     fail(path, "holds numbers from line " + std::to_string(line) + " on without a row of titles, which states what each column holds",
          std::string(write_titles));
   fail(path, "begins with " + shown(head) + " and is no FRF file that this program knows",
-       "give jointid-frf HDF5, UFF, MATLAB v5 to v7.3, CSV or the text export of an analyser; a table of text has a row of "
+       "give jointid-frf HDF5, UFF, MATLAB v5 to v7.3, CSV or the text export of an analyser. A table of text has a row of "
        "titles that begins with Frequency, and commas, semicolons, tabs or blanks between its columns");
 }
 

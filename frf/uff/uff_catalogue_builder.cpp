@@ -91,7 +91,7 @@ std::string unnamed_frf(const std::vector<Dataset>& datasets) {
                       .place = alike + ", record 6",
                       .problem = "no frequency response functions; the file holds " + contents(datasets),
                       .remedy =
-                          "its values are complex, of a motion over a force and over frequencies: if they are FRFs, write 4 "
+                          "its values are complex, of a motion over a force and over frequencies. If they are FRFs, write 4 "
                           "in columns 1 to 5 of record 6 of each, or export them as function type 4"});
   throw InputError(
       {.kind = ErrorKind::data,

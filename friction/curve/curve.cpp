@@ -43,7 +43,7 @@ std::vector<std::vector<double>> series_derivatives(const Element& element, cons
 }
 
 void require(bool holds, const Curve& curve, const char* what) {
-  if (!holds) refuse((curve.name.empty() ? "curve" : curve.name) + ": " + what);
+  if (!holds) refuse((curve.name.empty() ? "curve" : curve.name) + ": " + what, "correct the curve, or leave it out");
 }
 
 bool finite(const std::vector<double>& values) {

@@ -144,11 +144,20 @@ void DataPage::show_files() {
     auto* item = new QTreeWidgetItem(groups[file.is_assembly ? 1 : 0], {QString::fromStdString(file.name)});
     item->setData(0, file_role, static_cast<qulonglong>(i));
     item->setToolTip(0, QString::fromStdString(file.error));
-    if (!file.error.empty()) item->setForeground(0, colours(theme_of(palette())).error);
   }
   for (QTreeWidgetItem* group : groups) group->setFlags(Qt::ItemIsEnabled);
+  colour_files();
   tree_->expandAll();
   if (!files_.empty()) choose_file(before < files_.size() ? before : 0);
+}
+
+/// Those that cannot be read, in the colour of errors.
+void DataPage::colour_files() {
+  for (QTreeWidgetItemIterator item(tree_); *item != nullptr; ++item) {
+    const QVariant number = (*item)->data(0, file_role);
+    if (number.isValid() && !files_[number.toULongLong()].error.empty())
+      (*item)->setForeground(0, colours(theme_of(palette())).error);
+  }
 }
 
 void DataPage::choose_file(std::size_t file) {
@@ -255,7 +264,9 @@ void DataPage::use_as_joint() {
 
 void DataPage::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange && model_ != nullptr) model_->set_theme(theme_of(palette()));
+  if (event->type() != QEvent::PaletteChange || model_ == nullptr) return;
+  model_->set_theme(theme_of(palette()));
+  colour_files();
 }
 
 }  // namespace jointid::gui

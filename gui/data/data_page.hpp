@@ -46,6 +46,7 @@ class DataPage : public QWidget {
  private:
   void add_left();
   void show_files();
+  void colour_files();
   void show_file();
   void show_figures(std::size_t file, std::vector<EntryFigures> figures);
   std::size_t most_wanted() const;
@@ -60,7 +61,7 @@ class DataPage : public QWidget {
   QComboBox* figure_;
   QCheckBox* everywhere_;
   QTableView* table_;
-  FrfGridModel* model_;
+  FrfGridModel* model_ = nullptr;
   FrfPlot* plot_;
   Worker* worker_;
   std::vector<LoadedFile> files_;

@@ -5,7 +5,6 @@
 #include <QComboBox>
 #include <QDir>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLineEdit>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -16,7 +15,7 @@
 #include "gui/look/dialogs.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/said.hpp"
-#include "gui/look/theme.hpp"
+#include "gui/look/status_label.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -49,7 +48,8 @@ Field::Field(std::string table, std::string key, std::optional<ValueKind> as_wri
   const bool is_choice = kind_ == ValueKind::word || kind_ == ValueKind::flag;
   row->addWidget(is_choice ? make_choice() : make_line(), 1);
   if (!as_written && names_files(table_, key_)) row->addWidget(make_files_button());
-  error_ = named(new QLabel, "field_error", tr("Error in %1").arg(accessible_name(table_, key_)));
+  error_ = named(new StatusLabel, "field_error", tr("Error in %1").arg(accessible_name(table_, key_)));
+  error_->set_bad(true);
   error_->setWordWrap(true);
   error_->setTextFormat(Qt::PlainText);
   error_->hide();
@@ -151,7 +151,6 @@ void Field::lock(const QString& why) {
 
 void Field::set_error(const QString& error) {
   error_->setText(error);
-  error_->setStyleSheet(QStringLiteral("color: %1").arg(colours(theme_of(palette())).error.name()));
   error_->setVisible(!error.isEmpty());
 }
 

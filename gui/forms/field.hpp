@@ -7,12 +7,12 @@
 #include "gui/scene/scene_words.hpp"
 
 class QComboBox;
-class QLabel;
 class QLineEdit;
 
 namespace jointid::gui {
 
 class ListCompleter;
+class StatusLabel;
 
 /// A key of the scene to be filled in: a choice where the reader takes words or true and false, else a line. What is wrong with
 /// it stands below it.
@@ -63,7 +63,7 @@ class Field : public QWidget {
   QLineEdit* line_ = nullptr;
   QComboBox* choice_ = nullptr;
   ListCompleter* completer_ = nullptr;
-  QLabel* error_;
+  StatusLabel* error_;
   bool pending_ = false;  ///< typed, and not yet handed on
 };
 

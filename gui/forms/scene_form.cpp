@@ -13,6 +13,7 @@
 #include "gui/forms/field_text.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/said.hpp"
+#include "gui/look/status_label.hpp"
 #include "gui/scene/completion_place.hpp"
 #include "gui/scene/joints_edit.hpp"
 #include "gui/scene/scene_words.hpp"
@@ -158,7 +159,8 @@ void SceneForm::add_box(const std::string& table, const QString& title, QVBoxLay
   auto* rows = new QFormLayout(box);
   rows->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   rows->setRowWrapPolicy(QFormLayout::WrapLongRows);
-  auto* error = named(new QLabel, "section_error", tr("Errors in these fields"));
+  auto* error = named(new StatusLabel, "section_error", tr("Errors in these fields"));
+  error->set_bad(true);
   error->setWordWrap(true);
   error->setTextFormat(Qt::PlainText);
   error->hide();

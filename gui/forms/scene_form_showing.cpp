@@ -7,7 +7,6 @@
 #include "gui/forms/field.hpp"
 #include "gui/forms/scene_form.hpp"
 #include "gui/look/said.hpp"
-#include "gui/look/theme.hpp"
 #include "gui/scene/completion_place.hpp"
 #include "gui/scene/joints_edit.hpp"
 #include "gui/scene/several_edit.hpp"
@@ -200,7 +199,6 @@ void SceneForm::show_error(const SceneError& error) {
   }
   if (nearest == nullptr) return;
   nearest->error->setText(sentence(error));
-  nearest->error->setStyleSheet(QStringLiteral("color: %1").arg(colours(theme_of(palette())).error.name()));
   nearest->error->show();
 }
 

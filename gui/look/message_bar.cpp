@@ -1,21 +1,19 @@
 #include "gui/look/message_bar.hpp"
 
 #include <QAccessible>
-#include <QEvent>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
 
 #include "gui/look/named.hpp"
-#include "gui/look/theme.hpp"
+#include "gui/look/status_label.hpp"
 
 namespace jointid::gui {
 
 MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
   named(this, "message_bar", tr("Message"));
   setFrameShape(QFrame::StyledPanel);
-  label_ = named(new QLabel, "message", tr("Message"));
+  label_ = named(new StatusLabel, "message", tr("Message"));
   label_->setWordWrap(true);
   label_->setTextFormat(Qt::PlainText);
   label_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
@@ -65,22 +63,11 @@ void MessageBar::show_action(const QString& action, std::function<void()> act) {
 }
 
 void MessageBar::show_text(const QString& text, bool bad) {
-  bad_ = bad;
+  label_->set_bad(bad);
   label_->setText(text);
-  colour();
   show();
   QAccessibleEvent event(label_, QAccessible::Alert);
   QAccessible::updateAccessibility(&event);
-}
-
-void MessageBar::colour() {
-  const Colours use = colours(theme_of(palette()));
-  label_->setStyleSheet(QStringLiteral("color: %1").arg((bad_ ? use.error : use.text).name()));
-}
-
-void MessageBar::changeEvent(QEvent* event) {
-  QFrame::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) colour();
 }
 
 }  // namespace jointid::gui

@@ -3,10 +3,11 @@
 #include <QFrame>
 #include <functional>
 
-class QLabel;
 class QPushButton;
 
 namespace jointid::gui {
+
+class StatusLabel;
 
 /// A line above a page that says what happened, with at most one thing to do about it. It waits to be read instead of stopping
 /// the user.
@@ -23,18 +24,13 @@ class MessageBar : public QFrame {
   void offer(const QString& text, const QString& action, std::function<void()> act);
   QString text() const;
 
- protected:
-  void changeEvent(QEvent* event) override;
-
  private:
   void show_action(const QString& action, std::function<void()> act);
   void show_text(const QString& text, bool bad);
-  void colour();
 
-  QLabel* label_;
+  StatusLabel* label_;
   QPushButton* action_;
   std::function<void()> act_;
-  bool bad_ = false;
 };
 
 }  // namespace jointid::gui

@@ -1,20 +1,18 @@
 #include "gui/page/job_line.hpp"
 
-#include <QEvent>
-#include <QLabel>
 #include <QLayout>
 
 #include "gui/look/buttons.hpp"
 #include "gui/look/job_progress.hpp"
 #include "gui/look/named.hpp"
-#include "gui/look/theme.hpp"
+#include "gui/look/status_label.hpp"
 
 namespace jointid::gui {
 
 JobLine::JobLine(const std::string& name, const QString& accessible_name, const QString& cancel_hint, QWidget* parent)
     : QWidget(parent), worker_(new Worker(this)), cancelled_text_(tr("Cancelled.")) {
   named(this, (name + "_line").c_str(), accessible_name);
-  status_ = named(new QLabel, (name + "_status").c_str(), accessible_name);
+  status_ = named(new StatusLabel, (name + "_status").c_str(), accessible_name);
   progress_ = new JobProgress((name + "_progress").c_str());
   cancel_ = push_button((name + "_cancel").c_str(), tr("Cancel"), cancel_hint);
   cancel_->setEnabled(false);
@@ -36,21 +34,10 @@ JobLine::JobLine(const std::string& name, const QString& accessible_name, const 
 }
 
 void JobLine::say(const QString& text, bool bad) {
-  bad_ = bad;
-  colour();
+  status_->set_bad(bad);
   status_->setText(text);
 }
 
 QString JobLine::status() const { return status_->text(); }
-
-void JobLine::colour() {
-  const Colours use = colours(theme_of(palette()));
-  status_->setStyleSheet(QStringLiteral("color: %1").arg((bad_ ? use.error : use.text).name()));
-}
-
-void JobLine::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) colour();
-}
 
 }  // namespace jointid::gui

@@ -5,12 +5,12 @@
 
 #include "gui/work/worker.hpp"
 
-class QLabel;
 class QPushButton;
 
 namespace jointid::gui {
 
 class JobProgress;
+class StatusLabel;
 
 /// The worker of a page, what came of its jobs in a line of text, how far it is, and the button that cancels.
 class JobLine : public QWidget {
@@ -36,18 +36,12 @@ class JobLine : public QWidget {
   void failed(const jointid::InputError& error);
   void busy_changed(bool busy);
 
- protected:
-  void changeEvent(QEvent* event) override;
-
  private:
-  void colour();
-
   Worker* worker_;
-  QLabel* status_;
+  StatusLabel* status_;
   JobProgress* progress_;
   QPushButton* cancel_;
   QString cancelled_text_;
-  bool bad_ = false;
 };
 
 }  // namespace jointid::gui

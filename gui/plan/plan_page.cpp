@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QLabel>
 #include <QLineEdit>
 #include <QSplitter>
 #include <QVBoxLayout>
@@ -14,7 +13,7 @@
 #include "gui/look/named.hpp"
 #include "gui/look/output.hpp"
 #include "gui/look/paths.hpp"
-#include "gui/look/theme.hpp"
+#include "gui/look/status_label.hpp"
 #include "gui/plan/candidate_rows.hpp"
 #include "gui/solve/solution_tables.hpp"
 #include "gui/solve/solve_job.hpp"
@@ -25,7 +24,7 @@ namespace jointid::gui {
 PlanPage::PlanPage(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Test planning"));
   worker_ = new Worker(this);
-  status_ = named(new QLabel, "bound_status", tr("Status of the prediction"));
+  status_ = named(new StatusLabel, "bound_status", tr("Status of the prediction"));
   progress_ = new JobProgress("bound_progress");
   bounds_ = new CellTable("bound_table", tr("Smallest standard errors, and the effect of leaving out data"));
   ranking_ = new CellTable("candidate_table", tr("Candidates, best first"));
@@ -93,8 +92,7 @@ bool PlanPage::is_busy() const { return worker_->is_busy(); }
 QString PlanPage::status() const { return status_->text(); }
 
 void PlanPage::say(const QString& text, bool bad) {
-  const Colours use = colours(theme_of(palette()));
-  status_->setStyleSheet(bad ? QStringLiteral("color: %1").arg(use.error.name()) : QString());
+  status_->set_bad(bad);
   status_->setText(text);
 }
 

@@ -6,7 +6,6 @@
 #include "gui/work/worker.hpp"
 #include "tasks/bound_report.hpp"
 
-class QLabel;
 class QLineEdit;
 class QPushButton;
 
@@ -15,6 +14,7 @@ namespace jointid::gui {
 class CellTable;
 class JobProgress;
 class ListCompleter;
+class StatusLabel;
 
 /// Before measuring: the smallest errors that the data allow, and what further coordinates would bring, as `jointid plan --bound
 /// --candidates` says.
@@ -53,7 +53,7 @@ class PlanPage : public QWidget {
   QLineEdit* candidates_;
   ListCompleter* completer_;
   JobProgress* progress_;
-  QLabel* status_;
+  StatusLabel* status_;
   CellTable *bounds_, *ranking_;
   Worker* worker_;
   std::optional<ident::Scene> scene_;

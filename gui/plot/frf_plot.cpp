@@ -1,6 +1,7 @@
 #include "gui/plot/frf_plot.hpp"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -220,6 +221,11 @@ void FrfPlot::show_readout() {
   if (hovered_ >= static_cast<int>(ReadoutStyle().most) && hovered_ < static_cast<int>(curves().size()))
     rich += QStringLiteral("<br><b>%1</b>").arg(QString::fromStdString(curves()[static_cast<std::size_t>(hovered_)].name).toHtmlEscaped());
   readout_->setText(rich);
+}
+
+void FrfPlot::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && readout_ != nullptr) show_readout();
 }
 
 Saveable FrfPlot::saveable() const {

@@ -59,6 +59,9 @@ class FrfPlot : public QWidget {
   /// The FRF behind the one that is drawn (1), or before it (−1).
   void next_wanted(int step);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   void add_controls();
   frf::Quantity quantity() const;
@@ -72,7 +75,7 @@ class FrfPlot : public QWidget {
   QComboBox* views_;
   QComboBox* quantities_;
   QToolButton *exclude_, *decibel_, *peaks_;
-  QLabel* readout_;
+  QLabel* readout_ = nullptr;
   QString readout_text_;
   std::optional<double> cursor_hz_;
   int hovered_ = -1;  ///< curve under the mouse

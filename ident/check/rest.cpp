@@ -188,7 +188,7 @@ Suspect not_of_the_parts(const Files& files, const WorstSpan& worst) {
           .file = assembly.name,
           .dofs = dofs,
           .evidence = "the FRFs of " + assembly.name + " do not follow from those of " + part.name +
-                      " by forces at the joint, whatever it is: they are off by " + digits(std::sqrt(test.ratio)) +
+                      " by forces at the joint, whatever it is. They are off by " + digits(std::sqrt(test.ratio)) +
                       " times what noise makes of it (χ² over degrees of freedom " + digits(test.ratio, "%.3g") +
                       "), most in the response " + dofs[0].name() + " and the reference " + dofs[1].name() + band_of(test) +
                       ". Parts that changed between the tests (temperature, supports, bolts) do that, and a joint DOF left out",
@@ -250,7 +250,7 @@ void add_nonlinear(const Screening& screening, std::vector<Suspect>& found) {
        .evidence =
            "forces at the joint's coordinates leave " + percent(worst) +
            " of the assembly's FRFs, where H_ij and H_ji agree to " + percent(mirror) +
-           ": parts and assembly are not the same structures, the joint acts at other coordinates too, or it is not linear",
+           ". Parts and assembly are not the same structures, the joint acts at other coordinates too, or it is not linear",
        .confidence = 0.5,
        .remedy = ""});
 }

@@ -98,7 +98,7 @@ void tell_relative_motions(const Plan& plan, Solution& out) {
   const auto hidden = std::ranges::count_if(all, [&](const RelativeMotion& each) { return each.over_error < seen; });
   if (hidden == 0) return;
   const RelativeMotion& least = *std::ranges::min_element(all, {}, &RelativeMotion::over_error);
-  out.warnings.push_back("Both sides of joints move as one within the errors of the FRFs: |x_a − x_b| is below " + digits(seen) +
+  out.warnings.push_back("Both sides of joints move as one within the errors of the FRFs. |x_a − x_b| is below " + digits(seen) +
                          " standard errors (median over lines and references) at " + std::to_string(hidden) + " of " +
                          std::to_string(all.size()) + " pairs of joint DOFs, least " + digits(least.over_error) + " at " +
                          least.a.name() + " and " + least.b.name() + (least.joint.empty() ? "" : " of " + least.joint) +

@@ -34,7 +34,7 @@ std::vector<OneSidedJoint> test_even_harmonics(const std::vector<response::Direc
 std::string one_sided_text(const OneSidedJoint& of, const std::string& joint) {
   return fmt::format(
       "{}: its force has even harmonics, up to {:.2g} % of F₁ (χ² = {:.4g} of {}): the joint is not the same in both "
-      "directions, by a residual preload, a gap or slack; the laws here are",
+      "directions, by a residual preload, a gap or slack. The laws here are",
       joint, 100.0 * of.largest_share, of.chi_square, static_cast<long>(of.freedom));
 }
 
@@ -48,7 +48,7 @@ std::string drift_text(const response::LevelDrift& drift, const LawScene& scene,
   }
   return fmt::format(
       "{} speaks for another joint than all other levels (χ² would fall by {:.4g} with parameters of its own, {:.3g} is "
-      "chance){}; the preload drifted, or forces or responses of that level are off",
+      "chance){}. The preload drifted, or forces or responses of that level are off",
       scene.levels[drift.level].name, drift.chi_square, chi_square_quantile(static_cast<double>(drift.freedom), 4.0), changes);
 }
 

@@ -108,7 +108,7 @@ class Fitter {
       return;
     if (!out.message.empty()) return;
     out.message = fmt::format(
-        "The model leaves {:.2g} of the FRFs, which agree from line to line to {:.2g}: this is no noise, and frequencies may be "
+        "The model leaves {:.2g} of the FRFs, which agree from line to line to {:.2g}: this is no noise. Frequencies may be "
         "off by as much of a half-power bandwidth. Modes beyond the range do more in it than the model follows: widen the range.",
         out.deviation, std::max(noise, band_.precision));
   }

@@ -14,9 +14,8 @@ const std::vector<Equation> every_equation = {Equation::nn, Equation::nj, Equati
 constexpr std::array<double, 2> upper_half = {800.0, 1696.0};
 
 constexpr const char* replica =
-    "Our beams are replicas with the joint of the print as truth and errors of 2 % with a floor of 2 % of the median; figure "
-    "7.1, which "
-    "shows the rig, is lost.";
+    "Our beams are replicas with the joint of the print as truth and errors of 2 % with a floor of 2 % of the median. Figure "
+    "7.1, which shows the rig, is lost.";
 
 /// Cases of one joint: label of the row, run, K and D.
 struct RigCase {

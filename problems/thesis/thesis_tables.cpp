@@ -17,7 +17,7 @@ constexpr const char* basic_choices =
     "A3 to A7 leave lines, range or coordinates open in Table 6.1; docs/problems.md states what is taken.";
 constexpr const char* unit_of_mass =
     "WA with mass depends on the unit of M: its weight is set by the largest element of E0'E0. Ours is M times the square of the "
-    "highest line's angular frequency; with M in kg the pairs and elements of WA come to lie inside, but for ARVF in Table 6.10.";
+    "highest line's angular frequency. With M in kg the pairs and elements of WA come to lie inside, but for ARVF in Table 6.10.";
 constexpr const char* open_weighting = "The print does not name the weighting; ours is WB.";
 
 /// All cases of a table by these equations and this weighting.

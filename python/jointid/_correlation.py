@@ -9,8 +9,8 @@ import numpy as np
 
 from . import _jointid
 from ._run import NoScene, run_task
-from ._scene import Scene, paths_of, whole_number
-from .errors import InputError
+from ._scene import Scene, path_of, text_of, whole_number
+from .errors import InputError, short
 from .frf_set import FrfSet
 from .results import FrfResult, Result
 
@@ -81,8 +81,9 @@ def correlate(one: Any, other: Any, *, modes: bool = False, fdac: str | None = N
         raise InputError("an FrfSet has no mode shapes", place="modes", remedy="give universal files with dataset 55, or leave modes out")
     if modes and fdac is not None:
         raise InputError("FDAC is of FRFs, not of modes", place="fdac", remedy="leave out modes or fdac")
+    reference = "" if fdac is None else text_of(fdac, "fdac", 'give a reference such as "1:+Z"')
     return run_task(NoScene(scene, files=[first, second]), "correlate", progress,
-                    lambda watch: _jointid.correlate(first, second, bool(modes), fdac or "", watch), Correlation)
+                    lambda watch: _jointid.correlate(first, second, bool(modes), reference, watch), Correlation)
 
 
 def expand(parent: Any, measured: Any, *, way: str = "extended", modes: int = 0, progress: Any = None) -> FrfResult:
@@ -106,7 +107,7 @@ def expand(parent: Any, measured: Any, *, way: str = "extended", modes: int = 0,
     Raises
     ------
     InputError
-        For an unknown way, sets without common coordinates or lines, gaps of the parent, and more modes than the coordinates tell apart.
+        For an unknown way, sets without common coordinates or lines, gaps of the parent, and more modes than the coordinates distinguish.
 
     >>> import jointid, numpy as np
     >>> f = np.arange(10.0, 20.0)
@@ -119,7 +120,7 @@ def expand(parent: Any, measured: Any, *, way: str = "extended", modes: int = 0,
     True
     """
     if way not in ("extended", "semm", "serep"):
-        raise InputError(f"{way!r} is no way", place="way", remedy='use "extended", "semm" or "serep"')
+        raise InputError(f"{short(way)} is no way", place="way", remedy='use "extended", "semm" or "serep"')
     if modes and way != "serep":
         raise InputError(f'way "{way}" has FRFs for a parent, no modes', place="modes", remedy='use way="serep", or leave modes out')
     scene = Scene({})
@@ -129,4 +130,4 @@ def expand(parent: Any, measured: Any, *, way: str = "extended", modes: int = 0,
 
 
 def _file_of(scene: Scene, of: Any, name: str) -> str:
-    return scene.add(of) if isinstance(of, FrfSet) else os.fspath(paths_of(of, name)[0])
+    return scene.add(of) if isinstance(of, FrfSet) else path_of(of, name)

@@ -10,11 +10,10 @@ from . import _jointid
 from ._joint import frequency_table, is_scene
 from ._lines import DecoupledResult
 from ._run import run_scene
-from ._scene import Scene, as_list, paths_of
-from .dof import Dof
+from ._scene import Scene, as_list, list_of, path_of, table_of
 from .errors import InputError
 from .files import read
-from .frf_set import FrfSet
+from .frf_set import FrfSet, dofs_of
 from .results import FrfResult
 
 PathOrSet = Any  # str, os.PathLike or FrfSet
@@ -68,18 +67,19 @@ def couple(parts: Any, *, join: Any = None, ground: Any = None, keep: Any = None
     sections = {"couple": table or None, "frequency": None if frequency is None else frequency_table(frequency),
                 "virtual_points": virtual_points}
     sections = {key: value for key, value in sections.items() if value is not None}
+    data = {} if data is None else table_of(data, "data")
     if is_scene(parts):
         own = dict(parts) if isinstance(parts, Mapping) else Scene.table_of(parts) if sections or data else None
         if own is None:
             scene = Scene(parts)
         else:
-            own["data"] = {**own.get("data", {}), **(data or {})}
-            own.update({**sections, "couple": {**own.get("couple", {}), **table}})
+            own["data"] = {**table_of(own.get("data", {}), "[data]"), **data}
+            own.update({**sections, "couple": {**table_of(own.get("couple", {}), "[couple]"), **table}})
             scene = Scene(own, file=None if isinstance(parts, Mapping) else os.fspath(parts))
     else:
         sections.setdefault("couple", {})
-        scene = Scene({"data": {**(data or {}), "parts": as_list(parts)}, **sections})
-    path = "" if out is None else os.fspath(out)
+        scene = Scene({"data": {**data, "parts": as_list(parts)}, **sections})
+    path = "" if out is None else path_of(out, "out")
     return run_scene(scene, "couple", _jointid.couple, path, bool(bounds), threads=threads, progress=progress, kind=FrfResult)
 
 
@@ -141,7 +141,7 @@ def decouple(assembly: Any, part: Any = None, interface: Sequence[str] | str | N
             raise InputError("the part or the interface is missing", place="decouple", remedy="give assembly, part and interface")
         return _dual_decoupling(assembly, part, interface, out=out, threads=threads, progress=progress, **options)
     scene = _decoupling_scene(assembly, part, interface, way, noise, options)
-    path = "" if out is None else os.fspath(out)
+    path = "" if out is None else path_of(out, "out")
     return run_scene(scene, "decouple", _jointid.decouple, path, threads=threads, progress=progress, kind=DecoupledResult)
 
 
@@ -153,13 +153,16 @@ def _decoupling_scene(assembly: Any, part: Any, interface: Any, way: Any, noise:
     made = {key: value for key, value in {**sections, "noise": noise}.items() if value is not None}
     if "frequency" in made:
         made["frequency"] = frequency_table(made["frequency"])
+    if "data" in made:
+        made["data"] = table_of(made["data"], "data")
     table = {key: value for key, value in (("interface", [interface] if isinstance(interface, str) else interface), ("way", way))
              if value is not None}
     if part is None and is_scene(assembly):
         if not made and not table:
             return Scene(assembly)
         own = dict(assembly) if isinstance(assembly, Mapping) else Scene.table_of(assembly)
-        own.update({**made, "data": {**own.get("data", {}), **made.get("data", {})}, "decouple": {**own.get("decouple", {}), **table}})
+        data = {**table_of(own.get("data", {}), "[data]"), **made.get("data", {})}
+        own.update({**made, "data": data, "decouple": {**table_of(own.get("decouple", {}), "[decouple]"), **table}})
         return Scene(own, file=None if isinstance(assembly, Mapping) else os.fspath(assembly))
     if part is None or interface is None:
         raise InputError("the part or the interface is missing", place="decouple", remedy="give assembly, part and interface")
@@ -174,7 +177,7 @@ def _dual_decoupling(assembly: PathOrSet, part: PathOrSet, interface: Sequence[s
         taken = taken._like(name=f"{taken.name} (part)")
     own = {dof.coordinate for dof in taken.dofs}
     coordinates = {dof.coordinate for dof in whole.dofs}
-    shared = [Dof(dof) for dof in ([interface] if isinstance(interface, str) else interface)]
+    shared = dofs_of(interface, "interface")
     for dof in shared:
         for known, name in ((coordinates, whole.name), (own, taken.name)):
             if dof.coordinate not in known:
@@ -212,10 +215,11 @@ def virtual_points(frfs: PathOrSet, points: Any, *, nodes: Mapping[Any, Sequence
     >>> point.responses[3], bool(np.allclose(point.frfs[0], at_middle))
     ('VP1:+RX', True)
     """
-    table: dict[str, Any] = {"virtual_points": [points] if isinstance(points, Mapping) else list(points)}
+    many = [points] if isinstance(points, Mapping) else list_of(points, "points", "give a dict with the keys of [[virtual_points]], or a list")
+    table: dict[str, Any] = {"virtual_points": [table_of(point, "points") for point in many]}
     if nodes is not None:
-        table["nodes"] = {str(node): list(place) for node, place in nodes.items()}
+        table["nodes"] = {str(node): place for node, place in table_of(nodes, "nodes").items()}
     scene = Scene(table)
-    path = scene.add(frfs) if isinstance(frfs, FrfSet) else paths_of(frfs, "frfs")[0]
+    path = scene.add(frfs) if isinstance(frfs, FrfSet) else path_of(frfs, "frfs")
     with scene.errors():
         return FrfSet._of(_jointid.virtual_points(scene.text, scene.file, path))

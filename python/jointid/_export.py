@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import os
-import pathlib
 import tempfile
 from typing import Any
 
 from . import _jointid
 from ._progress import watcher
 from ._run import NoScene, stopped
-from ._scene import whole_number
+from ._scene import path_of, text_of, whole_number, write_text
 from .errors import InputError
 from .results import Result, Solution
 
@@ -57,16 +56,16 @@ def export(of: Any, out: str | os.PathLike | None = None, *, to: str, way: str =
     if isinstance(of, Result) and not isinstance(of, Solution):
         raise InputError(f"a {type(of).__name__} has no joint of matrices", place="of", remedy="give a path or a result of identify()")
     with tempfile.TemporaryDirectory() as folder:
-        file = os.fspath(of) if not isinstance(of, Solution) else os.path.join(folder, "result.json")
+        file = path_of(of, "of") if not isinstance(of, Solution) else os.path.join(folder, "result.json")
         if isinstance(of, Solution):
             of.save(file)
         names = NoScene(names={file: "the solution"} if isinstance(of, Solution) else {})
         with stopped(names, "export", Result), watcher(progress) as watch, names.errors():
-            found = dict(_jointid.export_joint(file, to, way, units == "mm", whole_number(band, "band"),
+            found = dict(_jointid.export_joint(file, text_of(to, "to", "write e.g. nastran"), text_of(way, "way", "write e.g. auto"), units == "mm", whole_number(band, "band"),
                                                whole_number(first_id, "first_id"), whole_number(threads, "threads"), watch))
         files = found if not isinstance(of, Solution) else \
             {ending: text.replace(file, "a solution of jointid.identify()") for ending, text in found.items()}
     if out is not None:
         for ending, text in files.items():
-            pathlib.Path(os.fspath(out) + ending).write_text(text, encoding="utf-8")
+            write_text(path_of(out, "out") + ending, text)
     return files

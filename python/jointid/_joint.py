@@ -12,10 +12,10 @@ from typing import Any
 
 from . import _jointid
 from ._run import run_scene, with_options
-from ._scene import Scene, as_list, pair_of, whole_number
-from .dof import Dof
-from .errors import InputError
+from ._scene import Scene, as_list, list_of, pair_of, path_of, table_of, whole_number
+from .errors import InputError, short
 from ._lines import LineSolution
+from .frf_set import dofs_of
 from .results import BoundResult, Result, Solution
 
 
@@ -23,7 +23,7 @@ def _joint_table(joint: Any) -> dict[str, Any]:
     """[joint] or [[joints]]; a word in place of a matrix is its pattern."""
     def table(each: Any) -> dict[str, Any]:
         if not isinstance(each, Mapping):
-            raise InputError(f"{each!r} is no joint", place="joint",
+            raise InputError(f"{short(each)} is no joint", place="joint",
                              remedy='give e.g. {"dofs": ["4:+Y", "5:+Y"], "stiffness": "symmetric"}')
         matrices = ("stiffness", "mass", "viscous_damping", "hysteretic_damping")
         return {key: {"pattern": value} if key in matrices and isinstance(value, str) else value for key, value in each.items()}
@@ -48,6 +48,8 @@ def _scene(substructures: Any, assembly: Any, joint: Any, sections: dict[str, An
     if base is None and joint is None and (alone or is_scene(substructures)):
         base, substructures = substructures, None
     made = {key: value for key, value in sections.items() if value is not None}
+    if "data" in made:
+        made["data"] = table_of(made["data"], "data")
     if joint is not None:
         made.update(_joint_table(joint))
     if "frequency" in made:
@@ -71,7 +73,7 @@ def _changed(base: Any, substructures: Any, assembly: Any, made: dict[str, Any])
     for key, value in made.items():
         same = isinstance(value, Mapping) and isinstance(own.get(key), Mapping) and key in ("data", "frequency", "identify", "noise")
         own[key] = {**own[key], **value} if same else value
-    own["data"] = {**own.get("data", {}), **data}
+    own["data"] = {**table_of(own.get("data", {}), "[data]"), **data}
     if "joint" in made:
         own.pop("joints", None)
     if "joints" in made:
@@ -81,7 +83,7 @@ def _changed(base: Any, substructures: Any, assembly: Any, made: dict[str, Any])
 
 def _identify_table(method: str | None, equations: Any, weighting: str | None, delta: float | None,
                     identify: Mapping[str, Any] | None) -> dict[str, Any] | None:
-    table = dict(identify or {})
+    table = {} if identify is None else table_of(identify, "identify")
     for key, value in (("method", method), ("equations", equations), ("weighting", weighting), ("delta", delta)):
         if value is not None:
             table[key] = value
@@ -166,7 +168,7 @@ def identify_lines(substructures: Any = None, assembly: Any = None, joint: Any =
                    laws: Any = None, threads: int = 0, progress: Any = None, **sections: Any) -> LineSolution:
     """Dynamic stiffness Z_J(ω) of a joint at every line, with 95 % bands: ``jointid solve`` of a scene with ``[joint] lines``.
 
-    The joint is called an isolator or a rubber mount where nobody knows its law. The field calls this inverse substructuring.
+    The joint is called an isolator or a rubber mount if its law is not known. The field calls this inverse substructuring.
 
     Parameters
     ----------
@@ -199,7 +201,7 @@ def identify_lines(substructures: Any = None, assembly: Any = None, joint: Any =
     ('z(1,1)', True, 'fractional-zener')
     """
     if joint is not None and not isinstance(joint, Mapping):
-        joint = {"dofs": [joint] if isinstance(joint, str) else list(joint)}
+        joint = {"dofs": [joint] if isinstance(joint, str) else list_of(joint, "joint", 'give DOFs, or a dict with "dofs"')}
     chosen = {key: value for key, value in (("lines", lines), ("way", way), ("laws", laws)) if value is not None}
     if joint is not None:
         joint = {"lines": "massless", **joint, **chosen}
@@ -279,7 +281,7 @@ def bound(substructures: Any = None, assembly: Any = None, joint: Any = None, *,
     ('K(1,1)', True)
     """
     scene = _joint_scene(substructures, assembly, joint, method, equations, weighting, delta, identify, sections)
-    return run_scene(scene, "bound", _jointid.bound, [str(Dof(dof)) for dof in candidates], threads=threads, progress=progress,
+    return run_scene(scene, "bound", _jointid.bound, [str(dof) for dof in dofs_of(candidates, "candidates")], threads=threads, progress=progress,
                      kind=BoundResult)
 
 
@@ -316,7 +318,7 @@ def study(substructures: Any = None, assembly: Any = None, joint: Any = None, *,
     """
     scene = _joint_scene(substructures, assembly, joint, method, equations, weighting, delta, identify, sections)
     folder = tempfile.mkdtemp(prefix="jointid-") if out is None else None
-    path = os.fspath(out) if out is not None else os.path.join(folder or "", "study.h5")
+    path = path_of(out, "out") if out is not None else os.path.join(folder or "", "study.h5")
     try:
         result = run_scene(scene, "study", _jointid.study, whole_number(trials, "trials"), whole_number(seed, "seed"), path, bool(resume),
                       threads=threads, progress=progress)

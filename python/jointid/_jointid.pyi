@@ -26,6 +26,7 @@ class OpenOptions:
     references: list[str]
     variable: str
     frequency_variable: str
+    frequency_unit: str
     def __init__(self) -> None: ...
 
 class CompareTask:

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from .errors import InputError
-from .frf_set import FrfSet
+from .errors import InputError, short
+from .frf_set import FrfSet, complex_numbers, dofs_of
 
 _KINDS = {"displacement": "receptance", "velocity": "mobility", "acceleration": "accelerance", "force": "receptance"}
 
@@ -46,10 +46,10 @@ def phasors(values: Any, frequency: Any, dofs: Iterable[str], *, kind: str = "di
     (3, 1, 1)
     """
     if kind not in _KINDS:
-        raise InputError(f"{kind!r} is no kind of phasor", place="kind", remedy="give one of " + ", ".join(_KINDS))
-    array = np.asarray(values)
+        raise InputError(f"{short(kind)} is no kind of phasor", place="kind", remedy="give one of " + ", ".join(_KINDS))
+    array = complex_numbers(values, "values")
     if array.ndim != 2:
         raise InputError(f"it has {array.ndim} axes, not 2", place="values", kind="data", remedy="the axes are [line, DOF]")
-    own = [dofs] if isinstance(dofs, str) else list(dofs)
+    own = dofs_of(dofs, "dofs")
     return FrfSet(array[:, :, None], frequency, own, own[:1], quantity=_KINDS[kind],
                   variance=None if variance is None else np.asarray(variance)[..., None], name=name)

@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from typing import Any
 
 from . import _jointid
-from .errors import InputError
+from .errors import InputError, short
 
 Watch = Callable[[str, int, int], None]
 
@@ -64,7 +64,7 @@ def watcher(progress: Any) -> Iterator[Watch | None]:
     elif callable(progress):
         yield progress
     else:
-        raise InputError(f"{progress!r} is no function", place="progress", remedy="give True, False or a function of (stage, done, total)")
+        raise InputError(f"{short(progress)} is no function", place="progress", remedy="give True, False or a function of (stage, done, total)")
 
 
 @atexit.register

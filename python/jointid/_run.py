@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import difflib
 import os
-import re
 import sys
 import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -14,7 +13,7 @@ from typing import Any
 from ._progress import watcher
 from ._provenance import of_arrays, of_file
 from ._scene import Scene
-from .errors import DoubtfulWarning, InputError, UnusableWarning
+from .errors import DoubtfulWarning, InputError, UnusableWarning, short
 from .results import Result
 
 
@@ -31,10 +30,14 @@ def warn_of(result: Result, what: str) -> None:
 
 @contextmanager
 def stopped(names: Any, command: str, kind: type[Result]) -> Iterator[None]:
-    """Ctrl-C hands over what there is so far. The exception is a plain KeyboardInterrupt: of one of another class Python would
+    """Errors without a place are at the command. Ctrl-C hands over what there is so far. The exception is a plain KeyboardInterrupt: of one of another class Python would
     exit with 1, where a shell expects an end by SIGINT."""
     try:
         yield
+    except InputError as error:
+        if error.place or error.file:
+            raise
+        raise InputError(error.problem, place=command, remedy=error.remedy, kind=error.kind) from None
     except KeyboardInterrupt as error:
         outcome = getattr(error, "partial", None)
         partial = kind(outcome, names, command) if outcome is not None else None
@@ -45,8 +48,8 @@ def stopped(names: Any, command: str, kind: type[Result]) -> Iterator[None]:
 
 def run_scene(scene: Scene, command: str, function: Callable, *options: Any, threads: int = 0, progress: Any = None,
               kind: type[Result] = Result) -> Any:
-    if not hasattr(threads, "__index__") or isinstance(threads, bool) or threads < 0:
-        raise InputError(f"{threads!r} is no number of threads", place="threads", remedy="give 0 for all cores, or how many")
+    if not hasattr(threads, "__index__") or isinstance(threads, bool) or not 0 <= threads < 2**31:
+        raise InputError(f"{short(threads)} is no number of threads", place="threads", remedy="give 0 for all cores, or how many")
     with stopped(scene, command, kind), watcher(progress) as watch, scene.errors():
         outcome = function(scene.text, scene.file, int(threads), watch, *options)
     result = kind(outcome, scene, command)
@@ -65,11 +68,23 @@ def with_options(task: Any, options: Mapping[str, Any], what: str) -> Any:
         if value is None:
             continue
         try:
-            setattr(task, name, _plain(value))
+            _set(task, name, _plain(value))
+        except InputError as error:
+            raise InputError(error.problem, place=error.place or name, remedy=error.remedy, kind=error.kind) from None
         except TypeError:
-            raise InputError(f"{value!r} is a {type(value).__name__}, which {name} does not take", place=name,
+            raise InputError(f"{short(value)} is of type {type(value).__name__}, which {name} does not take", place=name,
                              remedy=f"see help(jointid.{what})") from None
     return task
+
+
+def _set(task: Any, name: str, value: Any) -> None:
+    """One text in place of a list is a list of it."""
+    try:
+        setattr(task, name, value)
+    except TypeError:
+        if not isinstance(value, str):
+            raise
+        setattr(task, name, [value])
 
 
 def _plain(value: Any) -> Any:
@@ -82,13 +97,8 @@ def _plain(value: Any) -> Any:
     return value
 
 
-_OPTION = re.compile(r"--([a-z][a-z-]*)(?: [A-Z]+\b)?")  # "--rate HZ"
-_QUOTED = r"'[^']*'"
-_LISTED = re.compile(rf"--([a-z][a-z-]*) {_QUOTED}(?: --\1 {_QUOTED})+")  # "--channel '1=1:+Z N' --channel '2=4:+Z m/s^2'"
-
-
 class NoScene:
-    """Stands for a scene where a command has none; `names` by paths that nobody but this package knows."""
+    """In place of a scene, for commands without one; `names` by paths that only this package has."""
 
     def __init__(self, scene: Scene | None = None, names: Mapping[str, str] | None = None, files: Iterable[str] = (),
                  arrays: Mapping[str, Iterable[Any]] | None = None) -> None:
@@ -113,17 +123,12 @@ class NoScene:
 
     @contextmanager
     def errors(self) -> Iterator[None]:
-        """Errors with names for paths that nobody knows, and arguments for options of the command."""
+        """Errors with names in place of paths of this package."""
         try:
             with self._scene.errors():
                 yield
         except InputError as error:
-            made = {part: self._in_words(getattr(error, part)) for part in ("problem", "file", "place", "remedy", "what")}
-            raise InputError(made.pop("problem"), kind=error.kind, **made) from None
-
-    def _in_words(self, text: str) -> str:
-        text = _LISTED.sub(lambda option: f"{option[1]}=[{', '.join(re.findall(_QUOTED, option[0]))}]", self.named(text))
-        return _OPTION.sub(lambda option: option[1].replace("-", "_") + "=", text)
+            raise error.with_texts(self.named) from None
 
 
 def run_task(names: NoScene, command: str, progress: Any, run: Callable, kind: type[Result] = Result) -> Any:

@@ -16,7 +16,7 @@ from typing import Any
 
 from . import _jointid
 from ._provenance import files_named, of_file, of_set, of_text
-from .errors import InputError
+from .errors import InputError, short
 
 _IN_MEMORY = "scene"  # what messages call a scene that is no file
 _LINE = re.compile(r"^((?:scene|\S*\.toml): )?line \d+(?:, column \d+)?(?:, |: |$)")  # of a text that nobody wrote
@@ -76,7 +76,7 @@ def _other_value(value: Any, place: str) -> str:
             return toml_value(kind(value), place)
     if isinstance(value, (list, tuple, set, frozenset, range)):
         return toml_value(list(value), place)
-    raise InputError(f"{value!r} is a {type(value).__name__}, which no scene can have", place=place,
+    raise InputError(f"{short(value)} is of type {type(value).__name__}, which no scene can have", place=place,
                      remedy="give a number, text, bool, list, dict, array, path or FrfSet")
 
 
@@ -87,7 +87,7 @@ def _below(place: str, key: str) -> str:
 def _key(key: Any, place: str) -> str:
     if isinstance(key, str):
         return key
-    raise InputError(f"the key {key!r} is a {type(key).__name__}", place=place, remedy="keys are text")
+    raise InputError(f"the key {short(key)} is of type {type(key).__name__}", place=place or "scene", remedy="keys are text")
 
 
 def toml_text(scene: Mapping) -> str:
@@ -109,10 +109,26 @@ def _frf_set() -> type:
     return FrfSet
 
 
+def _no_scene(value: Any) -> InputError:
+    return InputError(f"{short(value)} is no scene", place="scene",
+                      remedy="give the path of a scene file, or a dict with the same keys")
+
+
+_OPTION = re.compile(r"--([a-z][a-z-]*)(?: [A-Z]+\b)?")  # "--rate HZ"
+_QUOTED = r"'[^']*'"
+_LISTED = re.compile(rf"--([a-z][a-z-]*) {_QUOTED}(?: --\1 {_QUOTED})+")  # "--channel '1=1:+Z N' --channel '2=4:+Z m/s^2'"
+
+
+def with_arguments(text: str) -> str:
+    """A message with arguments of functions in place of options of the command."""
+    text = _LISTED.sub(lambda option: f"{option[1]}=[{', '.join(re.findall(_QUOTED, option[0]))}]", text)
+    return _OPTION.sub(lambda option: option[1].replace("-", "_") + ("" if text[option.end():option.end() + 1] in ("", ":") else "="), text)
+
+
 class Scene:
     """The text of a scene, and the FRFs in memory that it names.
 
-    While one is alive, so are the files in memory that stand for its sets.
+    While one is alive, so are the files in memory that represent its sets.
     """
 
     def __init__(self, scene: Any, file: str | None = None) -> None:
@@ -124,15 +140,18 @@ class Scene:
         self.is_file = isinstance(scene, (str, os.PathLike))
         self.file = os.fspath(scene) if self.is_file else file or _IN_MEMORY
         if not self.is_file and not isinstance(scene, Mapping):
-            raise InputError(f"{type(scene).__name__} is no scene", place="scene",
-                             remedy="give the path of a scene file, or a dict with the same keys")
+            raise _no_scene(scene)
         self.text: str | bytes = _jointid.read_text(self.file) if self.is_file else toml_text(self._with_paths(scene))
 
     @staticmethod
     def table_of(file: str | os.PathLike) -> dict[str, Any]:
         """A scene file as a dict."""
+        if not isinstance(file, (str, os.PathLike)):
+            raise _no_scene(file)
         try:
             return tomllib.loads(_jointid.read_text(os.fspath(file)).decode("utf-8-sig"))
+        except InputError:
+            raise
         except ValueError as error:
             raise InputError(str(error), file=os.fspath(file), remedy="see https://toml.io") from None
 
@@ -189,7 +208,7 @@ class Scene:
         return path
 
     def add(self, frfs: Any) -> str:
-        """The path that stands for a set outside of the scene's text."""
+        """The path that represents a set outside of the scene's text."""
         return self._path_of(frfs)
 
     def inputs(self, run_ns: int) -> Iterator[dict[str, Any]]:
@@ -221,11 +240,10 @@ class Scene:
 
     def _readable(self, error: InputError) -> InputError:
         def readable(text: str) -> str:
-            text = self.named(text)
+            text = with_arguments(self.named(text))
             return text if self.is_file else _LINE.sub(r"\1", text)
 
-        return InputError(readable(error.problem), file=self.named(error.file), place=readable(error.place),
-                          remedy=readable(error.remedy), kind=error.kind, what=readable(error.what))
+        return error.with_texts(readable)
 
 
 def pair_of(value: Any, place: str) -> tuple[float, float]:
@@ -233,7 +251,7 @@ def pair_of(value: Any, place: str) -> tuple[float, float]:
     try:
         low, high = (float(number) for number in value)
     except (TypeError, ValueError):
-        raise InputError(f"{value!r} is no pair of numbers", place=place, remedy="give (low, high) in Hz") from None
+        raise InputError(f"{short(value)} is no pair of numbers", place=place, remedy="give (low, high) in Hz") from None
     return low, high
 
 
@@ -241,16 +259,10 @@ def whole_number(value: Any, place: str) -> int:
     try:
         number = value.__index__()
     except AttributeError:
-        raise InputError(f"{value!r} is no whole number", place=place, remedy="give e.g. 1000") from None
+        raise InputError(f"{short(value)} is no whole number", place=place, remedy="give e.g. 1000") from None
     if not 0 <= number < 2**64 or isinstance(value, bool):
-        raise InputError(f"{value!r} is no number from 0 to 2^64", place=place, remedy="give e.g. 1000")
+        raise InputError(f"{short(value)} is no number from 0 to 2^64", place=place, remedy="give e.g. 1000")
     return number
-
-
-def short(value: Any) -> str:
-    """Of any argument for a message: what it is, on one line."""
-    text = repr(value)
-    return text if len(text) < 60 and "\n" not in text else f"an object of type {type(value).__name__}"
 
 
 def paths_of(value: Any, place: str, also: str = "") -> list[str]:
@@ -264,13 +276,57 @@ def paths_of(value: Any, place: str, also: str = "") -> list[str]:
         raise InputError(f"{short(value)} is no path", place=place, remedy=f"give the path of a file, or a list of them{also}") from None
 
 
+def path_of(value: Any, place: str) -> str:
+    """One path as text."""
+    if isinstance(value, (str, os.PathLike)):
+        return paths_of(value, place)[0]
+    raise InputError(f"{short(value)} is no path", place=place, remedy="give the path of a file or a folder")
+
+
+def write_text(path: str, text: str) -> None:
+    """A file that is complete or not there."""
+    temporary = f"{path}.{os.getpid()}.part"
+    try:
+        with open(temporary, "w", encoding="utf-8") as stream:
+            stream.write(text)
+        os.replace(temporary, path)
+    except OSError as error:
+        raise InputError(f"cannot be written: {error.strerror}", file=path, kind="data",
+                         remedy="check the folder, its permissions and the space left on the disk") from None
+    finally:
+        if os.path.exists(temporary):
+            os.remove(temporary)
+
+
+def text_of(value: Any, place: str, remedy: str) -> str:
+    if isinstance(value, str):
+        return value
+    raise InputError(f"{short(value)} is no text", place=place, remedy=remedy)
+
+
+def table_of(value: Any, place: str) -> dict[str, Any]:
+    """A dict of an argument, as one of its own."""
+    if isinstance(value, Mapping):
+        return dict(value)
+    raise InputError(f"{short(value)} is no dict", place=place, remedy="give a dict with the keys of that table of a scene")
+
+
+def list_of(value: Any, place: str, remedy: str) -> list:
+    """Of a list or another iterable that is no text."""
+    if isinstance(value, Iterable) and not isinstance(value, (str, bytes, Mapping)):
+        return list(value)
+    raise InputError(f"{short(value)} is no list", place=place, remedy=remedy)
+
+
 def as_list(value: Any) -> list:
-    """One set or path as a list of one."""
+    """One set or path as a list of one; lists may have lists of files that measure the same."""
     if isinstance(value, (str, os.PathLike, _frf_set())):
         return [value]
-    if hasattr(value, "dtype") or hasattr(value, "read"):
-        raise InputError(f"{short(value)} is neither a path nor a set of FRFs", place="data",
-                         remedy="jointid.FrfSet(array, frequency, dofs) makes a set")
-    if isinstance(value, Iterable) and not isinstance(value, Mapping):
-        return list(value)
-    raise InputError(f"{short(value)} is neither a path nor a set of FRFs", place="data", remedy="give paths and FrfSets, or a list of them")
+    array = any(hasattr(value, name) for name in ("dtype", "read", "columns", "dims"))
+    if array or not isinstance(value, Iterable) or isinstance(value, (bytes, Mapping)):
+        raise InputError(f"{short(value)} is neither a path nor a set of FRFs", place="data", remedy=_MAKES_A_SET if array else
+                         "give paths and FrfSets, or a list of them")
+    return [as_list(each) if isinstance(each, (list, tuple)) else as_list(each)[0] for each in value]
+
+
+_MAKES_A_SET = "jointid.FrfSet(array, frequency, dofs) makes a set; so do from_xarray() and from_pandas() of jointid.bridges"

@@ -13,7 +13,7 @@ import numpy as np
 from . import _jointid
 from ._records import save_record
 from ._run import NoScene, run_scene, run_task, with_options
-from ._scene import Scene, as_list, paths_of, whole_number
+from ._scene import Scene, as_list, list_of, path_of, paths_of, text_of, whole_number
 from .errors import InputError
 from .files import open_options
 from .frf_set import FrfSet, real_numbers
@@ -136,10 +136,10 @@ def modalfit(frfs: Any, *, range: tuple[float, float] | None = None, modes: int 
     (40.0, 0.01)
     """
     scene = Scene({})
-    files = [scene.add(each) if isinstance(each, FrfSet) else paths_of(each, "frfs")[0] for each in as_list(frfs)]
+    files = [scene.add(each) if isinstance(each, FrfSet) else path_of(each, "frfs") for each in as_list(frfs)]
     task = with_options(_jointid.ModalTask(), {"range": range, "modes": modes, "poles": poles, "real": real, "damping": damping},
                          "modalfit")
-    options = open_options(quantity, unit, None, None, None, None)
+    options = open_options(quantity, unit)
     return run_task(NoScene(scene, files=files), "modalfit", progress, lambda watch: _jointid.modalfit(files, options, task, watch), FrfResult)
 
 
@@ -150,9 +150,9 @@ def loading_curve(curves: Any, *, progress: Any = None, **options: Any) -> Resul
     ----------
     curves : path or paths; or (displacement, force), or a list of these or {name: (displacement, force)}
         Arrays in m and N, loaded once from rest. One array of two columns is a curve.
-    options : law, ring, limit, normal_load, friction_coefficient, shared, weighting, minimiser; of files also
-        displacement, force, time, energy, stiffness, damping, unit, force_unit, time_unit, sign, velocity, kind,
-        specimen_stiffness, specimen: as those of the command
+    options : law, ring, limit, normal_load, friction_coefficient, shared, weighting, minimiser
+        As those of the command. Of files also displacement, force, time, energy, stiffness, damping, unit, force_unit, time_unit,
+        sign, velocity, kind, specimen_stiffness, specimen.
 
     Raises
     ------
@@ -188,11 +188,16 @@ def _curves(curves: Any) -> list[tuple[str, np.ndarray, np.ndarray]] | None:
         return None
     elif isinstance(curves, np.ndarray) and curves.ndim == 2 and curves.shape[1] == 2 and len(curves) != 2:
         named = [("curve", curves.T)]
-    elif len(curves) == 2 and np.ndim(curves[0]) == 1 and np.ndim(curves[1]) == 1:
+    elif len(curves) == 2 and not any(_is_pair(each) for each in curves):
         named = [("curve", curves)]
     else:
         named = [(f"curve {k + 1}", curve) for k, curve in enumerate(curves)]
     return [(str(name), *_two_columns(curve, str(name))) for name, curve in named]
+
+
+def _is_pair(curve: Any) -> bool:
+    """Of arrays, not of numbers."""
+    return isinstance(curve, (list, tuple, np.ndarray)) and len(curve) == 2 and all(np.iterable(each) for each in curve)
 
 
 def _two_columns(curve: Any, name: str) -> tuple[np.ndarray, np.ndarray]:
@@ -208,8 +213,8 @@ def frf(files: Any, *, progress: Any = None, **options: Any) -> FrfResult:
 
     Parameters
     ----------
-    files : path or paths: .npy, CSV or text, MATLAB, HDF5, UFF 58; or an array [sample, channel], or several
-        (one a hit), or [hit, sample, channel]
+    files : path or paths, an array [sample, channel], several of these (one a hit), [hit, sample, channel], or a DataFrame
+        Files are .npy, CSV or text, MATLAB, HDF5, UFF 58. A DataFrame has a column for each channel.
     options : channel (["2=1:+Z N", ...]), time, rate, reference, shaker, block, pretrigger, trigger, second_blow, force_window,
         exponential, overlap, window, remove_mean, reject, keep_faulty, estimator, variances, highest: as those of the command
 
@@ -232,9 +237,9 @@ def frf(files: Any, *, progress: Any = None, **options: Any) -> FrfResult:
     >>> float(frfs.frequency[np.nanargmax(abs(frfs["4:+Z", "1:+Z"]))])
     80.0
     """
-    for name in ("channel", "reference"):
-        if isinstance(options.get(name), str):
-            options[name] = [options[name]]
+    rate = options.get("rate")
+    if isinstance(rate, (int, float)) and not 0.0 < rate < np.inf:
+        raise InputError(f"{rate:g} Hz is no rate of samples", place="rate", remedy="give the samples per second, above 0")
     task = with_options(_jointid.FrfTask(), options, "frf")
     with _record_files(files) as (paths, names):
         task.files = paths
@@ -245,6 +250,8 @@ def frf(files: Any, *, progress: Any = None, **options: Any) -> FrfResult:
 @contextmanager
 def _record_files(records: Any) -> Iterator[tuple[list[str], dict[str, str]]]:
     """The paths of records, and names of those that are arrays, which are written to a folder that ends with the block."""
+    if hasattr(records, "columns"):  # a DataFrame
+        records = np.asarray(records)
     arrays = ([records] if records.ndim != 3 else list(records)) if isinstance(records, np.ndarray) else records
     if not isinstance(arrays, (list, tuple)) or not all(isinstance(each, np.ndarray) for each in arrays):
         yield paths_of(records, "files", ", or arrays [sample, channel]"), {}
@@ -254,6 +261,11 @@ def _record_files(records: Any) -> Iterator[tuple[list[str], dict[str, str]]]:
         for path, array in zip(paths, arrays):
             save_record(path, array, f"record {paths.index(path) + 1}")
         yield paths, {path: f"record {k + 1}" for k, path in enumerate(paths)}
+
+
+def _texts(value: Any, place: str) -> list[str]:
+    remedy = "give a text for each channel"
+    return [text_of(each, place, remedy) for each in list_of(value, place, remedy)]
 
 
 def pod(record: Any, *, names: Sequence[str] | None = None, units: Sequence[str] | None = None, threads: int = 0,
@@ -286,8 +298,8 @@ def pod(record: Any, *, names: Sequence[str] | None = None, units: Sequence[str]
         array = real_numbers(record, "record")
         if array.ndim != 2 or array.shape[1] == 0:
             raise InputError(f"its shape is {array.shape}", place="record", remedy="the axes are [sample, channel]", kind="data")
-        channels = [str(k + 1) for k in np.arange(array.shape[1])] if names is None else list(names)
-        of_channels = [""] * array.shape[1] if units is None else list(units)
+        channels = [str(k + 1) for k in np.arange(array.shape[1])] if names is None else _texts(names, "names")
+        of_channels = [""] * array.shape[1] if units is None else _texts(units, "units")
         if not len(channels) == len(of_channels) == array.shape[1]:
             raise InputError(f"{len(channels)} names and {len(of_channels)} units for {array.shape[1]} channels", place="names",
                              remedy="give one for each channel", kind="data")
@@ -321,4 +333,4 @@ def write_problem(name: str, directory: str | os.PathLike, *, format: str = "h5"
     >>> os.path.basename(write_problem("A1", tempfile.mkdtemp(), format="uff"))
     'A1.toml'
     """
-    return _jointid.write_problem(str(name), os.fspath(directory), str(format), whole_number(seed, "seed"), bool(clean))
+    return _jointid.write_problem(str(name), path_of(directory, "directory"), str(format), whole_number(seed, "seed"), bool(clean))

@@ -25,9 +25,9 @@ class Dof(str):
         if isinstance(text, Dof):
             return text
         if not isinstance(text, str):
-            from .errors import InputError
+            from .errors import InputError, short
 
-            raise InputError(f"{text!r} is no DOF", place="dofs", remedy="write text such as '4:+Y'")
+            raise InputError(f"{short(text)} is no DOF", place="dofs", remedy="write text such as '4:+Y'")
         name, node, direction, sign = _parts(str(text))
         self = super().__new__(cls, name)
         self.node, self.direction, self.sign = node, direction, sign

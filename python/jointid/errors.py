@@ -2,7 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 __all__ = ["InputError", "JointidWarning", "DoubtfulWarning", "UnusableWarning", "DataWarning"]
+
+
+def short(value: Any) -> str:
+    """Of any argument for a message: what it is, on one line."""
+    text = repr(value)
+    return text if len(text) < 60 and "\n" not in text else f"an object of type {type(value).__name__}"
 
 
 class InputError(ValueError):
@@ -43,6 +52,11 @@ class InputError(ValueError):
         self.value = problem
         self.remedy = remedy
         self.kind = kind
+
+    def with_texts(self, change: Callable[[str], str]) -> "InputError":
+        """The same error with changed texts."""
+        return InputError(change(self.problem), file=change(self.file), place=change(self.place), remedy=change(self.remedy),
+                          kind=self.kind, what=change(self.what))
 
     def __reduce__(self):
         return _made_again, (self.problem, self.file, self.place, self.remedy, self.kind, self.what)

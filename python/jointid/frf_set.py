@@ -11,9 +11,9 @@ import numpy as np
 
 from . import _jointid
 from ._arithmetic import scaled, summed
-from ._scene import pair_of
+from ._scene import pair_of, text_of
 from .dof import Dof
-from .errors import DataWarning, InputError
+from .errors import DataWarning, InputError, short
 
 __all__ = ["FrfSet"]
 
@@ -29,7 +29,10 @@ def _numbers(value: Any, dtype: type, place: str) -> np.ndarray:
     """As a contiguous array of float64 or complex128: the array itself where it is one."""
     if isinstance(value, np.ma.MaskedArray):  # what is masked was not measured
         value = value.astype(dtype).filled(np.nan)
-    array = np.asarray(value)
+    try:
+        array = np.asarray(value)
+    except ValueError:
+        raise _refuse(place, "it makes no array: its rows have different lengths", "give rows of the same length") from None
     valid = "biufc" if dtype is complex else "biuf"
     if array.dtype.kind not in valid:
         raise _refuse(place, f"an array of {array.dtype} holds no {'complex' if dtype is complex else 'real'} numbers",
@@ -37,15 +40,29 @@ def _numbers(value: Any, dtype: type, place: str) -> np.ndarray:
     return np.ascontiguousarray(array, dtype=dtype)
 
 
+def complex_numbers(value: Any, place: str) -> np.ndarray:
+    """As a contiguous array of complex128."""
+    return _numbers(value, complex, place)
+
+
 def real_numbers(value: Any, place: str) -> np.ndarray:
     """As a contiguous array of float64."""
     return _numbers(value, float, place)
 
 
+AXES = ("frequency", "output", "input")  # of to_xarray()
+
+
+def _in_order(value: Any) -> Any:
+    """A DataArray with named axes in the order of a set."""
+    axes = tuple(getattr(value, "dims", ()))
+    return value.transpose(*AXES) if axes != AXES and set(axes) == set(AXES) else value
+
+
 def _shaped(value: Any, dtype: type, shape: tuple, place: str) -> np.ndarray | None:
     if value is None:
         return None
-    array = _numbers(value, dtype, place)
+    array = _numbers(_in_order(value), dtype, place)
     if array.shape != shape:
         raise _refuse(place, f"its shape is {array.shape}, not {shape}", "the axes are [line, response, reference]")
     return array
@@ -59,7 +76,7 @@ def dofs_of(names: Iterable[str] | str, place: str) -> tuple[Dof, ...]:
     except InputError as error:
         raise InputError(error.problem, place=place, remedy=error.remedy, kind="data") from None
     except TypeError:
-        raise _refuse(place, f"{names!r} is no list of DOFs", 'give e.g. ["4:+Y", "4:+RZ"]') from None
+        raise _refuse(place, f"{short(names)} is no list of DOFs", 'give e.g. ["4:+Y", "4:+RZ"]') from None
     return dofs
 
 
@@ -75,26 +92,61 @@ def _positions(nodes: Any) -> dict[int, tuple[float, float, float]]:
     if hasattr(nodes, "itertuples"):
         nodes = {row[0]: row[1:] for row in nodes.itertuples()}
     try:
-        found: dict[int, Any] = {int(node): tuple(float(x) for x in place) for node, place in nodes.items()}
+        found: dict[int, Any] = {_node_number(node): tuple(float(x) for x in place) for node, place in nodes.items()}
     except (AttributeError, TypeError, ValueError):
         raise _refuse("nodes", "they are no positions of node numbers", "give {4: (0.1, 0.0, 0.25)}, in m") from None
     wrong = next((node for node, place in found.items() if len(place) != 3), None)
     if wrong is not None:
         raise _refuse("nodes", f"node {wrong} has {len(found[wrong])} coordinates", "give x, y and z in m")
+    wrong = next((node for node, place in found.items() if not np.isfinite(place).all()), None)
+    if wrong is not None:
+        raise _refuse("nodes", f"the position of node {wrong} is not finite", "give x, y and z in m, or leave the node out")
     return found
+
+
+def _numbers_of_nodes(node: Any) -> set[int]:
+    """Of one number or several."""
+    try:
+        return {_node_number(each) for each in np.atleast_1d(np.asarray(list(node) if isinstance(node, (set, range)) else node)).tolist()}
+    except (TypeError, ValueError):
+        raise InputError(f"{short(node)} is no number of a node", place="node", remedy="give e.g. 4 or [4, 5]", kind="data") from None
+
+
+def _node_number(node: Any) -> int:
+    number = int(node)
+    if not isinstance(node, str) and number != node:
+        raise ValueError(node)
+    return number
 
 
 def _number(value: Any, place: str) -> float:
     try:
         return float(value)
     except (TypeError, ValueError):
-        raise _refuse(place, f"{value!r} is no number", "give e.g. 5") from None
+        raise _refuse(place, f"{short(value)} is no number", "give e.g. 5") from None
+
+
+def _count_of(averages: Any) -> float:
+    number = _number(averages, "averages")
+    if not 0.0 <= number < np.inf:
+        raise _refuse("averages", f"{number:g} is no number of averages", "give e.g. 5, or 0 where it is not known")
+    return number
+
+
+def _at(place: str, find: Any, *arguments: Any) -> Any:
+    """What C++ finds; its errors with the place of an argument."""
+    try:
+        return find(*arguments)
+    except InputError as error:
+        raise InputError(error.problem, place=place, remedy=error.remedy, kind="data") from None
 
 
 def _word(value: Any) -> str:
-    if isinstance(value, str):
-        return _jointid.quantity_word(value)
-    raise _refuse("quantity", f"{value!r} is no text", "write receptance, mobility or accelerance")
+    return _at("quantity", _jointid.quantity_word, text_of(value, "quantity", "write receptance, mobility or accelerance"))
+
+
+def _quantity_of_unit(unit: Any) -> str:
+    return _at("unit", _jointid.quantity_of_unit, text_of(unit, "unit", "write e.g. m/N, m/s/N or g/N"))
 
 
 def _precision(array: Any) -> float:
@@ -152,9 +204,9 @@ class FrfSet:
         self.name = str(name)
         self.responses = dofs_of(responses, "responses")
         self.references = self.responses if references is None else dofs_of(references, "references")
-        self.quantity = _jointid.quantity_of_unit(unit) if unit is not None else _word(quantity)
+        self.quantity = _word(quantity) if unit is None else _quantity_of_unit(unit)
         self.frequency = _numbers(frequency, float, "frequency").reshape(-1)
-        self.averages = _number(averages, "averages")
+        self.averages = _count_of(averages)
         self.nodes = _positions(nodes)
         self._axes: dict = {}
         self._repeats = 0
@@ -169,7 +221,7 @@ class FrfSet:
         self._validate()
 
     def _checked(self, frfs: Any) -> np.ndarray:
-        array = _numbers(frfs, complex, "frfs")
+        array = _numbers(_in_order(frfs), complex, "frfs")
         shape = (len(self.frequency), len(self.responses), len(self.references))
         if array.ndim != 3:
             raise _refuse("frfs", f"it has {array.ndim} axes, not 3", "the axes are [line, response, reference]; "
@@ -191,10 +243,14 @@ class FrfSet:
 
     def _set_errors(self, variance: Any, coherence: Any, covariance: Any, factor: float) -> None:
         shape = self.frfs.shape
+        variance = _in_order(variance)
         if variance is not None and np.asarray(variance).dtype.kind in "biuf":
             variance = np.asarray(variance) * (1 + 1j)
         self.variance = _shaped(variance, complex, shape, "variance")
         self.coherence = _shaped(coherence, float, shape, "coherence")
+        if coherence is not None and variance is None and self.averages == 0.0:
+            warnings.warn(f"{self.name}: coherences without averages give no errors of FRFs; give averages=, the number of averages",
+                          DataWarning, stacklevel=4)
         pairs = len(self.responses) * (len(self.responses) + 1) // 2
         self._covariance = _shaped(covariance, complex, (shape[0], pairs, shape[2]), "covariance")
         if factor != 1.0:
@@ -343,7 +399,7 @@ class FrfSet:
         if isinstance(key, tuple) and len(key) == 2 and all(isinstance(each, str) for each in key):
             key = (slice(None), *key)
         if not (isinstance(key, tuple) and len(key) == 3):
-            raise InputError(f"{key!r} is no pair of DOFs", place="frfs[...]",
+            raise InputError(f"{short(key)} is no pair of DOFs", place="frfs[...]",
                              remedy='write frfs["4:+Y", "1:+Y"], frfs[line, response, reference] or frfs.sel(...)')
         line, response, reference = key
         sign = 1
@@ -405,7 +461,7 @@ class FrfSet:
         """
         out = self
         if node is not None:
-            nodes = {int(each) for each in np.atleast_1d(node)} if np.asarray(node).dtype.kind in "iu" else set(node)  # type: ignore
+            nodes = _numbers_of_nodes(node)
             responses = [dof for dof in out.responses if dof.node in nodes] if responses is None else responses
             references = [dof for dof in out.references if dof.node in nodes] if references is None else references
         if responses is not None or references is not None:
@@ -492,7 +548,7 @@ class FrfSet:
 
     def values_in(self, unit: str) -> np.ndarray:
         """A copy of the numbers in another unit, also of another quantity: ``frfs.values_in("g/N")``. For translations only."""
-        quantity = _jointid.quantity_of_unit(unit)
+        quantity = _quantity_of_unit(unit)
         return self.to(quantity).frfs / self._like(quantity=quantity)._factor(unit)
 
     # Elsewhere.

@@ -13,6 +13,7 @@ import numpy as np
 
 from ._progress import watcher
 from ._provenance import provenance
+from ._scene import path_of, write_text
 from .dof import Dof
 from .errors import InputError
 
@@ -255,21 +256,15 @@ class Result:
 
         Raises InputError for another ending, and for one that the command does not have.
         """
-        ending = os.path.splitext(os.fspath(path))[1].lower()
+        path = path_of(path, "path")
+        ending = os.path.splitext(path)[1].lower()
         makers = {".json": self.to_json, ".csv": self.csv, ".html": self._page_with_provenance, ".txt": self.text}
         if ending not in makers:
-            raise InputError(f"{ending!r} is the ending of no result", file=os.fspath(path), remedy="write .json, .csv, .txt or .html")
+            raise InputError(f"{ending!r} is the ending of no result", file=path, remedy="write .json, .csv, .txt or .html")
         text = makers[ending]()  # type: ignore[operator]
         if text is None:
-            raise InputError(f"{self._command} has no {ending}", file=os.fspath(path), remedy="write .json or .txt")
-        temporary = f"{os.fspath(path)}.{os.getpid()}.part"
-        try:
-            with open(temporary, "w", encoding="utf-8") as stream:
-                stream.write(text)
-            os.replace(temporary, path)
-        finally:
-            if os.path.exists(temporary):
-                os.remove(temporary)
+            raise InputError(f"{self._command} has no {ending}", file=path, remedy="write .json or .txt")
+        write_text(path, text)
 
     def __repr__(self) -> str:
         """The text, as far as one screen has lines."""

@@ -150,7 +150,7 @@ void require_one_sweep(const Record& record, std::size_t force, const PhaseTrack
     fail(record, place_of(record.channels[force]),
          fmt::format("its frequency goes from {:.5g} to {:.5g} Hz by way of {:.5g} and {:.5g} Hz: it sweeps more than once",
                      course.first_hz, course.last_hz, course.lowest_hz, course.highest_hz),
-         "cut the record into one file for each sweep up or down, which are levels of their own");
+         "cut the record into one file for each sweep up or down, which are force levels of their own");
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ Table worth_table(const laws::LawScene& scene, const LawBound& bound) {
 std::string law_bound_text(const laws::LawScene& scene, const LawBound& bound) {
   std::string text =
       (scene.title.empty() ? "" : scene.title + "\n") +
-      fmt::format("predicted at the bound: {} lines, {} levels of which {} measured, harmonics of the model {}–{}\n",
+      fmt::format("predicted at the bound: {} lines, {} force levels of which {} measured, harmonics of the model {}–{}\n",
                   bound.lines_hz.size(), scene.levels.size(), bound.measured, bound.harmonics.front(), bound.harmonics.back()) +
       "laws " + (bound.assumed ? "assumed: " : "found from the measured levels: ") + laws::laws_text(bound.laws) + "\n\n";
   text += "all levels together" + (bound.all.joints.empty() ? ": " + std::string(response::word(bound.all.status)) : "") + "\n";

@@ -51,9 +51,9 @@ std::string law_study_summary(const laws::LawStudy& study) {
                                  study.assumed ? "assumed" : "found from the measured levels", laws::laws_text(study.laws));
   text += "status: " + counts(study.statuses) + "\n";
   if (!study.chosen.empty()) {
-    text += "laws chosen: " + counts(study.chosen) + "\n";
+    text += "model selection (AIC): " + counts(study.chosen) + "\n";
     text += fmt::format(
-        "model selection: the true laws in {} of {} trials, others equally good in {}, the true ones ruled out in {}\n",
+        "the true laws in {} of {} trials, others equally good in {}, the true ones ruled out in {}\n",
         study.right, study.usable, study.undecided, study.missed);
   }
   return text + fmt::format("χ² over its freedom {}, data that contradict each other in {} trials\n",

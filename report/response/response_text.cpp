@@ -142,7 +142,7 @@ void add_narrow_peak(const tasks::LevelResponse& level, std::vector<std::string>
   const double width = 2.0 * level.peak_mode->ratio * hertz(level.peak_mode->omega), at = level.peak->omega;
   if (width >= level.line_spacing_hz || at == level.points.front().omega || at == level.points.back().omega) return;
   remarks.push_back(
-      fmt::format("{:.6g} N: the peak at {:.6g} Hz is {:.2g} Hz wide but the lines of the files are {:.2g} Hz apart: its height "
+      fmt::format("{:.6g} N: the peak at {:.6g} Hz is {:.2g} Hz wide but the lines of the files are {:.2g} Hz apart. Its height "
                   "between them is not known; `modal_model = true` goes between lines",
                   level.level, hertz(at), width, level.line_spacing_hz));
 }

@@ -143,8 +143,8 @@ std::optional<double> error_passed(const ident::Plan& plan) {
 std::string what_delta_lets_pass(const ident::Plan& plan) {
   const auto passed = error_passed(plan);
   if (!passed) return {};
-  return fmt::format("delta = {:g} keeps equations whose right-hand side is wrong by up to {:.3g} % with errors of {:.3g} % (6.62); "
-                     "{:.2g} keeps those up to 100 %, 0.05 to 0.3 was best with WBS in Table 6.13",
+  return fmt::format("delta = {:g} keeps equations whose right-hand side is wrong by up to {:.3g} % with errors of {:.3g} % (6.62). "
+                     "{:.2g} keeps those up to 100 %. 0.05 to 0.3 was best with WBS in Table 6.13",
                      plan.scene.identify.delta, 100.0 * *passed, 100.0 * plan.scene.noise->level, 2.0 * plan.scene.noise->level);
 }
 

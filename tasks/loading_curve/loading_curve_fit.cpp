@@ -113,7 +113,8 @@ auto with_usage_errors(Act&& act) {
     return act();
   } catch (const InputError& error) {
     if (!error.parts().place.empty() || !error.parts().file.empty()) throw;
-    throw InputError({ErrorKind::usage, "", "loading-curve", error.parts().problem, "change the options"});
+    const std::string& remedy = error.parts().remedy;
+    throw InputError({ErrorKind::usage, "", "loading-curve", error.parts().problem, remedy.empty() ? "change the options" : remedy});
   }
 }
 

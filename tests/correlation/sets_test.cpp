@@ -1,5 +1,5 @@
 // Sets of FRFs and modes of two sources: signs, gaps, noise, what they do not share.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <random>
@@ -112,7 +112,14 @@ TEST(CorrelatedSets, NothingInCommonIsAnError) {
   frf::FrfSet shifted = drawn(dofs({"1:+X"}), 3);
   for (double& hz : shifted.header.frequency_hz) hz += 0.5;
   expect_refused(one, shifted, "frequency lines");
-  EXPECT_THROW(shapes_over_lines(one, one, frf::Dof::parse("7:+X")), InputError);
+  try {
+    (void)shapes_over_lines(one, one, frf::Dof::parse("7:+X"));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.parts().place, "FDAC");
+    EXPECT_THAT(error.parts().problem, testing::StartsWith("7:+X is no reference of both"));
+    EXPECT_EQ(error.parts().remedy, "name one of 1:+X");
+  }
 }
 
 TEST(CorrelatedSets, FdacOfOneReference) {

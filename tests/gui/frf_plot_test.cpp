@@ -89,6 +89,19 @@ TEST(FrfPlot, LabelsAreLightAfterTheThemeBecomesDark) {
   apply(Theme::light, *qApp);
 }
 
+TEST(FrfPlot, TheReadoutHasTheColoursOfTheThemeThatIsOn) {
+  Drawn drawn;
+  drawn.plot.set_cursor(420.0);
+  const auto* const label = find<QLabel>(drawn.plot, "readout");
+  EXPECT_THAT(label->text().toStdString(), HasSubstr(curve_colour(Theme::light, 1).name().toStdString()));
+  apply(Theme::dark, *qApp);
+  QCoreApplication::processEvents();
+  const std::string dark = label->text().toStdString();
+  apply(Theme::light, *qApp);
+  EXPECT_THAT(dark, HasSubstr(curve_colour(Theme::dark, 1).name().toStdString()));
+  EXPECT_THAT(dark, testing::Not(HasSubstr(curve_colour(Theme::light, 1).name().toStdString())));
+}
+
 TEST(FrfPlot, DrawsEveryView) {
   Drawn drawn;
   drawn.plot.offer(View::difference);

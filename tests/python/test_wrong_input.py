@@ -52,6 +52,21 @@ WRONG = {
     "positions without nodes": (dict(nodes=[(0, 0, 0)]), "nodes", "node numbers"),
     "a quantity that is no text": (dict(quantity=None), "quantity", "None"),
     "covariance of another shape": (dict(covariance=np.ones((5, 4, 2))), "covariance", "(5, 3, 2)"),
+    "rows of other lengths": (dict(frfs=[[[1, 2], [3, 4]], [[1, 2]]]), "frfs", "different lengths"),
+    "nothing": (dict(frfs=np.empty((0, 2, 2)), frequency=[]), None, "no lines"),
+    "no DOFs": (dict(frfs=np.empty((5, 0, 0)), responses=[]), None, "no DOFs"),
+    "a mapping": (dict(frfs={"a": 1}), "frfs", "object"),
+    "a generator": (dict(frfs=(row for row in H)), "frfs", "object"),
+    "dates": (dict(frequency=np.array(["2020-01-01"] * 5, "datetime64[D]")), "frequency", "datetime64"),
+    "masked lines": (dict(frequency=np.ma.masked_array(F, mask=F == 3.0)), None, "nan"),
+    "numbers for DOFs": (dict(responses=np.array([1, 2])), "responses", "1 is no DOF"),
+    "small letters": (dict(responses=["1:+x", "2:+x"]), "responses", "did you mean 1:+X"),
+    "a unit that is no text": (dict(unit=3), "unit", "3 is no text"),
+    "a unit upside down": (dict(unit="N/m"), "unit", "no motion over a force"),
+    "averages below zero": (dict(coherence=np.ones((5, 2, 2)), averages=-2), "averages", "-2"),
+    "averages that are NaN": (dict(coherence=np.ones((5, 2, 2)), averages=np.nan), "averages", "nan"),
+    "half a node": (dict(nodes={1.5: (0, 0, 0)}), "nodes", "node numbers"),
+    "a position that is NaN": (dict(nodes={1: (0, 0, np.nan)}), "nodes", "node 1 is not finite"),
 }
 
 
@@ -95,6 +110,26 @@ def test_what_is_masked_was_not_measured():
     assert np.isnan(frfs.ravel()[3]) and np.isnan(frfs).sum() == 1
 
 
+def test_axes_with_names_are_put_in_order():
+    xarray = needs("xarray")
+    frfs = np.random.default_rng(0).normal(size=(5, 2, 2)) + 1j
+    array = xarray.DataArray(frfs, dims=("frequency", "output", "input"))
+    for order in (("frequency", "input", "output"), ("input", "output", "frequency")):
+        assert np.array_equal(made(array.transpose(*order), variance=abs(array.transpose(*order))).frfs, frfs)
+        assert np.array_equal(made(frfs, variance=abs(array.transpose(*order))).variance.real, abs(frfs))
+
+
+def test_coherences_without_averages_warn():
+    with pytest.warns(jointid.DataWarning, match="averages=") as caught:
+        made(coherence=np.full((5, 2, 2), 0.9))
+    assert caught[0].filename == __file__
+
+
+def test_nodes_in_any_form():
+    for node in (2, 2.0, "2", [2], np.array([2]), {2}, range(2, 3)):
+        assert made().sel(node=node).responses == ("2:+X",)
+
+
 def test_tables_and_series():
     pandas = needs("pandas")
     table = pandas.DataFrame({"x": [0.0, 1.0], "y": 0.0, "z": 0.5}, index=[1, 2])
@@ -107,6 +142,8 @@ def test_channels_of_a_table():
     pandas = needs("pandas")
     samples = np.random.default_rng(0).normal(size=(50, 2))
     assert jointid.pod(pandas.DataFrame(samples, columns=["left", "right"])).text() == jointid.pod(samples, names=["left", "right"]).text()
+    options = dict(channel=["1=1:+Z N", "2=4:+Z m/s^2"], rate=100.0, shaker=True, block=0.1)
+    assert jointid.frf(pandas.DataFrame(samples), **options).frfs() == jointid.frf(samples, **options).frfs()
 
 
 def test_read_only_arrays_are_used_as_they_are(tmp_path):
@@ -178,6 +215,14 @@ WRONG_SCENES = {
     "no inequality": (scene(identify={"inequalities": ["K(1,1) < 2"]}), "[identify] inequalities", "<= or >="),
     "frequencies of likelihood": (scene(identify={"method": "likelihood", "frequencies": [2.0]}), "[identify] frequencies", '"one"'),
     "loose without a nominal stiffness": (scene(identify={"loose": True}), "[identify] loose", "nominal stiffness"),
+    "a joint with a wrong key": (scene(joint={"dofs": DOFS, "stifness": "symmetric"}), "[joint]", "stiffness"),
+    "a matrix with a wrong word": (scene(joint={"dofs": DOFS, "stiffness": {"pattern": "symetric"}}), "[joint.stiffness]", "symmetric"),
+    "numbers for joint DOFs": (scene(joint={"dofs": [1, 2], "stiffness": {"pattern": "full"}}), "[joint] dofs", "string"),
+    "a table in place of a word": (scene(identify={"method": {"a": 1}}), "identify", "string"),
+    "a complex number": (scene(title=3 + 4j), "[title]", "of type complex"),
+    "a list in place of a table": (scene(identify={"bounds": [1, 2]}), "[identify] bounds", "table"),
+    "no files": (scene(data={"substructures": [], "assembly": [made()]}), "[data] substructures", "empty"),
+    "a wrong key of data": (scene(data={"substructures": [made()], "asembly": [made()]}), "[data]", "assembly"),
     "a DOF that no set has": (scene(joint={"dofs": ["1:+X", "9:+Z"], "stiffness": {"pattern": "full"}}), "", "9:+Z"),
 }
 
@@ -254,11 +299,86 @@ def test_missing_and_unknown_arguments(joint):
     (lambda: pyfbs.from_pyfbs(F, H, {"Position_1": [0, 1]}, {}), "channels, impacts"),
     (lambda: from_xarray(H), "array"),
     (lambda: from_pandas(H), "table"),
+    (lambda: made().sel(node=object()), "node"),
+    (lambda: made().values_in(3), "unit"),
+    (lambda: made().to("g/N"), "quantity"),
+    (lambda: jointid.read("", unit="m/N"), "path"),
+    (lambda: jointid.read("a.h5", quantity=3), "quantity"),
+    (lambda: jointid.read("a.h5", unit=3), "unit"),
+    (lambda: jointid.read("a.h5", variable=3), "variable"),
+    (lambda: jointid.read("a.h5", frequency_unit=3), "frequency_unit"),
+    (lambda: jointid.write(3, made()), "path"),
+    (lambda: jointid.write("a.h5", made(), 3), "format"),
+    (lambda: jointid.identify([made()], made(), {"dofs": DOFS, "stiffness": "full"}, identify=3), "identify"),
+    (lambda: jointid.identify([made()], made(), {"dofs": DOFS, "stiffness": "full"}, data=3), "data"),
+    (lambda: jointid.identify([made()], made(), {"dofs": DOFS, "stiffness": "full"}, scene=3), "scene"),
+    (lambda: jointid.identify([made()], made(), scene=scene(data=3)), "[data]"),
+    (lambda: jointid.identify([H, H], made(), {"dofs": DOFS, "stiffness": "full"}), "data"),
+    (lambda: jointid.identify([made(), None], made(), {"dofs": DOFS, "stiffness": "full"}), "data"),
+    (lambda: jointid.identify(scene(), threads=2**70), "threads"),
+    (lambda: jointid.identify_lines([made()], made(), 3), "joint"),
+    (lambda: jointid.bound(scene(), candidates=3), "candidates"),
+    (lambda: jointid.study(scene(), out=3), "out"),
+    (lambda: jointid.compare(scene(), methods=["oen"]), "compare"),
+    (lambda: jointid.couple([made()], join=[DOFS], out=3), "out"),
+    (lambda: jointid.couple([made()], join=[DOFS], data=3), "data"),
+    (lambda: jointid.decouple(made(), made(), 3), "interface"),
+    (lambda: jointid.decouple(made(), made(), ["1:+X"], out=3), "out"),
+    (lambda: jointid.virtual_points(made(), 3), "points"),
+    (lambda: jointid.virtual_points(made(), [3]), "points"),
+    (lambda: jointid.virtual_points(made(), {"name": "VP1"}, nodes=3), "nodes"),
+    (lambda: jointid.correlate(made(), made(), fdac=3), "fdac"),
+    (lambda: jointid.correlate([made()], made()), "one"),
+    (lambda: jointid.export(3, to="nastran"), "of"),
+    (lambda: jointid.export("A1.toml", to="nastrn"), "export"),
+    (lambda: jointid.phasors(np.ones((5, 1)), F, 3), "dofs"),
+    (lambda: jointid.phasors([[1], [1, 2]], F, ["1:+X"]), "values"),
+    (lambda: jointid.frf(np.ones((9, 2)), channel=["1=1:+Z N", "2=4:+Z m/s^2"], rate=-1.0), "rate"),
+    (lambda: jointid.pod(np.ones((9, 2)), names=3), "names"),
+    (lambda: jointid.loading_curve(([1.0, [2.0]], [1.0, 2.0])), "displacement of curve"),
+    (lambda: jointid.write_problem("A1", 3), "directory"),
 ], ids=lambda value: value if isinstance(value, str) else "")
 def test_arguments_of_another_kind(call, place):
     with pytest.raises(jointid.InputError) as caught:
         call()
     assert caught.value.place == place and caught.value.remedy
+
+
+def test_tables_of_others_are_named_with_the_bridge():
+    pandas = needs("pandas")
+    for wrong in (pandas.DataFrame({"a": [1.0]}), needs("xarray").DataArray(H)):
+        with pytest.raises(jointid.InputError, match="from_pandas") as caught:
+            jointid.identify([made()], wrong, {"dofs": DOFS, "stiffness": "full"})
+        assert caught.value.place == "data"
+
+
+def test_folders_that_are_not_there(tmp_path, a1):
+    solution = jointid.identify(a1)
+    for write in (lambda path: solution.save(path / "a.json"), lambda path: jointid.export(solution, path / "a", to="nastran", way="matrix"),
+                  lambda path: made().save(path / "a.h5")):
+        with pytest.raises(jointid.InputError, match="cannot be written") as caught:
+            write(tmp_path / "none")
+        assert caught.value.remedy and "none" in caught.value.file
+
+
+def test_errors_name_arguments_for_options_of_the_command(a1):
+    with pytest.raises(jointid.InputError) as caught:
+        jointid.bound(a1, noise={"model": "gaussian", "level": 0.02}, candidates="99:+Y")
+    assert caught.value.place == "candidates" and "--" not in caught.value.what
+    with pytest.raises(jointid.InputError) as caught:
+        jointid.read(os.path.join(os.path.dirname(a1), "A1_assembly.h5"), unit="g/N")
+    assert "--" not in caught.value.what
+
+
+def test_one_word_is_a_list_of_one(a1):
+    ways = jointid.compare(a1, noise={"model": "gaussian", "level": 0.02}, trials=2, methods="one", weightings="WA")["combinations"]
+    assert [way["method"] for way in ways] == ["one"]
+
+
+def test_a_scene_file_that_is_not_there_has_one_error():
+    with pytest.raises(jointid.InputError) as caught:
+        jointid.identify([made()], made(), scene="none.toml")
+    assert caught.value.what.count("none.toml") == 1
 
 
 def test_errors_of_arrays_name_arguments_and_no_files():

@@ -6,7 +6,7 @@ from typing import Any, Iterable, Mapping
 
 import numpy as np
 
-from ..errors import InputError
+from ..errors import InputError, short
 from ..frf_set import FrfSet
 from ._pairs import dof_of, numbers_of, set_of_pairs
 
@@ -29,7 +29,7 @@ def from_pyuff(datasets: Iterable[Mapping[str, Any]] | Mapping[str, Any], *, qua
     (('2:+Z',), ('1:-Z',), 'accelerance')
     """
     if not isinstance(datasets, Iterable):
-        raise InputError(f"{datasets!r} is no list of datasets", place="datasets", remedy="give pyuff.UFF(file).read_sets()")
+        raise InputError(f"{short(datasets)} is no list of datasets", place="datasets", remedy="give pyuff.UFF(file).read_sets()")
     datasets = [datasets] if isinstance(datasets, Mapping) else list(datasets)
     pairs, quantities, nodes = [], set(), {}
     for each in datasets:

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from .._scene import path_of
 from ..errors import InputError
 from ..frf_set import FrfSet
 from ._pairs import dof_of, numbers_of, set_of_pairs
@@ -117,4 +118,4 @@ def save_sdynpy(path: str | os.PathLike, frfs: FrfSet) -> None:
     >>> from_sdynpy(path, quantity="receptance") == frfs
     True
     """
-    np.savez(os.fspath(path), data=structured(frfs), function_type=_FRF)
+    np.savez(path_of(path, "path"), data=structured(frfs), function_type=_FRF)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from ..errors import InputError
-from ..frf_set import FrfSet
+from ..frf_set import AXES, FrfSet
 
 
 def to_xarray(frfs: FrfSet) -> Any:
@@ -22,7 +22,7 @@ def to_xarray(frfs: FrfSet) -> Any:
     """
     import xarray
 
-    array = xarray.DataArray(frfs.frfs, dims=("frequency", "output", "input"), name=frfs.name,
+    array = xarray.DataArray(frfs.frfs, dims=AXES, name=frfs.name,
                              coords={"frequency": frfs.frequency, "output": [str(dof) for dof in frfs.responses],
                                      "input": [str(dof) for dof in frfs.references]},
                              attrs={"quantity": frfs.quantity, "units": frfs.unit})
@@ -44,11 +44,9 @@ def from_xarray(array: Any) -> FrfSet:
     >>> from_xarray(to_xarray(frfs)) == frfs
     True
     """
-    wanted = ("frequency", "output", "input")
-    if set(getattr(array, "dims", ())) != set(wanted):
-        raise InputError(f"the dimensions are {getattr(array, 'dims', 'none')}", place="array", kind="data",
+    if set(getattr(array, "dims", ())) != set(AXES) or not hasattr(array, "values") or callable(array.values):
+        raise InputError(f"it is no DataArray with the dimensions {', '.join(AXES)}", place="array", kind="data",
                          remedy='rename them to "frequency", "output" and "input", with the DOFs as coordinates')
-    array = array.transpose(*wanted)
-    return FrfSet(array.values, array["frequency"].values, [str(dof) for dof in array["output"].values],
+    return FrfSet(array, array["frequency"].values, [str(dof) for dof in array["output"].values],
                   [str(dof) for dof in array["input"].values], quantity=array.attrs.get("quantity", "receptance"),
                   name=str(array.name or "xarray"))
