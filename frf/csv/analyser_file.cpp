@@ -235,8 +235,12 @@ class AnalyserText {
     }
     set_.header.quantity = quantity_of_unit(units_.front()).value_or(Quantity::accelerance);
     std::vector<double> factors;
-    for (const std::string& unit : units_)
-      factors.push_back(located(set_.header.file, "units", [&] { return si_factor(unit, set_.header.quantity); }));
+    for (std::size_t k = 0; k < units_.size(); ++k) {
+      const bool given = !options_.unit.empty();
+      factors.push_back(located(set_.header.file, "units", [&] {
+        return given ? si_factor(units_[k], set_.header) : si_factor(units_[k], set_.header, pairs_[k].first, pairs_[k].second);
+      }));
+    }
     return factors;
   }
 

@@ -100,6 +100,11 @@ Cells titles_of(std::string_view line, std::size_t count) {
   for (Cells cells : {at_wide_blanks(line), words, joined(words, false), joined(words, true)}) {
     if (cells.size() == count) return cells;
   }
+  if (words.size() + 1 == count && std::ranges::all_of(words, is_csv_part)) {  // the axis has its title elsewhere
+    Cells cells = words;
+    cells.insert(cells.begin(), std::string_view());
+    return cells;
+  }
   return {};
 }
 

@@ -264,7 +264,7 @@ class HeaderRow {
     require_same_order(mag, labels_[phase_deg].empty() ? phase_rad : phase_deg);
     const std::vector<std::string>& labels = labels_[re].empty() ? labels_[mag] : labels_[re];
     const auto places = places_of_labels(labels, header_.response, header_.reference);
-    if (places.size() != labels.size()) return;
+    if (places.size() != labels.size()) return require_all_given();
     CsvColumns::Pairs placed;
     for (const auto& [pair, columns] : pairs_) {
       const std::size_t k = pair.first * header_.reference.size() + pair.second;
@@ -276,6 +276,16 @@ class HeaderRow {
       placed[*places[k]] = columns;
     }
     pairs_ = std::move(placed);
+  }
+
+  /// Columns in the order of the DOFs are as many as these.
+  void require_all_given() const {
+    if (pairs_.size() >= header_.entries()) return;
+    fail(0,
+         "the columns hold " + std::to_string(pairs_.size()) + " FRFs, and " + std::to_string(header_.response.size()) +
+             " responses and " + std::to_string(header_.reference.size()) + " references " +
+             (options_.reference.empty() ? "(the responses) " : "") + "were given, which are " + std::to_string(header_.entries()),
+         "give as many: --response 4:+Y --reference 1:+Y, in a scene dofs and reference_dofs, or name the columns, e.g. 4:+Y/1:+Y re");
   }
 
   /// Two parts of one FRF stand at the same place of both.
@@ -294,7 +304,7 @@ class HeaderRow {
     const bool phase = columns.has(phase_deg) != columns.has(phase_rad);
     const bool two_phases = both(phase_deg, phase_rad);
     const bool polar = columns.has(mag) && phase, half_polar = columns.has(mag) != (phase || two_phases);
-    if (both(re, im) != polar && !half(re, im) && !half_polar && !two_phases && !half(var_re, var_im)) return;
+    if ((both(re, im) || polar) && !half(re, im) && !half_polar && !two_phases && !half(var_re, var_im)) return;
     const std::string name = header_.response[pair.first].name() + "/" + header_.reference[pair.second].name();
     fail(0, "the columns of " + name + " are no complete FRF",
          "give re and im, or mag and phase_deg (or phase_rad), and var_re with var_im");

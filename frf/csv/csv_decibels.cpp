@@ -29,16 +29,17 @@ bool is_in_decibels(std::string_view label) {
          plain.starts_with("db/");
 }
 
-/// Of "dB re 1e-6 m/N" and "dB (re g/N)".
+/// Of "dB re 1e-6 m/N", "dB (re g/N)" and "dB/1.0 g/N".
 std::optional<DecibelReference> reference_of_decibels(std::string_view label) {
   std::string_view rest = trimmed(label.substr(std::min<std::size_t>(2, label.size())));
   while (!rest.empty() && (rest.front() == ',' || rest.front() == ' ')) rest.remove_prefix(1);
   if (rest.starts_with('(') && rest.ends_with(')')) rest = trimmed(rest.substr(1, rest.size() - 2));
   const std::size_t word = std::min(rest.find(' '), rest.size());
   const std::string re = lower_case(rest.substr(0, word));
-  if (re != "re" && re != "re." && re != "re:" && re != "rel" && re != "rel." && re != "ref" && re != "ref." && re != "ref:")
+  const bool stroke = rest.starts_with('/');
+  if (!stroke && re != "re" && re != "re." && re != "re:" && re != "rel" && re != "rel." && re != "ref" && re != "ref." && re != "ref:")
     return std::nullopt;
-  rest = trimmed(rest.substr(word));
+  rest = trimmed(rest.substr(stroke ? 1 : word));
   DecibelReference reference;
   const std::size_t end = std::min(rest.find(' '), rest.size());
   double value = 0.0;

@@ -133,23 +133,27 @@ Quantity read_quantity(const CsvTable& table, const CsvColumns& columns, const O
 }
 
 /// Factor to SI of a label; what is wrong with it can be put right by the user, too.
-double factor_of(const CsvTable& table, const std::string& place, const std::string& label, const FrfHeader& header) {
+template <class Factor>
+double factor_of(const CsvTable& table, const std::string& place, const Factor& factor) {
   try {
-    return located(table.file, place, [&] { return si_factor(label, header); });
+    return located(table.file, place, factor);
   } catch (const InputError& error) {
     fail(table, place, error.parts().problem, error.parts().remedy + "; or give the unit of the numbers: --unit, in a scene unit");
   }
 }
 
 /// By the key `unit`, by the unit of its columns, or 1. Throws where both are there and differ.
-double si_factor_of(const CsvTable& table, const CsvColumns& columns, const CsvColumns::OfPair& pair, const FrfHeader& header) {
+double si_factor_of(const CsvTable& table, const CsvColumns& columns, const CsvColumns::Pairs::value_type& frf, const FrfHeader& header) {
+  const auto [r, c] = frf.first;
+  const CsvColumns::OfPair& pair = frf.second;
   const auto key = table.keys.find("unit");
   const bool by_key = key != table.keys.end() && !states_no_unit(key->second);
   std::size_t column = 0;
   const std::string& own = columns.unit(pair, column);
-  const double of_file = by_key ? factor_of(table, "# unit", key->second, header) : 1.0;
+  const double of_file = by_key ? factor_of(table, "# unit", [&] { return si_factor(key->second, header); }) : 1.0;
   if (column == 0) return of_file;
-  const double of_column = factor_of(table, table.place(table.units_line, column), own, header);
+  const std::string place = table.place(table.units_line, column);
+  const double of_column = factor_of(table, place, [&, r = r, c = c] { return si_factor(own, header, r, c); });
   if (by_key && std::abs(of_file - of_column) > 1e-9 * of_file) {
     table.fail(table.units_line, column,
                "the unit '" + shown_label(own) + "' is not that of # unit, '" + shown_label(key->second) + "'",
@@ -201,7 +205,7 @@ void fill(const CsvTable& table, const CsvColumns& columns, FrfSet& set) {
   if (header.noise == NoiseRecord::variance) set.variance.assign(size, {not_measured, not_measured});
   if (header.noise == NoiseRecord::coherence) set.coherence.assign(size, not_measured);
   std::vector<double> si;  // of each pair
-  for (const auto& [pair, of_pair] : columns.pairs()) si.push_back(si_factor_of(table, columns, of_pair, header));
+  for (const auto& frf : columns.pairs()) si.push_back(si_factor_of(table, columns, frf, header));
   for (std::size_t row = 0; row < table.rows(); ++row) {
     std::size_t k = 0;
     for (const auto& [pair, of_pair] : columns.pairs()) {
@@ -271,6 +275,21 @@ void require_parts(const CsvTable& table, const CsvColumns& columns, FrfHeader& 
   if (auto doubt = search.doubt()) header.doubts.push_back(*doubt + "; if they are, name the columns mag and phase_deg or phase_rad");
 }
 
+/// Magnitudes beside real and imaginary parts are theirs.
+void require_same_magnitudes(const CsvTable& table, const CsvColumns& columns) {
+  constexpr double most = 0.01;
+  for (const auto& [pair, of_pair] : columns.pairs()) {
+    for (std::size_t row = 0; of_pair.has(re) && of_pair.has(mag) && row < table.rows(); ++row) {
+      const double magnitude = table.cell(row, of_pair[mag]);
+      const double own = std::hypot(table.cell(row, of_pair[re]), table.cell(row, of_pair[im]));
+      if (!(std::abs(magnitude - own) > most * own)) continue;
+      table.fail(table.lines[row], of_pair[mag],
+                 fmt::format("the magnitude {:g} is not that of the real and imaginary part, {:g}", magnitude, own),
+                 "keep the columns that are right");
+    }
+  }
+}
+
 std::vector<double> read_frequency(const CsvTable& table) {
   std::vector<double> axis;
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -330,6 +349,7 @@ std::unique_ptr<FrfSource> open_csv(const std::filesystem::path& path, const Ope
   doubt_degrees(table, columns, set.header);
   require_radians(table, columns);
   require_parts(table, columns, set.header);
+  require_same_magnitudes(table, columns);
   fill(table, columns, set);
   return from_memory(std::move(set));
 }

@@ -108,9 +108,9 @@ std::optional<CsvTitle> quantity_over_unit(std::string_view cell) {
   for (std::size_t at = 0; at < cell.size(); ++at) {
     depth += opens(cell[at]) ? 1 : closes(cell[at]) ? -1 : 0;
     if (cell[at] == '|') stroke = !stroke;
-    const bool in = cell.substr(at).starts_with(" in ");
-    if (depth != 0 || stroke || at == 0 || (cell[at] != '/' && !in)) continue;
-    const std::string_view before = trimmed(cell.substr(0, at)), unit = trimmed(cell.substr(at + (in ? 4 : 1)));
+    const bool in = cell.substr(at).starts_with(" in "), bar = cell.substr(at).starts_with(" | ");
+    if (depth != 0 || (stroke && !bar) || at == 0 || (cell[at] != '/' && !in && !bar)) continue;
+    const std::string_view before = trimmed(cell.substr(0, at)), unit = trimmed(cell.substr(at + (in ? 4 : bar ? 3 : 1)));
     if (before.empty() || unit.empty()) continue;
     const bool known = quantity_of_unit(unit) || is_angle(unit) || is_level(unit);
     const bool enclosed = opens(unit.front()) && !enclosed_from(unit, 0).empty();
@@ -138,6 +138,16 @@ std::string function_as_part(std::string_view title, bool unit_known) {
     if (!inside.empty() && (unit_known || !may_be_unit(inside))) return with_part(inside, part);
   }
   return std::string(title);
+}
+
+std::string part_behind_sign(std::string_view title) {
+  const std::string plain = lower_case(title);
+  if (plain.ends_with(" phase angle")) return std::string(title.substr(0, title.rfind(' ')));
+  const std::size_t sign = title.find_last_of("/;|,-");
+  if (sign == std::string_view::npos || is_csv_part(title)) return std::string(title);
+  const std::string_view name = trimmed(title.substr(0, sign)), part = trimmed(title.substr(sign + 1));
+  const bool open = !name.empty() && is_csv_part(part) && !is_csv_part(name.substr(name.rfind(' ') + 1));
+  return open ? with_part(name, part) : std::string(title);
 }
 
 std::string joined_part(std::string_view title) {

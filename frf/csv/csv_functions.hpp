@@ -20,6 +20,9 @@ std::string function_as_part(std::string_view title, bool unit_known);
 /// "H_real", "H11.im", "H_phase_deg", "re_H11" as "H11 re" …; any other title, and a part beside a unit, as it is.
 std::string joined_part(std::string_view title);
 
+/// "H1/Re", "1Z; Amplitude" and "UZ Phase Angle" as "H1 Re", "1Z Amplitude" and "UZ Phase"; any other title as it is.
+std::string part_behind_sign(std::string_view title);
+
 /// Titles that only together say that they are parts, "H_r" and "H_i", "ReH11" and "ImH11", "HReal" and "HImag", as "H re" and
 /// "H im" …; all others stay as they are.
 void pair_parts(std::vector<std::string>& titles);

@@ -1,6 +1,7 @@
 #include "frf/csv/csv_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -46,6 +47,7 @@ class CsvReader {
     require_clear_commas();
     read_csv_notes(notes_, table_.file, table_.units, given_.unit, table_.keys);
     judge_remarks();
+    require_axis();
     table_.hz_per_unit = hz_per_unit();
     split_complex();
     return std::move(table_);
@@ -76,6 +78,9 @@ class CsvReader {
       read_parts(line);
     } else if (table_.lines.empty() && (is_heading_of_units(line) || are_types(csv_cells(line, separator_)))) {
       return;
+    } else if (table_.lines.empty() && is_description(line)) {
+      notes_.push_back(csv_note(text, line_, separator_));
+      remarks_.push_back({line_, std::string(text)});
     } else if (table_.lines.empty() && table_.units_line == table_.header_line && is_units(line)) {
       read_units(line);
     } else {
@@ -138,8 +143,10 @@ class CsvReader {
     if (above_.empty() || csv_cells(above_, separator_).size() < table_.columns.size()) return;
     const std::vector<std::string_view> cells = cells_of(above_);
     const auto is_unit = [](std::string_view cell) { return cell.empty() || parse_unit(without_brackets(cell)).has_value(); };
-    const bool units = cells.size() == table_.columns.size() && std::ranges::all_of(cells, is_unit) && !cells[0].empty() &&
-                       parse_unit(without_brackets(cells[0]))->same_dimension({1.0, 0, -1, 0});
+    if (cells.size() != table_.columns.size() || !std::ranges::all_of(cells, is_unit)) return;
+    const auto is_frf_unit = [](std::string_view cell) { return quantity_of_unit(without_brackets(cell)).has_value(); };
+    const bool units = cells[0].empty() ? std::ranges::any_of(cells, is_frf_unit)
+                                        : parse_unit(without_brackets(cells[0]))->same_dimension({1.0, 0, -1, 0});
     if (units && std::ranges::all_of(table_.units, [](const std::string& unit) { return unit.empty(); })) read_units(above_);
   }
 
@@ -182,12 +189,27 @@ class CsvReader {
     if (auto title = frequency_title(cell)) {
       table_.columns[0] = std::move(title->title);
       table_.units[0] = std::move(title->unit);
-    } else if (given_.frequency_unit.empty()) {
-      table_.fail(
-          table_.header_line, 0, "the first column is '" + std::string(cell) + "', so it is no table of FRFs",
-          "begin the header row with frequency_hz, or give jointid-frf HDF5, UFF or MATLAB; does it hold frequencies? Give "
-          "their unit: --frequency-unit Hz, in a scene frequency_unit");
+    } else if (given_.frequency_unit.empty() && !(header_ && header_->any_axis)) {
+      refuse_axis(cell);
     }
+  }
+
+  [[noreturn]] void refuse_axis(std::string_view name) const {
+    table_.fail(table_.header_line, 0, "the first column is '" + std::string(name) + "', so it is no table of FRFs",
+                "begin the header row with frequency_hz, or give jointid-frf HDF5, UFF or MATLAB; does it hold frequencies? Give "
+                "their unit: --frequency-unit Hz, in a scene frequency_unit");
+  }
+
+  /// A first column that is no title of frequencies, "X", holds them where its unit does, in a row or, of a name for any axis, in a free
+  /// line.
+  void require_axis() const {
+    if (!header_ || !header_->any_axis || !given_.frequency_unit.empty()) return;
+    constexpr std::array<std::string_view, 9> any = {"",       "x",           "x-axis",  "x axis",  "x value",
+                                                     "x values", "abscissa", "linear", "x-achse"};
+    const std::string &name = table_.columns[0], &unit = table_.units[0];
+    const bool by_row = frequency_title((name.empty() ? "axis" : name) + " [" + unit + "]").has_value();
+    const bool by_line = table_.keys.contains("frequency_unit") && std::ranges::find(any, lower_case(name)) != any.end();
+    if (unit.empty() ? !by_line : !by_row) refuse_axis(name);
   }
 
   double hz_per_unit() const {
@@ -227,6 +249,19 @@ class CsvReader {
     const std::string word = lower_case(cells.front());
     return (word == "units:" || word == "units") &&
            std::all_of(cells.begin() + 1, cells.end(), [](auto cell) { return cell.empty(); });
+  }
+
+  /// A row of words under the titles, "hammer test": several in one cell at least, and no unit or what may be meant as one.
+  bool is_description(std::string_view line) const {
+    if (!is_units(line)) return false;
+    const auto may_be_unit = [](std::string_view cell) {
+      const std::string_view label = without_brackets(cell);
+      const bool ratio = label.find('/') != std::string_view::npos || lower_case(label).find(" per ") != std::string::npos;
+      return ratio || parse_unit(label) || !unit_hint(label).empty() || lower_case(label).starts_with("db") || is_degrees(label);
+    };
+    const std::vector<std::string_view> cells = cells_of(line);
+    return std::ranges::none_of(cells, may_be_unit) &&
+           std::ranges::any_of(cells, [](std::string_view cell) { return cell.find(' ') != std::string_view::npos; });
   }
 
   /// A row without a number, under the titles.

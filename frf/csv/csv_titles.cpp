@@ -58,6 +58,16 @@ bool is_name_before_part(std::string_view title, std::size_t open) {
   return is_csv_part(title.substr(last + 1)) && inside.find_first_not_of("0123456789,;:| +-/RXYZ") == std::string_view::npos;
 }
 
+/// "Hz" of "unit: Hz" between brackets.
+std::string_view behind_word_unit(std::string_view inside) {
+  for (const std::string_view word : {"units", "unit"}) {
+    if (!lower_case(inside).starts_with(word)) continue;
+    const std::string_view rest = trimmed(inside.substr(word.size()));
+    if (rest.starts_with(':') || rest.starts_with('=')) return trimmed(rest.substr(1));
+  }
+  return inside;
+}
+
 /// By the brackets of a title: "4:+Y/1:+Y re (g/N)".
 CsvTitle bracketed_title(std::string_view cell) {
   if (function_as_part(cell, false) != cell) return {std::string(cell), {}};
@@ -66,7 +76,7 @@ CsvTitle bracketed_title(std::string_view cell) {
   std::string_view unit = cell.substr(open);
   const char close = unit.front() == '[' ? ']' : ')';
   if (unit.find(close) == unit.size() - 1) unit = unit.substr(1, unit.size() - 2);
-  const std::string title(trimmed(cell.substr(0, open))), inside(trimmed(unit));
+  const std::string title(trimmed(cell.substr(0, open))), inside(behind_word_unit(trimmed(unit)));
   if (is_csv_part(inside)) return {title + " " + inside, {}};
   if (says_complex(inside)) return {title, {}};
   return {title, as_ratio(inside)};
@@ -105,7 +115,7 @@ bool is_frequency_by_unit(const std::string& name, const std::string& unit) {
 }
 
 /// What parts the name of an axis and its unit.
-constexpr std::string_view before_unit = " _,/.:-";
+constexpr std::string_view before_unit = " _,/.:-|";
 
 /// "in Hz" and "Hz_" as "Hz"; "rad_s" and "rad_per_s" as "rad/s".
 std::string_view written_out(std::string_view unit) {
@@ -146,7 +156,7 @@ void split_unit(CsvTitle& title) {
   }
 }
 
-/// The wide brackets of Japanese and Chinese texts as those of ASCII.
+/// The wide brackets of Japanese and Chinese texts, and angle brackets around a unit, as square ones of ASCII.
 std::string with_plain_brackets(std::string_view cell) {
   constexpr std::array wide = std::to_array<std::pair<std::string_view, std::string_view>>(
       {{"［", "["}, {"］", "]"}, {"（", "("}, {"）", ")"}, {"【", "["}, {"】", "]"}, {"／", "/"}});
@@ -154,6 +164,8 @@ std::string with_plain_brackets(std::string_view cell) {
   for (const auto& [from, to] : wide) {
     for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from)) text.replace(at, from.size(), to);
   }
+  const std::size_t open = text.find(" <");  // "Real <g/N>"
+  if (open != std::string::npos && text.ends_with('>')) text[open + 1] = '[', text.back() = ']';
   return text;
 }
 
@@ -167,36 +179,102 @@ bool is_number_of_table(std::string_view cell, char separator) {
   return !cell.empty() && parse_cell(cell, separator != ',' || cell.find(',') != std::string_view::npos, value);
 }
 
+/// "H2,1 Mag" of "H2,1(f) Mag": what an FRF depends on is not part of its name.
+std::string without_argument(std::string_view cell) {
+  for (const std::string_view argument : {"(f)", "(w)", "(ω)", "(jw)", "(jω)", "(iω)"}) {
+    const std::size_t at = cell.find(argument);
+    if (at == std::string_view::npos || at == 0 || cell[at - 1] == ' ') continue;
+    const std::string_view before = cell.substr(0, at);
+    if (is_csv_part(before.substr(before.rfind(' ') + 1))) continue;
+    return std::string(before) + std::string(cell.substr(at + argument.size()));
+  }
+  return std::string(cell);
+}
+
+/// "Level dB (re 1 g/N)": the decibels belong to the unit, and a level in them is a magnitude.
+void take_decibels(CsvTitle& title) {
+  std::string plain = lower_case(title.title);
+  if (plain.ends_with(" db") && lower_case(title.unit).starts_with("re")) {
+    title.title.resize(title.title.size() - 3);
+    title.unit = "dB " + title.unit;
+    plain = lower_case(title.title);
+  }
+  const bool level = plain == "level" || plain == "pegel";
+  if (level && lower_case(title.unit).starts_with("db")) title.title = "mag";
+}
+
+constexpr std::size_t most_lines_above = 1000;
+
+/// The cells of a line that are all numbers, two or more; 0 of any other line.
+std::size_t numbers_in(std::string_view line, char separator) {
+  std::vector<std::string_view> cells = csv_cells(line, separator == '\0' ? ' ' : separator);
+  std::erase_if(cells, [](std::string_view cell) { return cell.empty(); });
+  const auto is_number = [&](std::string_view cell) { return is_number_of_table(cell, separator); };
+  return cells.size() > 1 && std::ranges::all_of(cells, is_number) ? cells.size() : 0;
+}
+
+/// The first line of numbers of a text.
+struct FirstRow {
+  char separator = '\0';
+  std::size_t cells = 0;  ///< 0: none
+
+  explicit FirstRow(std::string_view text) {
+    for (std::size_t line = 1; line <= most_lines_above && !text.empty() && cells == 0; ++line) {
+      const std::string_view row = trimmed(take_until(text, '\n'));
+      separator = csv_separator(row);
+      if (!row.empty()) cells = numbers_in(row, separator);
+    }
+  }
+
+  /// That of the numbers where a line of titles has as many cells by it: "Frequency\tH1; Real\tH1; Imag".
+  char separator_of(std::string_view line) const {
+    const bool same = cells > 0 && separator != '\0' && csv_cells(line, separator).size() == cells;
+    return same ? separator : csv_separator(line);
+  }
+};
+
 /// Looks for the row of titles line by line.
 class HeaderSearch {
  public:
-  explicit HeaderSearch(char separator) : given_(separator) {}
+  HeaderSearch(char separator, const FirstRow& row) : given_(separator), row_(row) {}
 
   /// False once the row is known.
   bool take(std::string_view line, std::size_t number) {
     const std::string_view text = trimmed(line);
     if (text.empty()) return true;
-    if (latest_ && begins_numbers(line)) return false;
+    if (latest_ ? begins_numbers(line) : parts_ && numbers_in(text, parts_->separator) == row_.cells) return false;
     const bool comment = text.front() == '#' || text.front() == '%';
     consider(comment ? text.substr(1) : line, number, comment);
     return true;
   }
 
-  std::optional<CsvHeaderPlace> found() const { return latest_; }
+  std::optional<CsvHeaderPlace> found() const { return latest_ && !units_ ? latest_ : parts_ ? parts_ : latest_; }
 
  private:
   void consider(std::string_view line, std::size_t number, bool comment) {
-    const char separator = given_ != '\0' ? given_ : csv_separator(line);
+    const char separator = given_ != '\0' ? given_ : row_.separator_of(line);
     if (separator == '\0') return;
     const std::vector<std::string_view> cells = csv_cells(line, separator);
+    if (!comment && names_parts(cells, separator)) parts_ = {.line = number, .separator = separator, .index = 0, .any_axis = true};
     const std::size_t index = frequency_title(cells[0]) ? 0 : 1;
     if (cells.size() < 2 + index || (index == 1 && !is_index(cells[0]))) return;
     const auto title = frequency_title(cells[index]);
     if (!title || std::ranges::any_of(cells, [&](std::string_view cell) { return is_number_of_table(cell, separator); })) return;
     const bool units = latest_ && cells.size() == cells_ && is_unit_alone(lower_case(title->title));
     if (units || (latest_ && !commented_ && comment)) return;
-    latest_ = CsvHeaderPlace{number, separator, index};
+    latest_ = CsvHeaderPlace{.line = number, .separator = separator, .index = index, .any_axis = false};
     cells_ = cells.size(), commented_ = comment;
+    units_ = std::ranges::all_of(cells, [](std::string_view cell) { return cell.empty() || parse_unit(without_brackets(cell)); });
+  }
+
+  /// Of as many cells as the numbers have.
+  bool names_parts(const std::vector<std::string_view>& cells, char separator) const {
+    if (cells.size() != row_.cells || cells.size() < 2) return false;
+    if (std::ranges::any_of(cells, [&](std::string_view cell) { return is_number_of_table(cell, separator); })) return false;
+    return std::any_of(cells.begin() + 1, cells.end(), [](std::string_view cell) {
+      const std::string title = csv_title(cell).title;
+      return is_csv_part(std::string_view(title).substr(title.rfind(' ') + 1));
+    });
   }
 
   static bool is_index(std::string_view cell) { return std::ranges::find(index_titles, lower_case(cell)) != index_titles.end(); }
@@ -211,9 +289,10 @@ class HeaderSearch {
   }
 
   char given_;
-  std::optional<CsvHeaderPlace> latest_;
+  const FirstRow& row_;
+  std::optional<CsvHeaderPlace> latest_, parts_;
   std::size_t cells_ = 0;
-  bool commented_ = false;
+  bool commented_ = false, units_ = false;  ///< nothing but units
 };
 
 }  // namespace
@@ -252,7 +331,7 @@ bool are_types(const std::vector<std::string_view>& cells) {
   bool any = false;
   for (const std::string_view cell : cells) {
     const std::string plain = lower_case(without_brackets(cell));
-    const bool type = plain.starts_with("dt_") || std::ranges::find(types, plain) != types.end();
+    const bool type = plain.starts_with("dt_") || plain.starts_with("format=") || plain.starts_with("format:") || std::ranges::find(types, plain) != types.end();
     if (!type && !plain.empty()) return false;
     any = any || type;
   }
@@ -268,11 +347,13 @@ CsvTitle csv_title(std::string_view cell) {
       if (title.unit.empty()) return {std::move(title.title), as_ratio(std::string(unit))};
     }
   }
+  if (const std::string plain = without_argument(cell); plain != cell) return csv_title(plain);
   if (const auto over = quantity_over_unit(cell)) return {joined_part(function_as_part(over->title, true)), as_ratio(over->unit)};
   CsvTitle title = bracketed_title(cell);
+  take_decibels(title);
   if (const std::size_t last = title.title.rfind(' '); last < title.title.size() && says_complex(title.title.substr(last)))
     title.title.resize(last);
-  title.title = joined_part(function_as_part(title.title, !title.unit.empty()));
+  title.title = joined_part(part_behind_sign(function_as_part(title.title, !title.unit.empty())));
   return title;
 }
 
@@ -298,26 +379,23 @@ std::optional<CsvTitle> frequency_title(std::string_view cell) {
 }
 
 std::optional<CsvHeaderPlace> find_csv_header(std::string_view text, char separator) {
-  constexpr std::size_t most_lines = 1000;
-  HeaderSearch search(separator);
-  for (std::size_t line = 1; line <= most_lines && !text.empty(); ++line) {
+  const FirstRow row(text);
+  HeaderSearch search(separator, row);
+  for (std::size_t line = 1; line <= most_lines_above && !text.empty(); ++line) {
     if (!search.take(take_until(text, '\n'), line)) break;
   }
   return search.found();
 }
 
 std::size_t line_without_titles(std::string_view text) {
-  constexpr std::size_t most_lines = 1000;
   std::size_t cells_above = 0;
-  for (std::size_t line = 1; line <= most_lines && !text.empty(); ++line) {
+  for (std::size_t line = 1; line <= most_lines_above && !text.empty(); ++line) {
     const std::string_view row = trimmed(take_until(text, '\n'));
     if (row.empty()) continue;
     const char separator = csv_separator(row);
+    if (const std::size_t numbers = numbers_in(row, separator); numbers > 0) return numbers == cells_above ? 0 : line;
     std::vector<std::string_view> cells = csv_cells(row, separator == '\0' ? ' ' : separator);
     std::erase_if(cells, [](std::string_view cell) { return cell.empty(); });
-    const auto is_number = [&](std::string_view cell) { return is_number_of_table(cell, separator); };
-    const bool numbers = cells.size() > 1 && std::ranges::all_of(cells, is_number);
-    if (numbers) return cells.size() == cells_above ? 0 : line;
     cells_above = cells.size();
   }
   return 0;

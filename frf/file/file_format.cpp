@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -15,6 +16,7 @@
 #include "frf/hdf5/hdf5_file.hpp"
 #include "frf/hdf5/hdf5_writer.hpp"
 #include "frf/mat/mat_file.hpp"
+#include "frf/mat/mat_v4.hpp"
 #include "frf/mat/octave_text.hpp"
 #include "frf/npy/npy_file.hpp"
 #include "frf/npy/npy_header.hpp"
@@ -79,7 +81,9 @@ bool is_jointid_hdf5(const std::filesystem::path& path, std::string_view head) {
 
 bool is_matlab_v73(const std::filesystem::path&, std::string_view head) { return is_hdf5(head); }
 
-bool is_matlab_v5(const std::filesystem::path&, std::string_view head) { return head.starts_with(matlab_v5_text); }
+bool is_matlab_v5(const std::filesystem::path&, std::string_view head) {
+  return head.starts_with(matlab_v5_text) || looks_like_mat_v4(head);
+}
 
 bool is_npz(const std::filesystem::path&, std::string_view head) { return looks_like_npz(head); }
 
@@ -101,6 +105,28 @@ void write_as_hdf5(const FrfSet& set, const std::filesystem::path& path) { write
 
 void write_own_quantity(const FrfSet& set, const std::filesystem::path& path) {
   write_uff(set, path, {.quantity = set.header.quantity});
+}
+
+struct OtherFormat {
+  std::string_view name, remedy;
+};
+
+/// A file that is known and not read; empty where it is none.
+std::optional<OtherFormat> other_format(std::string_view head) {
+  const auto has = [&](std::string_view words) { return head.find(words) != std::string_view::npos; };
+  if (head.starts_with("CDF") && head.size() > 3 && (head[3] == 1 || head[3] == 2 || head[3] == 5))
+    return OtherFormat{"a NetCDF-3 file",
+                       "write NetCDF-4, which is HDF5: nccopy -k nc4 IN OUT, or to_netcdf(format='NETCDF4') of xarray"};
+  const bool punched = has("$DISPLACEMENTS") || has("$VELOCITY") || has("$ACCELERATION");
+  if (head.starts_with("$TITLE") && punched)
+    return OtherFormat{"a file of results that Nastran punched",
+                       "write the results as a universal file (UFF 58), or as a table whose titles are e.g. 'Frequency [Hz]', "
+                       "'2:+Z/1:+Z re [m/N]', '2:+Z/1:+Z im [m/N]'; or give the matrices of the model (DMIG, OUTPUT4) as a part"};
+  if (head.starts_with("\xD0\xCF\x11\xE0") || (head.starts_with("PK\x03\x04") && (has("xl/") || has("[Content_Types].xml"))))
+    return OtherFormat{"a workbook of Excel", "save its sheet as CSV"};
+  if (head.starts_with("TDSm"))
+    return OtherFormat{"a TDMS file of National Instruments", "export the channels as LVM or CSV, or save them by npTDMS as HDF5"};
+  return std::nullopt;
 }
 
 const Format* format_of(const std::filesystem::path& path, std::string_view head, bool binary_only) {
@@ -129,7 +155,7 @@ const std::vector<Format>& formats() {
        .is_of = is_matlab_v73,
        .open = open_mat_v73},
       {.format = FileFormat::matlab_v5,
-       .name = "MATLAB v5 to v7",
+       .name = "MATLAB v4 to v7",
        .binary = true,
        .variables = true,
        .is_of = is_matlab_v5,
@@ -171,11 +197,12 @@ std::string name(FileFormat format) { return std::ranges::find(formats(), format
 const Format& format_of(const std::filesystem::path& path) {
   const std::string head = read_head(path);
   if (const Format* found = format_of(path, head, false)) return *found;
+  if (const auto other = other_format(head)) fail(path, "is " + std::string(other->name) + ", which is not read", std::string(other->remedy));
   if (const std::size_t line = line_without_titles(plain_text(head)); line > 0)
     fail(path, "holds numbers from line " + std::to_string(line) + " on without a row of titles, which states what each column holds",
          std::string(write_titles));
   fail(path, "begins with " + shown(head) + " and is no FRF file that this program knows",
-       "give jointid-frf HDF5, UFF, MATLAB v5 to v7.3, CSV or the text export of an analyser. A table of text has a row of "
+       "give jointid-frf HDF5, UFF, MATLAB v4 to v7.3, CSV or the text export of an analyser. A table of text has a row of "
        "titles that begins with Frequency, and commas, semicolons, tabs or blanks between its columns");
 }
 

@@ -34,7 +34,7 @@ const std::vector<Format>& formats();
 /// The format of a file by its first bytes. Throws InputError naming what was found when it is none of them.
 const Format& format_of(const std::filesystem::path& path);
 
-/// "HDF5 jointid-frf", "UFF", "MATLAB v5 to v7", "MATLAB v7.3", "numpy npz", "numpy npy", "CSV", "analyser text", "Octave text".
+/// "HDF5 jointid-frf", "UFF", "MATLAB v4 to v7", "MATLAB v7.3", "numpy npz", "numpy npy", "CSV", "analyser text", "Octave text".
 std::string name(FileFormat format);
 
 /// As format_of().

@@ -23,7 +23,7 @@ namespace jointid::frf {
 /// Throws InputError naming the variable, and all candidates where there are several.
 std::unique_ptr<FrfSource> open_mat_v73(const std::filesystem::path& path, const OpenOptions& options = {});
 
-/// The same of MATLAB v5, v6 and v7 files. A build without matio throws InputError that says so.
+/// The same of MATLAB v4 to v7 files. A build without matio throws InputError for v5 and later.
 std::unique_ptr<FrfSource> open_mat_v5(const std::filesystem::path& path, const OpenOptions& options = {});
 
 /// Writes a v5 file with frequency [F,1], frf [F,R,C] in header.quantity and SI units, axes,

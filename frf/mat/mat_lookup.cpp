@@ -43,9 +43,11 @@ constexpr std::array<std::string_view, 17> axis_names = {"frequency_hz",
                                                          "x_values.values",
                                                          "abscissa",
                                                          "x"};
-constexpr std::array<std::string_view, 10> axis_unit_names = {
+constexpr std::array<std::string_view, 16> axis_unit_names = {
     "frequency_unit",          "freq_unit", "frequency_units", "freq_units",    "x_values.quantity.label",
-    "abscissa_axis_units_lab", "freqUnit",  "freqUnits",       "frequencyUnit", "frequencyUnits"};
+    "abscissa_axis_units_lab", "freqUnit",  "freqUnits",       "frequencyUnit", "frequencyUnits",
+    "x_unit",                  "xunit",     "x_units",         "xunits",        "abscissa_unit",
+    "abscissa_units"};
 constexpr double from_rad_per_s = 0.5 / std::numbers::pi;
 constexpr double longest_axis = 1e8;
 

@@ -1,9 +1,13 @@
 #include "frf/mat/mat_module.hpp"
 
+#include <fstream>
+#include <string>
+
 #include "base/error.hpp"
 #include "base/module.hpp"
 #include "frf/hdf5/hdf5_module.hpp"
 #include "frf/mat/mat_file.hpp"
+#include "frf/mat/mat_v4.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -32,7 +36,14 @@ MatioModule& matio_module(const std::string& file) {
 
 bool has_matio() { return is_there(matio); }
 
-std::unique_ptr<MatFile> open_mat_variables_v5(const std::filesystem::path& path) { return matio_for(path).open(path); }
+std::unique_ptr<MatFile> open_mat_variables_v5(const std::filesystem::path& path) {
+  constexpr std::size_t longest_header = 512;
+  std::string head(longest_header, '\0');
+  std::ifstream in(path, std::ios::binary);
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(in.gcount()));
+  return looks_like_mat_v4(head) ? open_mat_variables_v4(path) : matio_for(path).open(path);
+}
 
 std::unique_ptr<MatFile> open_mat_variables_v73(const std::filesystem::path& path) { return hdf5_module().open_mat_v73(path); }
 

@@ -30,7 +30,8 @@ namespace {
 
 using Names = std::span<const std::string_view>;
 
-constexpr std::array<std::string_view, 3> unit_names_of_frfs = {"unit", "units", "y_values.quantity.label"};
+constexpr std::array<std::string_view, 9> unit_names_of_frfs = {
+    "unit", "units", "y_values.quantity.label", "y_unit", "yunit", "y_units", "yunits", "ordinate_unit", "ordinate_units"};
 constexpr std::array<std::string_view, 4> coherence_names = {"coherence", "coh", "gamma2", "coherences"};
 constexpr std::array<std::string_view, 5> averages_names = {"averages", "navg", "n_avg", "num_averages", "number_of_averages"};
 constexpr std::string_view factor_name = "y_values.quantity.unit_transformation.factor";
@@ -129,7 +130,7 @@ class Reader {
 
   std::string unit_label() const {
     for (const MatInfo* beside : {frf_.values, static_cast<const MatInfo*>(nullptr)}) {
-      for (const std::string_view name : {"unit", "units"}) {
+      for (const std::string_view name : unit_names_of_frfs) {
         if (std::string text = file_.note(beside, name); !text.empty()) return text;
       }
     }
@@ -417,7 +418,7 @@ class Reader {
     return value;
   }
 
-  /// `unit` and `units` that differ, or hold what is no text and no struct.
+  /// Units under two names that differ, or hold what is no text and no struct.
   void require_one_unit() const {
     std::string first;
     for (const std::string_view name : {"unit", "units"}) {
@@ -430,9 +431,9 @@ class Reader {
         lookup_.fail(place_of(info->name), "is no text that can be read", "store the unit as a text");
       const std::string text = lookup_.text(std::span(&name, 1));
       if (!first.empty() && !text.empty() && text != first)
-        lookup_.fail(place_of(info->name), "is '" + shown_label(text) + "', and unit is '" + shown_label(first) + "'",
+        lookup_.fail(place_of(info->name), "is '" + shown_label(text) + "', and another unit is '" + shown_label(first) + "'",
                      "keep the right one");
-      first = text;
+      if (!text.empty()) first = text;
     }
   }
 

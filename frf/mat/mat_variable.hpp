@@ -80,7 +80,7 @@ class MatFile {
   mutable std::multimap<std::string, const MatInfo*> by_lower_name_;  ///< made when it is asked for
 };
 
-/// By matio (v5, v6, v7); a build without it throws InputError that says so.
+/// By matio (v5, v6, v7; a build without it throws InputError that says so), or v4 by itself.
 std::unique_ptr<MatFile> open_mat_variables_v5(const std::filesystem::path& path);
 
 /// By HDF5 (v7.3).

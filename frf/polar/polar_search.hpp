@@ -37,6 +37,9 @@ class PolarOrder {
   /// False once a of both signs were seen: nothing will be found.
   bool may_be() const { return !(above_ && below_); }
 
+  /// Whether some a is above 0 and none below.
+  bool is_positive() const { return above_ && !below_; }
+
   std::optional<std::string> finding() const;
   std::optional<std::string> doubt() const;
 
@@ -89,6 +92,9 @@ class PolarSearch {
 
   /// False once numbers of both signs were seen in either place: nothing will be found.
   bool may_be() const { return magnitude_first_.may_be() || phase_first_.may_be(); }
+
+  /// Whether first numbers were seen, and none of them is below 0.
+  bool may_be_magnitudes() const { return magnitude_first_.is_positive(); }
 
   /// Where they are magnitudes and phases, a phrase that says by what; else empty.
   std::optional<std::string> finding() const;

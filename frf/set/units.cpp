@@ -1,6 +1,7 @@
 #include "frf/set/units.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -61,6 +62,29 @@ double si_factor(std::string_view unit_label, const FrfHeader& header) {
   if (factor != 1.0 && rotations) {
     fail("unit '" + std::string(unit_label) + "' does not define the scale of rotations",
          "store sets with rotations in SI units, " + unit(header.quantity));
+  }
+  return factor;
+}
+
+std::string si_unit(Quantity quantity, const Dof& response, const Dof& reference) {
+  constexpr std::array<const char*, 3> seconds = {"", "/s", "/s^2"};
+  return std::string(response.is_rotation() ? "rad" : "m") + seconds[static_cast<std::size_t>(quantity)] +
+         (reference.is_rotation() ? "/(N*m)" : "/N");
+}
+
+double si_factor(std::string_view unit_label, const FrfHeader& header, std::size_t r, std::size_t c) {
+  const Dof &response = header.response[r], &reference = header.reference[c];
+  const auto rotates = [](const Dof& dof) { return dof.is_rotation(); };
+  if (std::ranges::none_of(header.response, rotates) && std::ranges::none_of(header.reference, rotates))
+    return si_factor(unit_label, header);
+  const double factor = si_factor(unit_label, header.quantity);
+  const std::optional<Unit> parsed = parse_unit(unit_label);
+  const int length = (response.is_rotation() ? 0 : 1) - (reference.is_rotation() ? 1 : 0);
+  const bool angle = parsed && parsed->angle != 0 && !response.is_rotation();
+  if (!parsed || parsed->length != length || angle) {
+    fail("unit '" + shown_label(unit_label) + "' is not one of " + response.name() + "/" + reference.name() + ", a " +
+             (response.is_rotation() ? "rotation" : "translation") + " over a " + (reference.is_rotation() ? "moment" : "force"),
+         "write " + si_unit(header.quantity, response, reference) + ", or the DOFs that the unit is of");
   }
   return factor;
 }

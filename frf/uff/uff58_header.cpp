@@ -205,6 +205,31 @@ bool is_angular(std::string_view name) {
   return std::ranges::find(names, lower_case(name)) != names.end();
 }
 
+/// Whether a text names a magnitude and a phase: "Mag/Phase", "Amplitude & Phase", "Betrag, Phase".
+bool names_polar_parts(std::string_view text) {
+  constexpr std::array<std::string_view, 6> magnitudes = {"mag", "magnitude", "amp", "ampl", "amplitude", "betrag"};
+  constexpr std::array<std::string_view, 4> phases = {"phase", "ph", "phs", "angle"};
+  bool magnitude = false, phase = false;
+  const std::string plain = lower_case(text);
+  const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
+  for (auto begin = std::ranges::find_if(plain, is_letter); begin != plain.end();) {
+    const auto end = std::find_if_not(begin, plain.end(), is_letter);
+    const std::string_view word(begin, end);
+    magnitude = magnitude || std::ranges::find(magnitudes, word) != magnitudes.end();
+    phase = phase || std::ranges::find(phases, word) != phases.end();
+    begin = std::find_if(end, plain.end(), is_letter);
+  }
+  return magnitude && phase;
+}
+
+/// The first text of the header that does; empty where none does.
+std::string polar_text(const Header58& header, const std::string& numerator_line) {
+  std::vector<std::string> texts = {to_utf8(trim(column(one_byte_per_column(numerator_line), 26, 20)))};
+  texts.insert(texts.end(), header.id.begin(), header.id.end());
+  const auto found = std::ranges::find_if(texts, names_polar_parts);
+  return found != texts.end() ? *found : std::string();
+}
+
 AxisRecord parse_axis(const std::string& line, int number, const Place& place) {
   const RecordLine record(line, number, place);
   AxisRecord axis;
@@ -254,6 +279,7 @@ Header58 parse_header58(const std::array<std::string, header_lines>& lines, cons
   header.abscissa = parse_axis(lines[7], 8, place);
   header.numerator = parse_axis(lines[8], 9, place);
   header.denominator = parse_axis(lines[9], 10, place);
+  header.polar = polar_text(header, lines[8]);
   return header;
 }
 

@@ -66,6 +66,7 @@ struct Header58 {
   AxisRecord abscissa;
   AxisRecord numerator;
   AxisRecord denominator;
+  std::string polar;  ///< a text of the header that says magnitudes and phases, "Magnitude/Phase"; empty: none
 
   bool is_complex() const { return ordinate_type >= 5; }
   bool is_double() const { return ordinate_type == 4 || ordinate_type == 6; }

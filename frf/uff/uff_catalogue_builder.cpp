@@ -253,6 +253,18 @@ class CatalogueBuilder {
     }
   }
 
+  /// A label may be of a plot, but where no first number is below 0.
+  void require_no_polar_label(const PolarSearch& search) const {
+    if (!search.may_be_magnitudes()) return;
+    for (const auto& [entry, record] : catalogue_.grid) {
+      const Dataset& dataset = datasets_[record.dataset];
+      const std::string& label = dataset.function->polar;
+      if (label.empty()) continue;
+      dataset.place.fail("header", "'" + shown_label(label) + "' names magnitudes and phases, and no first number of a line is below 0",
+                         "export complex FRFs as real and imaginary part; if they are, correct the label");
+    }
+  }
+
   void require_parts() {
     PolarSearch search(header_.quantity);
     try {
@@ -265,6 +277,7 @@ class CatalogueBuilder {
           "data", "the two numbers of a line are no real and imaginary part but " + *finding,
           "export complex FRFs as real and imaginary part, magnitude \u00b7 cos(phase) and magnitude \u00b7 sin(phase)");
     }
+    require_no_polar_label(search);
     if (auto doubt = search.doubt()) header_.doubts.push_back(*doubt + "; if they are, export real and imaginary parts");
   }
 

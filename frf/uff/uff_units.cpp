@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "frf/set/units.hpp"
 #include "frf/text/label_text.hpp"
 #include "frf/text/unit_names.hpp"
 #include "frf/uff/uff_text.hpp"
@@ -82,7 +83,7 @@ void require_together(const AxisRecord& above, const AxisRecord& below, const Pl
   }
 }
 
-/// The label of a translation at a rotation, as programs write that know no other.
+/// The label of a force at a moment, as programs write that know no other.
 bool is_si_at_rotation(const Unit& unit, const DofRecord& dof) { return unit.si == 1.0 && dof.is_rotation(); }
 
 void read_denominator(const Header58& header, const Place& place, LabelledUnits& read) {
@@ -110,10 +111,9 @@ void read_numerator(const Header58& header, const Place& place, LabelledUnits& r
     read.quantity = quantity;
     read.numerator = unit->si;
     if (read.ratio) read.denominator = 1.0;
-  } else if (!quantity || unit->force > 0 ||
-             (!is_si_at_rotation(*unit, header.response) && !is_si_at_rotation(*unit, header.reference))) {
+  } else if (!quantity || unit->force > 0 || header.response.is_rotation() || !is_si_at_rotation(*unit, header.reference)) {
     refuse("record 9",
-           "unit '" + shown_label(header.numerator.unit) + "' is not one of a " +
+           "unit '" + shown_label(header.numerator.unit) + "' of " + header.response.name() + " is not one of a " +
                (motion_length == 1 ? "translation" : "rotation") + ", its velocity or acceleration",
            {}, place);
   }
@@ -183,10 +183,18 @@ void drop_motion(LabelledUnits& labels, const Header58& header, Quantity given, 
   if (labels.ratio) labels.denominator.reset();
 }
 
+/// The SI unit of a record, where the user gives that of translations for a whole file with rotations; else what is given.
+std::string unit_at(const Header58& header, const std::string& given) {
+  const auto unit = parse_unit(given);
+  const auto quantity = unit ? quantity_of_time_exponent(unit->time) : std::nullopt;
+  if (!quantity || unit->si != 1.0 || !unit->same_dimension({1.0, 1, unit->time, -1})) return given;
+  return si_unit(*quantity, header.response.dof(), header.reference.dof());
+}
+
 /// With the unit that the user gives in place of the labels.
 Header58 with_unit(const Header58& header, const std::string& unit, const Place& place) {
   Header58 said = header;
-  said.numerator.unit = unit;
+  said.numerator.unit = unit_at(header, unit);
   said.denominator.unit.clear();
   LabelledUnits read;
   read_numerator(said, place, read);

@@ -119,7 +119,7 @@ TEST_F(Open, AnotherFormatSaysWhatWasFound) {
   EXPECT_THAT(error("a.zip"), HasSubstr("a.zip: begins with bytes 50 4b 03 04 00 00 and is no FRF file that this"));
   write_file("a.txt", "Dear reader\nhow do you do\n");
   EXPECT_THAT(error("a.txt"), HasSubstr("begins with 'Dear reader' and is no FRF file"));
-  EXPECT_THAT(error("a.txt"), HasSubstr("give jointid-frf HDF5, UFF, MATLAB v5 to v7.3, CSV or the text export of an analyser"));
+  EXPECT_THAT(error("a.txt"), HasSubstr("give jointid-frf HDF5, UFF, MATLAB v4 to v7.3, CSV or the text export of an analyser"));
   write_file("old.mat", "MATLAB 5.0 MAT-file, and no more");
   EXPECT_THAT(error("old.mat"), HasSubstr(has_matio() ? "old.mat: is damaged or truncated: it ends early" : "need matio"));
 }

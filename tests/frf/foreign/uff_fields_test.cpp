@@ -69,5 +69,44 @@ TEST(UffFields, AnAxisThatIsAngularByItsName) {
   EXPECT_NEAR(first_hz("Omega                Hz"), 6.283185307179586 * turns, 1e-12);
 }
 
+/// Where the numbers allow it, and not where first numbers of both signs show that it is only the label of a plot.
+TEST(UffFields, ALabelOfMagnitudesAndPhases) {
+  const auto error = [](const std::string& id, const char* data) -> std::string {
+    Record record = simple_record();
+    record.id = id, record.data = data, record.data_type = 5;
+    const TemporaryUff file(record.str());
+    try {
+      open(file.path());
+    } catch (const InputError& found) {
+      return found.what();
+    }
+    return {};
+  };
+  const char* const positive = "  1.00000E-03 -2.00000E+00  2.00000E-03 -9.00000E+01  1.00000E-03 -1.78000E+02\n";
+  const char* const both = " -1.00000E-03 -2.00000E+00  2.00000E-03 -9.00000E+01  1.00000E-03 -1.78000E+02\n";
+  for (const char* label : {"FRF Mag/Phase", "Magnitude & Phase", "Amplitude, phase [deg]", "Betrag/Phase"}) {
+    EXPECT_THAT(error(label, positive), ::testing::HasSubstr("names magnitudes and phases, and no first number of a line is below 0")) << label;
+    EXPECT_EQ(error(label, both), "") << label;
+  }
+  for (const char* label : {"Real/Imag", "Magnetic base, phase 2 of the test", "Phase reference: sensor 3"}) EXPECT_EQ(error(label, positive), "") << label;
+}
+
+TEST(UffFields, UnitsOfRotations) {
+  Record turning = simple_record();
+  turning.response_direction = 4, turning.numerator_type = 12, turning.numerator_unit = "m/s^2";
+  const TemporaryUff file(turning.str());
+  try {
+    open(file.path());
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("unit 'm/s^2' of 1:+RX is not one of a rotation"));
+  }
+  OpenOptions given;
+  given.unit = "m/(s^2*N)";
+  turning.numerator_unit = "rad/s^2";
+  const TemporaryUff right(turning.str());
+  EXPECT_EQ(load(*open(file.path(), given)).values, load(*open(right.path())).values);
+}
+
 }  // namespace
 }  // namespace jointid::frf

@@ -104,5 +104,15 @@ TEST_F(WordsOfArrays, AnArrayWhoseNameTurnsItsAxes) {
   EXPECT_EQ(set.values[set.index(0, 1, 0)].real(), 4.0);
 }
 
+TEST_F(WordsOfArrays, ForUnitsOfPlots) {
+  for (const auto& [x, y] : std::to_array<std::pair<const char*, const char*>>(
+           {{"xunit", "yunit"}, {"x_unit", "y_unit"}, {"XUnit", "YUnit"}, {"xUnits", "yUnits"}, {"abscissa_unit", "ordinate_unit"}})) {
+    const FrfSet set = read(range("f") + frf("H") + text(x, "kHz") + text(y, "mm/N"), at_one_dof({}));
+    EXPECT_NEAR(set.header.frequency_hz[0], 1e4, 1e-8) << x;
+    EXPECT_NEAR(set.values[0].real(), 2e-3, 1e-15) << y;
+  }
+  EXPECT_THAT(error(range("f") + frf("H") + text("unit", "mm/N") + text("yunit", "m/N")), HasSubstr("another unit is 'mm/N'"));
+}
+
 }  // namespace
 }  // namespace jointid::frf
