@@ -175,6 +175,7 @@ class FrfSet:
         0 to 1. It needs `averages`, the number of averages.
     covariance : array, complex, [line, pair, reference], optional
         E[e_r e_s*] of the errors of one line and reference for s ≤ r. Pairs are in the order of the lower triangle, row by row.
+        Without variances and coherences its diagonal gives the variances.
     covariance_factor : array, complex, [line, response, column, reference], optional, in place of `covariance`
         L of the covariances L Lᴴ + diag(d). It takes less memory than pairs if there are few hits and many sensors.
         `covariance_diagonal`, [line, response, reference], is d.
@@ -217,6 +218,7 @@ class FrfSet:
             self.frfs = self.frfs * factor
         self._set_errors(variance, coherence, covariance, factor)
         self._set_factor(covariance_factor, covariance_diagonal, factor)
+        self._add_variance_of_covariance()
         self.reference_correlation: np.ndarray | None = None
         self._validate()
 
@@ -267,6 +269,20 @@ class FrfSet:
         self.covariance_factor: np.ndarray | None = self._times(rows, factor) if factor != 1.0 else rows
         diagonal = _shaped(diagonal, float, self.frfs.shape, "covariance_diagonal")
         self.covariance_diagonal: np.ndarray | None = self._times(diagonal, factor**2) if factor != 1.0 else diagonal
+
+    def _add_variance_of_covariance(self) -> None:
+        """Of each response, half for the real and half for the imaginary part, where nothing else states it."""
+        if self.variance is not None or self.coherence is not None:
+            return
+        if self.covariance_factor is not None:
+            whole = np.sum(np.abs(self.covariance_factor) ** 2, axis=2)
+            whole = whole if self.covariance_diagonal is None else whole + self.covariance_diagonal
+        elif self._covariance is not None:
+            rows = np.arange(len(self.responses))
+            whole = self._covariance[:, rows * (rows + 3) // 2, :].real
+        else:
+            return
+        self.variance = whole * (0.5 + 0.5j)
 
     @staticmethod
     def _times(array: np.ndarray | None, factor: Any) -> np.ndarray | None:

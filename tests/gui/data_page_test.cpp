@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -10,6 +11,7 @@
 
 #include "gui/data/frf_grid_model.hpp"
 #include "gui/look/paths.hpp"
+#include "gui/look/theme.hpp"
 #include "gui/plot/frf_plot.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "widgets.hpp"
@@ -80,6 +82,11 @@ TEST(DataPage, AFileThatIsNoneIsMarkedAndTheOthersStay) {
   loaded.page.set_scene(loaded.scene, "two");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !loaded.page.files()[0].error.empty(); }, 20000));
   EXPECT_TRUE(loaded.page.files()[1].error.empty());
+  apply(Theme::dark, *qApp);
+  QCoreApplication::processEvents();
+  const QColor dark = loaded.page.findChild<QTreeWidget*>()->topLevelItem(0)->child(0)->foreground(0).color();
+  apply(Theme::light, *qApp);
+  EXPECT_EQ(dark, colours(Theme::dark).error);
   loaded.choose(1);
   EXPECT_EQ(loaded.page.grid()->rowCount(), 6);
   loaded.choose(0);

@@ -125,6 +125,16 @@ def test_coherences_without_averages_warn():
     assert caught[0].filename == __file__
 
 
+def test_covariances_alone_give_the_variances():
+    factor = np.random.default_rng(1).normal(size=(5, 2, 3, 2)) + 1j
+    diagonal = np.full((5, 2, 2), 0.5)
+    of_factor = made(covariance_factor=factor, covariance_diagonal=diagonal)
+    expected = np.einsum("lrkc,lrkc->lrc", factor, factor.conj()).real + 0.5
+    np.testing.assert_allclose(of_factor.variance, expected * (0.5 + 0.5j), rtol=1e-12)
+    np.testing.assert_allclose(made(covariance=of_factor.covariance).variance, of_factor.variance, rtol=1e-12)
+    assert made(covariance=of_factor.covariance, variance=np.ones((5, 2, 2))).variance[0, 0, 0] == 1 + 1j
+
+
 def test_nodes_in_any_form():
     for node in (2, 2.0, "2", [2], np.array([2]), {2}, range(2, 3)):
         assert made().sel(node=node).responses == ("2:+X",)
