@@ -110,7 +110,8 @@ Cells titles_of(std::string_view line, std::size_t count) {
 
 std::string with_tabs(const Cells& cells) {
   std::string text;
-  for (const std::string_view cell : cells) text.append(text.empty() ? "" : "\t").append(cell);
+  for (const std::string_view cell : cells) text.append(cell).append("\t");
+  if (!text.empty()) text.pop_back();
   return text;
 }
 

@@ -41,7 +41,8 @@ Title title_of(std::string_view name) {
 /// say that of one FRF.
 bool is_foreign(std::string_view label, bool one) {
   const bool pair = label.find('/') != std::string_view::npos && !label.empty() && label.front() >= '0' && label.front() <= '9';
-  return (label.find(':') == std::string_view::npos || (one && !says_direction(label))) && !pair;
+  const bool open = one || label.find('/') == std::string_view::npos;
+  return (label.find(':') == std::string_view::npos || (open && !says_direction(label))) && !pair;
 }
 
 /// "1X+/2X+", "FRF plate:1:+X/plate:2:+X": DOFs as others write them.

@@ -162,6 +162,7 @@ class CsvReader {
     std::vector<std::string_view> cells = csv_cells(line, separator_);
     while (cells.size() > 2 && cells.back().empty()) cells.pop_back();
     const std::size_t index = header_ ? header_->index : 0;
+    require_column_of_frequencies(cells);
     for (std::size_t i = index; i < cells.size(); ++i) {
       if (i > index) require_no_factor(cells[i], i);
       CsvTitle title = csv_title(cells[i]);
@@ -172,6 +173,14 @@ class CsvReader {
     pair_parts(table_.columns);
     take_frequency_title(cells[index]);
     read_units_above();
+  }
+
+  /// "Frequency [Hz]", then nothing but numbers: rows and columns are exchanged.
+  void require_column_of_frequencies(const std::vector<std::string_view>& cells) const {
+    double value = 0.0;
+    const bool row = cells.size() > 2 && frequency_title(cells[0]) &&
+                     std::all_of(cells.begin() + 1, cells.end(), [&](auto cell) { return !cell.empty() && parse(cell, value); });
+    if (row) table_.fail(line_, 0, "the frequencies are in a row", "exchange rows and columns, so that they are in the first column");
   }
 
   /// The table has no place for it beside the unit.
@@ -209,7 +218,7 @@ class CsvReader {
     const std::string &name = table_.columns[0], &unit = table_.units[0];
     const bool by_row = frequency_title((name.empty() ? "axis" : name) + " [" + unit + "]").has_value();
     const bool by_line = table_.keys.contains("frequency_unit") && std::ranges::find(any, lower_case(name)) != any.end();
-    if (unit.empty() ? !by_line : !by_row) refuse_axis(name);
+    if (unit.empty() ? !by_line : !by_row) refuse_axis(unit.empty() ? name : name + " [" + unit + "]");
   }
 
   double hz_per_unit() const {

@@ -58,8 +58,9 @@ bool is_name_before_part(std::string_view title, std::size_t open) {
   return is_csv_part(title.substr(last + 1)) && inside.find_first_not_of("0123456789,;:| +-/RXYZ") == std::string_view::npos;
 }
 
-/// "Hz" of "unit: Hz" between brackets.
+/// "Hz" of "unit: Hz" and "in Hz" between brackets.
 std::string_view behind_word_unit(std::string_view inside) {
+  if (inside.starts_with("in ") && !quantity_of_unit(inside)) return trimmed(inside.substr(3));
   for (const std::string_view word : {"units", "unit"}) {
     if (!lower_case(inside).starts_with(word)) continue;
     const std::string_view rest = trimmed(inside.substr(word.size()));
@@ -331,7 +332,8 @@ bool are_types(const std::vector<std::string_view>& cells) {
   bool any = false;
   for (const std::string_view cell : cells) {
     const std::string plain = lower_case(without_brackets(cell));
-    const bool type = plain.starts_with("dt_") || plain.starts_with("format=") || plain.starts_with("format:") || std::ranges::find(types, plain) != types.end();
+    const bool format = plain.starts_with("format=") || plain.starts_with("format:");
+    const bool type = format || plain.starts_with("dt_") || std::ranges::find(types, plain) != types.end();
     if (!type && !plain.empty()) return false;
     any = any || type;
   }
@@ -340,10 +342,12 @@ bool are_types(const std::vector<std::string_view>& cells) {
 
 CsvTitle csv_title(std::string_view cell) {
   if (const std::string plain = with_plain_brackets(cell); plain != cell) return csv_title(plain);
-  if (const std::size_t comma = cell.rfind(", "); comma != std::string_view::npos && comma > 0) {
-    const std::string_view unit = trimmed(cell.substr(comma + 2));  // "H1,2 Real, g/lbf" in quotes
+  for (const std::string_view sign : {", ", ": "}) {  // "H1,2 Real, g/lbf" in quotes, "Real: g/N"
+    const std::size_t at = cell.rfind(sign);
+    if (at == std::string_view::npos || at == 0) continue;
+    const std::string_view unit = trimmed(cell.substr(at + 2));
     if (quantity_of_unit(unit) || is_degrees(unit) || is_radians(unit)) {
-      CsvTitle title = csv_title(cell.substr(0, comma));
+      CsvTitle title = csv_title(cell.substr(0, at));
       if (title.unit.empty()) return {std::move(title.title), as_ratio(std::string(unit))};
     }
   }

@@ -197,7 +197,8 @@ std::string name(FileFormat format) { return std::ranges::find(formats(), format
 const Format& format_of(const std::filesystem::path& path) {
   const std::string head = read_head(path);
   if (const Format* found = format_of(path, head, false)) return *found;
-  if (const auto other = other_format(head)) fail(path, "is " + std::string(other->name) + ", which is not read", std::string(other->remedy));
+  if (const auto other = other_format(head))
+    fail(path, "is " + std::string(other->name) + ", which is not read", std::string(other->remedy));
   if (const std::size_t line = line_without_titles(plain_text(head)); line > 0)
     fail(path, "holds numbers from line " + std::to_string(line) + " on without a row of titles, which states what each column holds",
          std::string(write_titles));

@@ -70,7 +70,9 @@ class FrfFinder {
         those([&](const ComplexArray& array) { return begins(array.name, name) || begins(without_numbers(array.name), name); });
     if (!inside.empty()) return only(fitting(inside), name);
     if (exact == nullptr) lookup_.fail({}, "has no variable " + name + "; there are " + listed(file_, all()), "name one of them");
-    lookup_.fail(place_of(name), "is no array of complex numbers", "name one of " + listed(file_, infos(arrays_)));
+    lookup_.fail(place_of(name), "is no array of complex numbers",
+                 arrays_.empty() ? "store one, [lines, responses, references], or a cell of them for each FRF; cells in cells are not read"
+                                 : "name one of " + listed(file_, infos(arrays_)));
   }
 
   Arrays by_itself() const {

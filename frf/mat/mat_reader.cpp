@@ -421,7 +421,7 @@ class Reader {
   /// Units under two names that differ, or hold what is no text and no struct.
   void require_one_unit() const {
     std::string first;
-    for (const std::string_view name : {"unit", "units"}) {
+    for (const std::string_view name : unit_names_of_frfs) {
       const MatInfo* info = lookup_.find(name);
       if (info == nullptr) continue;
       const std::string inside = info->name + ".";

@@ -113,8 +113,8 @@ void read_numerator(const Header58& header, const Place& place, LabelledUnits& r
     if (read.ratio) read.denominator = 1.0;
   } else if (!quantity || unit->force > 0 || header.response.is_rotation() || !is_si_at_rotation(*unit, header.reference)) {
     refuse("record 9",
-           "unit '" + shown_label(header.numerator.unit) + "' of " + header.response.name() + " is not one of a " +
-               (motion_length == 1 ? "translation" : "rotation") + ", its velocity or acceleration",
+           "unit '" + shown_label(header.numerator.unit) + "' is not one of a " +
+               (motion_length == 1 ? "translation" : "rotation") + ", its velocity or acceleration (" + header.response.name() + ")",
            {}, place);
   }
 }

@@ -64,17 +64,20 @@ TEST_F(CsvRowsAbove, OfUnitsBesideTitlesWithoutFrequency) {
   expect_right("X\tReal [g/N]\tImag [g/N]\n" + std::string(numbers), hertz);
   EXPECT_THAT(error("X\tReal [g/N]\tImag [g/N]\n" + std::string(numbers)),
               AllOf(HasSubstr("line 1"), HasSubstr("the first column is 'X'"), HasSubstr("--frequency-unit Hz")));
-  EXPECT_THAT(error("Speed\tReal\tImag\nHz\tg/N\tg/N\n" + std::string(numbers)), HasSubstr("the first column is 'Speed'"));
-  EXPECT_THAT(error("X\tReal\tImag\ns\tg/N\tg/N\n" + std::string(numbers)), HasSubstr("the first column is 'X'"));
+  EXPECT_THAT(error("Speed\tReal\tImag\nHz\tg/N\tg/N\n" + std::string(numbers)), HasSubstr("the first column is 'Speed [Hz]'"));
+  EXPECT_THAT(error("X\tReal\tImag\ns\tg/N\tg/N\n" + std::string(numbers)), HasSubstr("the first column is 'X [s]'"));
 }
 
 TEST_F(CsvRowsAbove, OfTitlesWithOtherSigns) {
   for (const char* titles :
        {"Frequency (Hz)\tTF_1Z/1Z/Re (g/N)\tTF_1Z/1Z/Im (g/N)\n", "Frequency (Hz)\tH1; Real (g/N)\tH1; Imag (g/N)\n",
         "Freq [Hz]\tH2,1(f) Re [g/N]\tH2,1(f) Im [g/N]\n", "Frequency <Hz>\tReal <g/N>\tImag <g/N>\n",
-        "Frequency | Hz\tReal | g/N\tImag | g/N\n", "Frequency [unit: Hz]\tReal [unit: g/N]\tImag [unit: g/N]\n"})
+        "Frequency | Hz\tReal | g/N\tImag | g/N\n", "Frequency [unit: Hz]\tReal [unit: g/N]\tImag [unit: g/N]\n",
+        "Frequency (in Hz)\tReal (in g/N)\tImag (in g/N)\n", "Frequency: Hz\tReal: g/N\tImag: g/N\n",
+        "Frequency [Hz]\tY:FRF1 Real [g/N]\tY:FRF1 Imag [g/N]\n"})
     expect_right(titles + std::string(numbers));
-  const std::string polar = "10\t2.2360680\t-26.565051\n20\t5\t53.130102\n", levels = "10\t6.9897000\t-26.565051\n20\t13.979400\t53.130102\n";
+  const std::string polar = "10\t2.2360680\t-26.565051\n20\t5\t53.130102\n";
+  const std::string levels = "10\t6.9897000\t-26.565051\n20\t13.979400\t53.130102\n";
   expect_right("FREQ\tUZ Amplitude [g/N]\tUZ Phase Angle [°]\n" + polar);
   expect_right("Frequency [Hz]\tLevel dB (re 1 g/N)\tPhase [deg]\n" + levels);
   expect_right("Frequency [Hz]\tMagnitude [dB/1.0 g/N]\tPhase [deg]\n" + levels);
@@ -99,6 +102,11 @@ TEST_F(CsvRowsAbove, MoreDofsThanFrfs) {
   EXPECT_THAT(error("Frequency [Hz]\tReal [g/N]\tImag [g/N]\tReal [g/N]\tImag [g/N]\n10\t2\t-1\t2\t-1\n20\t3\t4\t3\t4\n",
                     given({"1:+Z", "2:+Z"}, {})),
               HasSubstr("2 references (the responses) were given, which are 4"));
+}
+
+TEST_F(CsvRowsAbove, FrequenciesInARow) {
+  EXPECT_THAT(error("Frequency [Hz]\t10\t20\nReal [g/N]\t2\t3\nImag [g/N]\t-1\t4\n"),
+              AllOf(HasSubstr("line 1, column 1"), HasSubstr("the frequencies are in a row; exchange rows and columns")));
 }
 
 TEST_F(CsvRowsAbove, UnitsOfRotations) {
