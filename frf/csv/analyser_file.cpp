@@ -28,7 +28,7 @@ constexpr std::size_t most_label_lines = 60;
 /// Without units and names of FRFs in the titles: those are read as CSV.
 bool is_heading_row(std::string_view line) {
   const std::string text = lower_case(trimmed(line));
-  if (text.find_first_of("[(") != std::string::npos || !text.starts_with("frequency")) return false;
+  if (text.find_first_of("[(<|:") != std::string::npos || !text.starts_with("frequency")) return false;
   const std::size_t second = text.find_first_not_of(" \t", text.find('\t'));
   return text.find('\t') != std::string::npos && second != std::string::npos &&
          std::string_view(text).substr(second).starts_with("real");

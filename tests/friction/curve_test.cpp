@@ -106,7 +106,7 @@ TEST(Curve, WhatCannotBeFittedIsRefusedByName) {
   };
   Curve good = loading_curve("rig", {{0.0, 1.0}, {0.0, 2.0}});
   EXPECT_EQ(refusal(good), "");
-  EXPECT_EQ(refusal(loading_curve("rig", {})), "rig: there are no samples");
+  EXPECT_EQ(refusal(loading_curve("rig", {})), "rig: there are no samples; correct the curve, or leave it out");
   EXPECT_THAT(refusal(loading_curve("rig", {{1.0}, {1.0, 2.0}})), testing::HasSubstr("not equally many"));
   EXPECT_THAT(refusal(loading_curve("rig", {{1.0}, {NAN}})), testing::HasSubstr("not finite"));
   EXPECT_THAT(refusal(loading_curve("rig", {{1.0}, {0.0}})), testing::HasSubstr("all values are zero"));

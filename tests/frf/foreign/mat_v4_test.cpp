@@ -45,13 +45,13 @@ class MatV4File : public FileTest {
 };
 
 TEST_F(MatV4File, FrfsOfEveryTypeAndByteOrder) {
-  const std::vector<double> numbers = {2, 3, 5, 6, -1, 4, 7, 8};  // two responses at two lines: real parts, then imaginary ones
+  const std::vector<double> numbers = {2, 3, 5, 6, -1, 4, 7, 8};  // two responses at two lines: real parts, then imaginary ones; axes stated, as both are two
   for (const bool big : {false, true}) {
     const std::string frequency = variable<std::int16_t>("f", 30, 2, 1, {10, 20}, false, big);
     for (const bool single : {false, true}) {
       const std::string frf =
           single ? variable<float>("H", 10, 2, 2, numbers, true, big) : variable<double>("H", 0, 2, 2, numbers, true, big);
-      const auto path = write_file("a.mat", frequency + frf + text("unit", "mm/N"));
+      const auto path = write_file("a.mat", frequency + frf + text("unit", "mm/N") + text("axes", "FRC"));
       EXPECT_EQ(name(detect_format(path)), "MATLAB v4 to v7");
       const FrfSet set = load(*open(path, at({"1:+Z", "2:+Z"})));
       EXPECT_EQ(set.header.frequency_hz, (std::vector<double>{10.0, 20.0}));

@@ -138,8 +138,8 @@ TEST(ResponseMistakes, SaysWhereAPeakIsNarrowerThanTheLines) {
     const ResponseScene scene = parse_response_scene(text, folder / "scene.toml");
     return report::response_text(scene, run_response(scene));
   };
-  EXPECT_THAT(narrow(8), HasSubstr("its height between them is not known"));
-  EXPECT_THAT(narrow(1), testing::Not(HasSubstr("its height between them is not known")));
+  EXPECT_THAT(narrow(8), HasSubstr("ts height between them is not known"));
+  EXPECT_THAT(narrow(1), testing::Not(HasSubstr("ts height between them is not known")));
 }
 
 }  // namespace
