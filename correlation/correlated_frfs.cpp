@@ -130,7 +130,7 @@ ShapesOverLines shapes_over_lines(const frf::FrfSet& one, const frf::FrfSet& oth
   if (place == frf::npos || found.empty()) {
     std::vector<frf::Dof> valid;
     for (const Match& each : sets.common.references) valid.push_back(one.header.reference[each.one]);
-    throw InputError({.kind = ErrorKind::usage,
+    throw InputError({.kind = ErrorKind::data,
                       .file = "",
                       .place = "FDAC",
                       .problem = reference.name() + " is no reference of both " + one.header.file + " and " + other.header.file,

@@ -121,7 +121,7 @@ std::optional<OtherFormat> other_format(std::string_view head) {
   if (head.starts_with("$TITLE") && punched)
     return OtherFormat{"a file of results that Nastran punched",
                        "write the results as a universal file (UFF 58), or as a table whose titles are e.g. 'Frequency [Hz]', "
-                       "'2:+Z/1:+Z re [m/N]', '2:+Z/1:+Z im [m/N]'; or give the matrices of the model (DMIG, OUTPUT4) as a part"};
+                       "'2:+Z/1:+Z re [m/N]', '2:+Z/1:+Z im [m/N]'. Or give the matrices of the model (DMIG, OUTPUT4) as a part"};
   if (head.starts_with("\xD0\xCF\x11\xE0") || (head.starts_with("PK\x03\x04") && (has("xl/") || has("[Content_Types].xml"))))
     return OtherFormat{"a workbook of Excel", "save its sheet as CSV"};
   if (head.starts_with("TDSm"))

@@ -86,8 +86,8 @@ struct Fit {
   /// Decimal digits that rounding leaves of the worst unknown, relative to the largest of its joint and unit; not below 0.
   std::optional<double> digits;
   std::size_t iterations = 0;            ///< of iterative methods
-  /// Of a step of an iterative method, told by Control::so_far: what it makes least. Σ L over the lines (likelihood); χ² (by parts); the mean over the
-  /// lines of log(1 + ‖F‖²/‖H_aa − H_nn‖²) (newton). None of a solution.
+  /// What a step of an iterative method makes least, told by Control::so_far: Σ L over the lines (likelihood), χ² (by parts), the mean
+  /// over the lines of log(1 + ‖F‖²/‖H_aa − H_nn‖²) (newton). None of a solution.
   std::optional<double> objective{};
   std::optional<ChiSquare> chi_square;   ///< of methods that weigh FRFs by their variances
   std::optional<double> asm_frf_error;   ///< dB; empty if the scene's equations do not read the FRFs for it
