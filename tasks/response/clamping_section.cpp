@@ -31,12 +31,12 @@ std::vector<std::size_t> read_clamped_joints(const scene::Item& section, const s
 SceneClamping read_clamping(const scene::Item& item, const ResponseScene& scene) {
   const scene::Table table = item.table({"joints", "range", "points", "nominal"});
   SceneClamping clamping;
-  clamping.joints = read_clamped_joints(item, table, scene);
   const scene::Item range = table.require("range");
   clamping.range = range.interval();
   if (clamping.range[0] <= 0.0) range.fail("a load of 0 clamps nothing", "begin above it, as [0.01, 100]");
   if (const auto points = table.find("points")) clamping.points = static_cast<std::size_t>(points->whole(3, 1000));
   if (const auto nominal = table.find("nominal")) clamping.nominal = nominal->positive();
+  clamping.joints = read_clamped_joints(item, table, scene);
   return clamping;
 }
 
