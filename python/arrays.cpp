@@ -35,7 +35,7 @@ class View {
       refuse(std::string(what) + " is no contiguous buffer of " + format, "numpy.ascontiguousarray(array, dtype) makes one");
     }
   }
-  View(View&&) = default;
+  View(View&&) noexcept = default;
   View& operator=(View&&) = delete;
   ~View() {
     if (!info_) return;
@@ -43,8 +43,9 @@ class View {
       (void)info_.release();
       return;
     }
-    const py::gil_scoped_acquire lock;
+    const PyGILState_STATE state = PyGILState_Ensure();  // not gil_scoped_acquire, which may throw
     info_.reset();
+    PyGILState_Release(state);
   }
 
   std::span<const T> numbers() const {
