@@ -6,7 +6,7 @@
 namespace jointid::tasks {
 
 std::vector<double> cramer_rao_bound(const ident::Plan& plan, const std::vector<double>& values, const ident::Control& control) {
-  read_observations(plan, control);
+  read_for_bound(plan, control);
   return bound_of(plan, make_estimator(plan, control).at(scaled(plan, values)).fit.information);
 }
 

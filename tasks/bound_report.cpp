@@ -205,7 +205,7 @@ class Predictor {
 
   /// The bound by the lines of the plan, or by as many as are worked out in a minute, as if they were all.
   void tell_bound(BoundReport& out) {
-    read_observations(*plan_, control_);
+    read_for_bound(*plan_, control_);
     information_ = of_all(information_without(absent_, &by_part_));
     const double share = static_cast<double>(all_lines_) / static_cast<double>(plan_->lines.size());
     for (Eigen::MatrixXd& part : by_part_) part *= share;
@@ -222,7 +222,7 @@ class Predictor {
     Eigen::MatrixXd information = information_;
     if (lines < plan_->lines.size()) {
       plan_->lines = spread_lines(plan_->lines, lines);
-      read_observations(*plan_, control_);
+      read_for_bound(*plan_, control_);
       information = of_all(information_without(absent_));
     }
     out.lines_looked_at = plan_->lines.size();
@@ -300,7 +300,7 @@ class Predictor {
     for (const std::size_t c : absent_) absent.push_back(frf::find_coordinate(coordinates, own[c]));
     const std::size_t all = other->lines.size();
     other->lines = spread_lines(other->lines, std::max<std::size_t>(1, all * plan_->lines.size() / all_lines_));
-    read_observations(*other, control_);
+    read_for_bound(*other, control_);
     likelihood_plan(*other)->observations->leave_out(absent);
     const double share = static_cast<double>(all) / static_cast<double>(other->lines.size());
     return bound_of(*other, share * make_estimator(*other, control_, next_stage()).at(scaled(*other, guess_)).fit.information);

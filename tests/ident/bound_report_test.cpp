@@ -80,6 +80,28 @@ TEST(BoundReport, LinesThatTheSceneLeavesOutAreOffered) {
   for (const double factor : report.with_more.front().factors) EXPECT_LE(factor, 1.0 + 1e-9);
 }
 
+/// Exact FRFs there and back agree. Where both are to be measured, each with noise of its own, the bound is that of both; it was
+/// that of one, 13 % above what noisy data state.
+TEST(BoundReport, CountsBothFrfsOfAReciprocalPairWhereTheirNoiseIsApart) {
+  LikelihoodCase a1("A1", 0.01);
+  std::get<frf::NoiseModel>(a1.problem.noise).reciprocal = false;
+  a1.scene.noise->frf_model.reciprocal = false;
+  const tasks::BoundReport report = tasks::predict_bound(*a1.clean(), {}, {});
+  Control control;
+  control.threads = 1;
+  control.judgement = Judgement::fit;
+  constexpr std::uint64_t seeds = 4;
+  double ratio = 0.0;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const Solution found = solve(*a1.polluted(seed), control);
+    for (std::size_t u = 0; u < found.unknowns.size(); ++u)
+      ratio += report.unknowns[u].bound / *found.unknowns[u].std_error / static_cast<double>(seeds * found.unknowns.size());
+  }
+  EXPECT_NEAR(ratio, 1.0, 0.05);
+  a1.scene.noise->frf_model.reciprocal = true;
+  EXPECT_GT(tasks::predict_bound(*a1.clean(), {}, {}).unknowns.front().bound, 1.05 * report.unknowns.front().bound);
+}
+
 TEST(BoundReport, NeedsAJointToAssume) {
   LikelihoodCase a1("A1");
   const Matrix stiffness = a1.scene.truth.begin()->second;

@@ -117,6 +117,11 @@ void Observations::forget_error_sums() {
   assembly_.forget_error_sums();
 }
 
+void Observations::take_pairs_apart() {
+  substructures_.take_pairs_apart();
+  assembly_.take_pairs_apart();
+}
+
 bool Observations::has_independent_errors() const {
   const auto is_correlated = [](const LineData& line) { return line.correlation != nullptr; };
   return !shares_.any(has_error_sums() || std::ranges::any_of(data_, is_correlated));

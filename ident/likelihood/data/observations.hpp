@@ -30,6 +30,9 @@ class Observations final : public LikelihoodData {
   /// between chunks of lines.
   void read(const std::vector<Line>& lines, const std::function<void(std::size_t done)>& between, const LineShares& shares = {});
 
+  /// As SymmetricFrfs, of both systems.
+  void take_pairs_apart();
+
   /// Takes what was read as if some coordinates (numbers in LineLayout::coordinates) had not been measured: non-joint ones at
   /// all, joint ones on the assembly. Replaces what was left out before.
   void leave_out(const std::vector<std::size_t>& coordinates);

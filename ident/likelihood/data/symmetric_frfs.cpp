@@ -147,7 +147,7 @@ void SymmetricFrfs::take_variances_of_laws(std::size_t lines) {
 
 SymmetricFrfs::Role SymmetricFrfs::role(const Measured& there, const Measured& back) const {
   if (!back.known()) return Role::there;
-  return !there.known() || copies(there, back) ? Role::back : Role::both;
+  return !there.known() || (!are_pairs_apart_ && copies(there, back)) ? Role::back : Role::both;
 }
 
 /// Of errors that depend on each other to first order: more FRFs than there were before they were coupled. What they do to second

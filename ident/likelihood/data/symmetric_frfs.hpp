@@ -57,6 +57,9 @@ class SymmetricFrfs {
   /// and again when the FRFs have changed.
   void prepare(std::span<const std::size_t> lines);
 
+  /// From now on FRFs there and back are two measurements although they agree: they are exact, and are to be measured apart.
+  void take_pairs_apart() { are_pairs_apart_ = true; }
+
   /// Reads some common lines of the system (ascending).
   void read(std::span<const std::size_t> lines);
 
@@ -97,6 +100,7 @@ class SymmetricFrfs {
   void scatter(const Part& part, std::size_t lines, const std::vector<Complex>& from, std::vector<Complex>& to) const;
 
   std::size_t size_;
+  bool are_pairs_apart_ = false;
   std::vector<Part> parts_;
   std::unique_ptr<FrfCovariances> covariances_;  ///< where there are any
   std::unique_ptr<FrfErrorSums> sums_;           ///< the same

@@ -34,6 +34,13 @@ void read_observations(const Plan& plan, const Control& control) {
   likelihood_plan(plan)->observations->read(plan.lines, between, control.shares);
 }
 
+void read_for_bound(const Plan& plan, const Control& control) {
+  const auto& noise = plan.scene.noise;
+  const bool apart = noise && (!noise->frf_model.reciprocal || noise->frf_model.kind == frf::NoiseKind::hammer);
+  if (apart) likelihood_plan(plan)->observations->take_pairs_apart();
+  read_observations(plan, control);
+}
+
 LikelihoodEstimator make_estimator(const Plan& plan, const Control& control, std::shared_ptr<const std::string> stage) {
   EstimatorOptions options{.threads = control.threads, .priors = likelihood_plan(plan)->priors};
   if (control.interrupted || control.progress) {
