@@ -34,7 +34,7 @@ command_test(solve_unwritable CODE 3 ERR "absent/a.json: cannot be written" AFTE
 command_test(correlate CODE 0 OUT "FRAC.*neither file states|FRAC.*degrees of freedom" AFTER study_data ARGS correlate a1/A1_substructure_1.h5 a1/A1_assembly.h5)
 command_test(correlate_json CODE 0 OUT "\"fdac\": .*\"rows\": " AFTER study_data
   ARGS correlate a1/A1_substructure_1.h5 a1/A1_assembly.h5 --fdac 1:+Y --json -)
-command_test(correlate_reference CODE 3 ERR "references: none is that of" AFTER study_data
+command_test(correlate_reference CODE 3 ERR "FDAC: 99:.Y is no reference of both" AFTER study_data
   ARGS correlate a1/A1_substructure_1.h5 a1/A1_assembly.h5 --fdac 99:+Y)
 command_test(correlate_modes CODE 3 ERR "a1/A1_assembly.h5" AFTER study_data ARGS correlate a1/A1_assembly.h5 a1/A1_assembly.h5 --modes)
 command_test(expand CODE 0 OUT "do not identify" AFTER study_data ARGS expand a1/A1_assembly.h5 a1/A1_substructure_1.h5 --out expanded.h5)
