@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "friction/path/clamped.hpp"
+#include "friction/path/scaled.hpp"
 #include "minimise/least_value.hpp"
 #include "tasks/response/level_runs.hpp"
 #include "tasks/tell.hpp"
@@ -20,7 +20,7 @@ constexpr double a_tenth_more = 1.1;
 std::vector<response::Joint> clamped(const ResponseScene& scene, double load) {
   std::vector<response::Joint> joints = joints_of(scene);
   for (const std::size_t j : scene.clamping->joints)
-    joints[j].friction = std::make_shared<friction::Clamped>(joints[j].friction, load);
+    joints[j].friction = std::make_shared<friction::Scaled>(joints[j].friction, load, load);
   return joints;
 }
 

@@ -10,7 +10,6 @@
 #include "friction/law/menq_bar.hpp"
 #include "friction/path/quadrature.hpp"
 #include "friction/path/ring.hpp"
-#include "friction/path/clamped.hpp"
 #include "friction/path/scaled.hpp"
 #include "random_element.hpp"
 
@@ -178,10 +177,10 @@ TEST(Scaled, MultipliesForcesOnly) {
   EXPECT_EQ(twice.values(), law->values());
 }
 
-TEST(Clamped, HasSlipLimitsInProportionToTheLoad) {
+TEST(Scaled, HasSlipLimitsInProportionToTheLoad) {
   const auto law = std::shared_ptr(make_element("bilinear", std::array{1.5e-5, 2e6}));
   const auto same = make_element("bilinear", std::array{3.75e-5, 2e6});
-  const Clamped clamped(law, 2.5);
+  const Scaled clamped(law, 2.5, 2.5);
   ASSERT_EQ(clamped.kinks().size(), 1U);
   EXPECT_DOUBLE_EQ(clamped.kinks().front(), same->kinks().front());
   EXPECT_DOUBLE_EQ(clamped.limit(), 75.0);
@@ -196,10 +195,10 @@ TEST(Clamped, HasSlipLimitsInProportionToTheLoad) {
   EXPECT_DOUBLE_EQ(clamped.displacement(50.0), same->displacement(50.0));
 }
 
-RC_GTEST_PROP(Clamped, IsItsOwnDerivativeAndIntegral, ()) {
+RC_GTEST_PROP(Scaled, IsItsOwnDerivativeAndIntegral, ()) {
   const auto law = std::shared_ptr(any_element());
-  const double load = any_in(0.2, 5.0), u = any_in(1e-7, 1e-5);
-  const Clamped clamped(law, load);
+  const double factor = any_in(0.2, 5.0), stretch = any_in(0.2, 5.0), u = any_in(1e-7, 1e-5);
+  const Scaled clamped(law, factor, stretch);
   const double step = 1e-6 * u;
   RC_ASSERT(near((clamped.energy(u + step) - clamped.energy(u - step)) / (2.0 * step), clamped.response(u).force, 1e-4));
   std::vector<double> slopes(clamped.parameters().size()), values = clamped.values();
@@ -217,7 +216,7 @@ TEST(Joint, SenselessValuesAreRefused) {
   EXPECT_THROW(MenqBar({1.0, 1.0, 1.0, 1.0, -1.0}), InputError);
   EXPECT_THROW(BendingRoot(1.0, 0.0, 1.0), InputError);
   EXPECT_THROW(Scaled(make_element("spring", std::array{1.0}), 0.0), InputError);
-  EXPECT_THROW(Clamped(make_element("spring", std::array{1.0}), 0.0), InputError);
+  EXPECT_THROW(Scaled(make_element("spring", std::array{1.0}), 1.0, 0.0), InputError);
 }
 
 }  // namespace
