@@ -81,7 +81,7 @@ TEST(BoundReport, LinesThatTheSceneLeavesOutAreOffered) {
 }
 
 /// Exact FRFs there and back agree. Where both are to be measured, each with noise of its own, the bound is that of both; it was
-/// that of one, 13 % above what noisy data state.
+/// that of one, a third above what noisy data state.
 TEST(BoundReport, CountsBothFrfsOfAReciprocalPairWhereTheirNoiseIsApart) {
   LikelihoodCase a1("A1", 0.01);
   std::get<frf::NoiseModel>(a1.problem.noise).reciprocal = false;
