@@ -186,3 +186,11 @@ def test_plots():
     axes = sample().plot("1:+X", "9:+Z")
     assert "receptance" not in axes[0].get_ylabel() and "m/N" in axes[0].get_ylabel()
     assert len(sample().plot()[0].get_lines()) == 6
+
+
+def test_frequencies_of_files_in_other_units(tmp_path):
+    np.savez(tmp_path / "a.npz", H=np.full((3, 1, 1), 1e-6 + 0j), f=[0.1, 0.2, 0.3])
+    options = dict(quantity="receptance", responses=["1:+Z"], variable="H", frequency_variable="f")
+    assert jointid.read(tmp_path / "a.npz", frequency_unit="kHz", **options).frequency == pytest.approx([100.0, 200.0, 300.0])
+    with pytest.raises(jointid.InputError, match="furlong"):
+        jointid.read(tmp_path / "a.npz", frequency_unit="furlong", **options)
