@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "cli/provenance/digest.hpp"
 #include "report/json_value.hpp"
@@ -16,7 +17,7 @@ namespace {
 struct Run {
   std::vector<std::string> command;
   std::vector<ident::NamedFile> inputs;
-  report::Json told_inputs;  ///< with their sums; null until they are asked for
+  std::optional<report::Json> told_inputs;  ///< with their sums, once they were asked for
 };
 
 Run run;
@@ -33,11 +34,11 @@ report::Json input_json(const ident::NamedFile& input) {
 
 /// Read once, for JSON and page.
 const report::Json& told_inputs() {
-  if (run.told_inputs.is_null()) {
+  if (!run.told_inputs) {
     run.told_inputs = report::Json::array();
-    for (const ident::NamedFile& input : run.inputs) run.told_inputs.push_back(input_json(input));
+    for (const ident::NamedFile& input : run.inputs) run.told_inputs->push_back(input_json(input));
   }
-  return run.told_inputs;
+  return *run.told_inputs;
 }
 
 /// Names of files: "libhdf5_serial.so.103.3.0".
@@ -91,7 +92,7 @@ void add_provenance_inputs(const std::vector<ident::NamedFile>& inputs) {
   for (const ident::NamedFile& input : inputs) {
     if (std::ranges::find(run.inputs, input.path, &ident::NamedFile::path) == run.inputs.end()) run.inputs.push_back(input);
   }
-  run.told_inputs = nullptr;
+  run.told_inputs.reset();
 }
 
 std::string provenance_text() { return text_of(provenance_json()); }
