@@ -39,7 +39,7 @@ class ClampedPeaks {
     const LevelResponse level = level_response(balance, scene_, prepared_, level_, [&](const auto&) { stop_if(control_.interrupted); });
     ClampedPeak& peak = peaks_.emplace_back();
     peak.load = load;
-    peak.complete = level.complete && std::ranges::all_of(level.points, &response::HarmonicSolution::converged);
+    peak.complete = is_complete(level);
     if (!level.peak) return std::numeric_limits<double>::infinity();
     peak.amplitude = std::abs(level.peak->response(first_row(*level.peak), 0));
     peak.frequency_hz = hertz(level.peak->omega);

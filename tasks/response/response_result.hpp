@@ -115,6 +115,9 @@ Eigen::Index first_row(const response::HarmonicSolution& solution);
 /// Largest number of points for which all are printed and checked for stability.
 inline constexpr std::size_t most_told = 40;
 
+/// Whether the curve reached its end and every point of it converged.
+bool is_complete(const LevelResponse& level);
+
 /// Whether all requested results exist.
 bool all_converged(const ResponseResult& run);
 
