@@ -1,11 +1,10 @@
 #include "models/matrix_file.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <map>
-#include <optional>
 #include <span>
 #include <sstream>
 #include <vector>
@@ -14,11 +13,11 @@
 #include "base/temporary_file.hpp"
 #include "base/text.hpp"
 #include "frf/file/columns.hpp"
-#include "frf/file/file_format.hpp"
-#include "frf/mat/mat_variable.hpp"
+#include "frf/file/variables.hpp"
 #include "models/failure.hpp"
 #include "models/labelled_matrix.hpp"
 #include "models/nastran_op4.hpp"
+#include "models/variable_matrix.hpp"
 
 namespace jointid::models {
 namespace {
@@ -150,112 +149,25 @@ class MarketReader {
   std::vector<Eigen::Triplet<double>> entries_, imaginary_;
 };
 
-/// A sparse matrix in compressed columns, counted from 0.
-struct CompressedColumns {
-  std::vector<Complex> data;
-  std::vector<std::size_t> rows, begins;  ///< of each element; of each column, and the end of the last
-};
-
-/// The elements of compressed columns.
-FileMatrix from_compressed(const std::filesystem::path& path, const std::string& name, const CompressedColumns& sparse) {
-  const auto fail = [&](const std::string& problem) { refuse_file(path, "variable " + name, problem, "write it again"); };
-  const auto& [data, rows, begins] = sparse;
-  if (begins.size() < 2 || begins.size() - 1 > most_sparse_rows) fail("it has no columns, or more than 2000000");
-  if (begins.back() > data.size() || begins.back() > rows.size()) fail("it has fewer elements than its columns state");
-  const std::size_t n = begins.size() - 1;
-  FileElements elements(path);
-  for (std::size_t j = 0; j < n; ++j) {
-    if (begins[j] > begins[j + 1]) fail("column " + std::to_string(j + 1) + " ends before it begins");
-    for (std::size_t k = begins[j]; k < begins[j + 1]; ++k) {
-      if (!std::isfinite(data[k].real()) || !std::isfinite(data[k].imag()))
-        fail("element " + std::to_string(k + 1) + " is no finite number");
-      if (rows[k] >= n)
-        fail("row " + std::to_string(rows[k] + 1) + " of a matrix of " + std::to_string(n) + " columns, which is to be square");
-      elements.add(rows[k], j, data[k].real(), data[k].imag());
-    }
-  }
-  return elements.matrix(n, FileElements::Mirror::none);
-}
-
-/// Numbers of places as MATLAB and others store them, as doubles or integers.
-std::vector<std::size_t> places(const std::filesystem::path& path, const std::string& name, const std::vector<Complex>& values) {
-  std::vector<std::size_t> out;
-  for (const Complex value : values) {
-    if (!(value.real() >= 0.0 && value.real() < 4e9) || value.real() != std::floor(value.real()))
-      refuse_file(path, "variable " + name, std::to_string(value.real()) + " is no place in a sparse matrix", "write it again");
-    out.push_back(static_cast<std::size_t>(value.real()));
-  }
-  return out;
-}
-
-/// Columns "NAME(1)", "NAME(2)", … of one matrix, or "1", "2", … of a text.
-Eigen::MatrixXd from_columns(const std::filesystem::path& path, const std::string& variable) {
-  std::map<std::string, std::vector<const std::vector<double>*>> matrices;
+/// A row of the matrix a line of text.
+Eigen::MatrixXd from_text(const std::filesystem::path& path, const std::string& variable) {
+  if (!variable.empty()) refuse_file(path, variable, "there is no such matrix; the file holds rows of numbers", "leave out the name");
   const frf::Columns read = frf::read_columns(path);
   for (const frf::NumberColumn& column : read.columns) {
-    const std::size_t bracket = column.name.rfind('(');
-    const bool plain = std::ranges::all_of(column.name, [](unsigned char c) { return std::isdigit(c) != 0; });
-    matrices[plain ? "" : column.name.substr(0, bracket)].push_back(&column.values);
+    if (!std::ranges::all_of(column.name, [](unsigned char c) { return std::isdigit(c) != 0; }))
+      refuse_file(path, variable, "'" + column.name + "' is the title of a column, and rows of a matrix have none",
+                  "leave the titles out; names of the coordinates are given by dofs");
   }
-  const std::string names =
-      comma_list(matrices, [](const auto& named) { return named.first.empty() ? "rows of numbers" : named.first; });
-  const auto found = variable.empty() && matrices.size() == 1 ? matrices.begin() : matrices.find(variable);
-  if (found == matrices.end()) {
-    refuse_file(path, variable,
-                variable.empty() ? "the file holds several matrices: " + names : "there is no such matrix; there are: " + names,
-                variable.empty() ? "name one: \"" + path.filename().string() + ":NAME\"" : "");
-  }
-  const std::size_t size = found->second.size();
+  const std::size_t size = read.columns.size();
   Eigen::MatrixXd m(at(size), at(size));
   for (std::size_t j = 0; j < size; ++j) {
-    if (found->second[j]->size() != size) {
-      refuse_file(path, variable,
-                  "the matrix is not square: " + std::to_string(found->second[j]->size()) + " × " + std::to_string(size));
+    const std::vector<double>& values = read.columns[j].values;
+    if (values.size() != size) {
+      refuse_file(path, variable, "the matrix is not square: " + std::to_string(values.size()) + " × " + std::to_string(size));
     }
-    for (std::size_t i = 0; i < size; ++i) m(at(i), at(j)) = (*found->second[j])[i];
+    for (std::size_t i = 0; i < size; ++i) m(at(i), at(j)) = values[i];
   }
   return m;
-}
-
-/// Names of the sparse matrices of a file: groups whose datasets are data with ir and jc (MATLAB
-/// v7.3), or with indices and indptr (scipy).
-std::vector<std::string> sparse_names(const frf::MatFile& file) {
-  std::vector<std::string> names;
-  for (const frf::MatInfo& info : file.variables()) {
-    for (const std::string ending : {".jc", ".indptr"}) {
-      if (info.name.ends_with(ending)) names.push_back(info.name.substr(0, info.name.size() - ending.size()));
-    }
-  }
-  return names;
-}
-
-CompressedColumns read_sparse_variable(const std::filesystem::path& path, frf::MatFile& file, const std::string& name) {
-  const auto find = [&](const std::string& of) { return std::ranges::find(file.variables(), of, &frf::MatInfo::name); };
-  const bool of_matlab = find(name + ".jc") != file.variables().end();
-  std::vector<std::vector<Complex>> parts;
-  for (const std::string part : {"data", of_matlab ? "ir" : "indices", of_matlab ? "jc" : "indptr"}) {
-    const auto found = find(name + "." + part);
-    const bool is_number =
-        found != file.variables().end() && (found->kind == frf::MatKind::real || found->kind == frf::MatKind::complex);
-    if (!is_number) refuse_file(path, "variable " + name, "it is a sparse matrix without numbers " + part, "write it again");
-    parts.push_back(file.read(*found).values);
-  }
-  return {parts[0], places(path, name, parts[1]), places(path, name, parts[2])};
-}
-
-/// Nothing where the file has no sparse matrix of that name.
-std::optional<FileMatrix> from_sparse_variable(const std::filesystem::path& path, const std::string& variable) {
-  const auto binary = frf::detect_binary_format(path);
-  if (!binary || (*binary != frf::FileFormat::matlab_v73 && *binary != frf::FileFormat::jointid_hdf5)) return std::nullopt;
-  const auto file = frf::open_mat_variables_v73(path);
-  const std::vector<std::string> names = sparse_names(*file);
-  if (names.empty() || (!variable.empty() && std::ranges::find(names, variable) == names.end())) return std::nullopt;
-  if (variable.empty() && names.size() > 1) {
-    refuse_file(path, "", "the file holds several matrices: " + comma_list(names),
-                "name one: \"" + path.filename().string() + ":NAME\"");
-  }
-  const std::string name = variable.empty() ? names.front() : variable;
-  return from_compressed(path, name, read_sparse_variable(path, *file, name));
 }
 
 /// Throws where an element and that across the diagonal differ.
@@ -282,8 +194,8 @@ FileMatrix read_any(const std::filesystem::path& path, const std::string& variab
   if (is_dmig(path)) return read_dmig(path, variable);
   if (is_abaqus_matrix(path)) return read_abaqus_matrix(path);
   if (path.extension() == ".mtx") return MarketReader(path).read();
-  if (auto sparse = from_sparse_variable(path, variable)) return std::move(*sparse);
-  return {Sparse(from_columns(path, variable).sparseView()), {}, {}};
+  if (const auto file = frf::open_variables(path)) return read_variable_matrix(*file, variable);
+  return {Sparse(from_text(path, variable).sparseView()), {}, {}};
 }
 
 }  // namespace

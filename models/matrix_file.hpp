@@ -8,8 +8,8 @@ namespace jointid::models {
 ///   - Matrix Market: coordinate or array; real, integer, complex or pattern (every element 1); general, symmetric, skew-symmetric or
 ///     hermitian, of which the symmetric ones pass; what is not listed is 0;
 ///   - Nastran's OUTPUT4 (read_op4()) and punched DMIG (read_dmig()), matrices of Abaqus (read_abaqus_matrix());
-///   - sparse matrices of MATLAB, compressed columns of HDF5 (data with ir and jc, or indices and indptr);
-///   - what frf::read_columns reads: full matrices of MATLAB and HDF5, or text, a row a line.
+///   - full and sparse matrices of MATLAB, HDF5 and numpy (read_variable_matrix());
+///   - rows of numbers, a row a line.
 /// `variable` names the matrix where a file has several. Throws InputError (data) that names line or element of what is no such matrix.
 FileMatrix read_file_matrix(const std::filesystem::path& path, const std::string& variable = {});
 

@@ -9,8 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "frf/file/file_format.hpp"
-#include "frf/mat/mat_variable.hpp"
+#include "frf/file/variables.hpp"
 #include "frf/set/frf_set.hpp"
 #include "frf/text/number_text.hpp"
 #include "models/failure.hpp"
@@ -64,10 +63,8 @@ std::vector<Name> names_in_variable(frf::MatFile& file, const std::string& varia
 }
 
 std::vector<Name> names_in_file(const FileVariable& named) {
-  const auto binary = frf::detect_binary_format(named.file);
-  if (!binary) return names_in_text(named.file);
-  const auto file =
-      *binary == frf::FileFormat::matlab_v5 ? frf::open_mat_variables_v5(named.file) : frf::open_mat_variables_v73(named.file);
+  const auto file = frf::open_variables(named.file);
+  if (!file) return names_in_text(named.file);
   return names_in_variable(*file, named.variable.empty() ? "dofs" : named.variable);
 }
 

@@ -7,8 +7,7 @@
 
 #include "base/eigen.hpp"
 #include "base/text.hpp"
-#include "frf/file/file_format.hpp"
-#include "frf/mat/mat_variable.hpp"
+#include "frf/file/variables.hpp"
 #include "frf/uff/uff55.hpp"
 #include "frf/uff/uff_geometry.hpp"
 #include "frf/uff/uff_scan.hpp"
@@ -67,10 +66,8 @@ bool is_of_matlab(const Path& file) {
 }
 
 Array read_array(const FileVariable& named) {
-  const auto binary = frf::detect_binary_format(named.file);
-  if (!binary) refuse_file(named.file, {}, "it is no MATLAB or HDF5 file", "store shapes and frequencies in one");
-  const auto file =
-      *binary == frf::FileFormat::matlab_v5 ? frf::open_mat_variables_v5(named.file) : frf::open_mat_variables_v73(named.file);
+  const auto file = frf::open_variables(named.file);
+  if (!file) refuse_file(named.file, {}, "it is no MATLAB, HDF5 or numpy file", "store shapes and frequencies in one");
   const auto found = std::ranges::find(file->variables(), named.variable, &frf::MatInfo::name);
   if (found == file->variables().end() || found->kind != frf::MatKind::real || found->dims.size() > 2 || found->dims.empty()) {
     refuse_file(named.file, "variable " + named.variable, "there is no such real matrix",

@@ -11,7 +11,7 @@ namespace jointid::cli {
 namespace {
 
 void declare_reading(CLI::App& command, FrfArguments& arguments) {
-  command.add_option("FILES", arguments.files, "Time records: .npy, CSV or text, MATLAB, HDF5, UFF 58")->required();
+  command.add_option("FILES", arguments.files, "Time records: .npy, .npz, CSV or text, MATLAB, HDF5, UFF 58")->required();
   const auto channel = command.add_option_function<std::vector<std::string>>(
       "--channel",
       [&arguments](const std::vector<std::string>& texts) {

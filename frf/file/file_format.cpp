@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -129,11 +130,19 @@ std::optional<OtherFormat> other_format(std::string_view head) {
   return std::nullopt;
 }
 
-const Format* format_of(const std::filesystem::path& path, std::string_view head, bool binary_only) {
+/// The first of some formats that a file is of; null where it is of none.
+template <class Among>
+const Format* format_of(const std::filesystem::path& path, std::string_view head, Among among) {
   for (const Format& format : formats()) {
-    if ((format.binary || !binary_only) && format.is_of(path, head)) return &format;
+    if (among(format) && format.is_of(path, head)) return &format;
   }
   return nullptr;
+}
+
+template <class Among>
+std::optional<FileFormat> detect(const std::filesystem::path& path, Among among) {
+  const Format* found = format_of(path, read_head(path), among);
+  return found != nullptr ? std::optional(found->format) : std::nullopt;
 }
 
 }  // namespace
@@ -196,7 +205,7 @@ std::string name(FileFormat format) { return std::ranges::find(formats(), format
 
 const Format& format_of(const std::filesystem::path& path) {
   const std::string head = read_head(path);
-  if (const Format* found = format_of(path, head, false)) return *found;
+  if (const Format* found = format_of(path, head, [](const Format&) { return true; })) return *found;
   if (const auto other = other_format(head))
     fail(path, "is " + std::string(other->name) + ", which is not read", std::string(other->remedy));
   if (const std::size_t line = line_without_titles(plain_text(head)); line > 0)
@@ -210,8 +219,13 @@ const Format& format_of(const std::filesystem::path& path) {
 FileFormat detect_format(const std::filesystem::path& path) { return format_of(path).format; }
 
 std::optional<FileFormat> detect_binary_format(const std::filesystem::path& path) {
-  const Format* found = format_of(path, read_head(path), true);
-  return found != nullptr ? std::optional(found->format) : std::nullopt;
+  return detect(path, std::mem_fn(&Format::binary));
+}
+
+std::optional<FileFormat> detect_array_format(const std::filesystem::path& path) {
+  return detect(path, [](const Format& format) {
+    return format.binary || format.format == FileFormat::npz || format.format == FileFormat::npy;
+  });
 }
 
 }  // namespace jointid::frf

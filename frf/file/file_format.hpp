@@ -40,7 +40,10 @@ std::string name(FileFormat format);
 /// As format_of().
 FileFormat detect_format(const std::filesystem::path& path);
 
-/// The same of files that are not text, HDF5 or MATLAB; nothing for any other that can be read.
+/// The same of HDF5 and MATLAB; nothing for any other file that can be read.
 std::optional<FileFormat> detect_binary_format(const std::filesystem::path& path);
+
+/// The same of HDF5, MATLAB and numpy.
+std::optional<FileFormat> detect_array_format(const std::filesystem::path& path);
 
 }  // namespace jointid::frf

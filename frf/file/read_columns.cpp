@@ -10,7 +10,7 @@
 #include "frf/csv/lvm_file.hpp"
 #include "frf/file/column_titles.hpp"
 #include "frf/file/columns.hpp"
-#include "frf/file/file_format.hpp"
+#include "frf/file/variables.hpp"
 #include "frf/mat/mat_column.hpp"
 #include "frf/text/footer.hpp"
 #include "frf/text/number_text.hpp"
@@ -31,7 +31,7 @@ class TextColumns {
 
   Columns read(std::string_view rest) {
     if (rest.find('\0') != std::string_view::npos) {
-      fail(out_.file, {}, "is no text, MATLAB or HDF5 file", "export the columns as CSV, MATLAB or HDF5");
+      fail(out_.file, {}, "is no text, MATLAB, HDF5 or numpy file", "export the columns as CSV, MATLAB, HDF5 or npz");
     }
     for (line_ = 1; !rest.empty(); ++line_) {
       const std::string_view line = take_until(rest, '\n');
@@ -199,14 +199,10 @@ Columns columns_of(LvmFile&& lvm) {
 }  // namespace
 
 Columns read_columns(const std::filesystem::path& path) {
-  const std::optional<FileFormat> binary = detect_binary_format(path);
-  if (!binary) {
-    std::string text = read_plain_text(path);
-    if (auto piped = tabs_for_pipes(text)) text = std::move(*piped);
-    return looks_like_lvm(text) ? columns_of(read_lvm(path.string(), text)) : TextColumns(path).read(text);
-  }
-  const auto file = *binary == FileFormat::matlab_v5 ? open_mat_variables_v5(path) : open_mat_variables_v73(path);
-  return read_variables(*file);
+  if (const auto file = open_variables(path)) return read_variables(*file);
+  std::string text = read_plain_text(path);
+  if (auto piped = tabs_for_pipes(text)) text = std::move(*piped);
+  return looks_like_lvm(text) ? columns_of(read_lvm(path.string(), text)) : TextColumns(path).read(text);
 }
 
 }  // namespace jointid::frf

@@ -17,6 +17,7 @@ namespace jointid::frf {
 namespace {
 
 constexpr std::size_t header_bytes = 20, longest_name = 256;
+constexpr std::size_t sparse_kind = 2;
 
 /// The numbers of a type by its digit P: double, single, int32, int16, uint16, uint8.
 constexpr std::array<std::size_t, 6> widths = {8, 4, 4, 2, 2, 1};
@@ -76,6 +77,10 @@ class MatV4 final : public MatFile {
     const auto found = std::ranges::find(variables_, info.name, &MatInfo::name);
     const auto& [header, numbers] = content_[static_cast<std::size_t>(found - variables_.begin())];
     MatVariable out{.info = info, .values = {}, .texts = {}};
+    if (header.kind == sparse_kind) {
+      out.values = of_triplets(header, numbers, std::string_view(info.name).substr(info.name.rfind('.') + 1));
+      return out;
+    }
     const std::size_t count = header.rows * header.columns;
     if (info.kind == MatKind::text) {
       out.texts.resize(header.columns == 0 ? 0 : header.rows);
@@ -102,13 +107,44 @@ class MatV4 final : public MatFile {
       fail(own, "is " + std::to_string(header->rows) + " by " + std::to_string(header->columns) + ", and the file ends before that",
            "the file is cut off; save or copy it again");
     const std::size_t size = header->rows * header->columns * width * parts;
-    constexpr std::array<MatKind, 3> kinds = {MatKind::real, MatKind::text, MatKind::other};
-    const MatKind kind = header->kind == 0 && header->complex ? MatKind::complex : kinds[header->kind];
-    // Whole numbers are written as integers to save space: v4 has no other numbers than doubles.
-    variables_.push_back(
-        {.name = own, .kind = kind, .dims = {header->rows, header->columns}, .unit = {}, .integers = false});
-    content_.emplace_back(*header, rest.substr(0, size));
+    list(*header, own, rest.substr(0, size));
     rest.remove_prefix(size);
+  }
+
+  void list(const V4Header& header, const std::string& name, std::string_view numbers) {
+    const auto add = [&](const std::string& of, MatKind kind, std::vector<std::size_t> dims) {
+      // Whole numbers are written as integers to save space: v4 has no other numbers than doubles.
+      variables_.push_back({.name = of, .kind = kind, .dims = std::move(dims), .unit = {}, .integers = false});
+      content_.emplace_back(header, numbers);
+    };
+    if (header.kind != sparse_kind) {
+      const MatKind of_numbers = header.complex ? MatKind::complex : MatKind::real;
+      return add(name, header.kind == 0 ? of_numbers : MatKind::text, {header.rows, header.columns});
+    }
+    if (header.rows == 0 || header.columns < 3 || header.columns > 4 || header.complex)
+      fail(name, "is no sparse matrix: its elements have " + std::to_string(header.columns) + " numbers, not 3 or 4",
+           "the file is damaged; save it again");
+    const std::size_t count = header.rows - 1;
+    add(name + ".data", header.columns == 4 ? MatKind::complex : MatKind::real, {count, 1});
+    add(name + ".row", MatKind::real, {count, 1});
+    add(name + ".col", MatKind::real, {count, 1});
+    add(name + ".shape", MatKind::real, {2, 1});
+  }
+
+  /// An array of a sparse matrix, whose elements are the rows (row from 1, column from 1, real part, imaginary part); the last of these
+  /// has the numbers of rows and columns.
+  static std::vector<Complex> of_triplets(const V4Header& header, std::string_view numbers, std::string_view part) {
+    const std::size_t rows = header.rows;
+    const auto number = [&](std::size_t i, std::size_t j) { return value(header, numbers, i + rows * j); };
+    std::vector<Complex> out;
+    if (part == "shape") return {number(rows - 1, 0), number(rows - 1, 1)};
+    for (std::size_t i = 0; i + 1 < rows; ++i) {
+      if (part == "data")
+        out.emplace_back(number(i, 2), header.columns == 4 ? number(i, 3) : 0.0);
+      else
+        out.emplace_back(number(i, part == "row" ? 0 : 1) - 1.0);
+    }
+    return out;
   }
 
   static double value(const V4Header& header, std::string_view numbers, std::size_t i) {

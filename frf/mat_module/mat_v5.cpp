@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <numeric>
 #include <span>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "base/error.hpp"
 #include "frf/mat_module/files.hpp"
 #include "frf/mat_module/mat_v5_check.hpp"
+#include "frf/mat_module/mat_v5_sparse.hpp"
 #include "frf/text/label_text.hpp"
 
 namespace jointid::frf {
@@ -137,8 +139,12 @@ bool may_hold_frfs(const matvar_t* cell) {
 }
 
 /// The variable, of a struct its fields under S.field, of an array of structs (or a cell array of them) under S(2).field, of a cell array
-/// of complex arrays these under H(2).
+/// of complex arrays these under H(2), of a sparse matrix its arrays.
 void list(matvar_t& variable, const std::string& name, int depth, std::vector<MatInfo>& out) {
+  if (variable.class_type == MAT_C_SPARSE) {
+    std::ranges::move(mat::sparse_infos(variable, name), std::back_inserter(out));
+    return;
+  }
   out.push_back({.name = name, .kind = kind_of(variable), .dims = dims_of(variable), .integers = has_integers(variable)});
   if (depth == deepest_struct) return;
   if (variable.class_type == MAT_C_CELL) {
@@ -179,7 +185,7 @@ std::pair<std::string, std::size_t> take_part(std::string_view& rest) {
 /// A field by its name in list(), or null. `variable` is what stands before the first dot.
 matvar_t* field_of(matvar_t* variable, std::string_view name) {
   std::size_t element = take_part(name).second;
-  while (variable != nullptr && (!name.empty() || variable->class_type == MAT_C_CELL)) {
+  while (variable != nullptr && variable->class_type != MAT_C_SPARSE && (!name.empty() || variable->class_type == MAT_C_CELL)) {
     if (variable->class_type == MAT_C_CELL) {
       if (name.empty() && element == whole) return variable;
       if (element == whole) element = 0;
@@ -211,10 +217,15 @@ class MatV5 final : public MatFile {
     const std::size_t end = std::min(info.name.find_first_of(".("), info.name.size());
     load(info.name.substr(0, end));
     matvar_t* variable = field_of(loaded_.get(), info.name);
+    MatVariable out{.info = info, .values = {}, .texts = {}};
+    if (variable != nullptr && variable->class_type == MAT_C_SPARSE) {
+      out.values = mat::sparse_numbers(*variable, std::string_view(info.name).substr(info.name.rfind('.') + 1));
+      out.info.dims = {out.values.size(), 1};
+      return out;
+    }
     if (variable == nullptr || kind_of(*variable) != info.kind || dims_of(*variable) != info.dims) {
       fail(info.name, "cannot be read; the file is damaged or truncated");
     }
-    MatVariable out{.info = info, .values = {}, .texts = {}};
     if (info.kind == MatKind::text) {
       out.texts = texts(info, *variable);
     } else {

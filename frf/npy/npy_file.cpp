@@ -103,10 +103,10 @@ class NpzFile final : public NumpyFile {
   std::vector<std::pair<NpyHeader, NpzEntry>> arrays_;  ///< as variables_
 };
 
-/// The FRFs of one file, the frequencies of another.
+/// The array of one file; of FRFs besides the frequencies of another.
 class NpyFile final : public NumpyFile {
  public:
-  explicit NpyFile(const fs::path& path) : NumpyFile(path.string()) { add("frf", path); }
+  NpyFile(const std::string& name, const fs::path& path) : NumpyFile(path.string()) { add(name, path); }
 
   void add(const std::string& name, const fs::path& path) {
     std::string bytes = read_whole(path);
@@ -154,7 +154,7 @@ std::unique_ptr<FrfSource> open_npz(const fs::path& path, const OpenOptions& opt
 }
 
 std::unique_ptr<FrfSource> open_npy(const fs::path& path, const OpenOptions& options) {
-  NpyFile file(path);
+  NpyFile file("frf", path);
   if (auto functions = file.functions(options)) return from_memory(std::move(*functions));
   if (!options.variable.empty())
     fail_file(path.string(), "a variable is named, and the file holds one array", "leave out --variable, in a scene variable");
@@ -175,5 +175,9 @@ std::unique_ptr<FrfSource> open_npy(const fs::path& path, const OpenOptions& opt
   file.add(own.frequency_variable, axis);
   return from_memory(read_mat_frfs(file, own));
 }
+
+std::unique_ptr<MatFile> open_npz_variables(const fs::path& path) { return std::make_unique<NpzFile>(path); }
+
+std::unique_ptr<MatFile> open_npy_variable(const fs::path& path) { return std::make_unique<NpyFile>(path.stem().string(), path); }
 
 }  // namespace jointid::frf

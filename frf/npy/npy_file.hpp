@@ -4,6 +4,7 @@
 #include <memory>
 #include <string_view>
 
+#include "frf/mat/mat_variable.hpp"
 #include "frf/set/frf_source.hpp"
 
 namespace jointid::frf {
@@ -19,5 +20,11 @@ std::unique_ptr<FrfSource> open_npz(const std::filesystem::path& path, const Ope
 /// The same of one array; the frequencies are that of the file OpenOptions::frequency_variable, which stands beside it or where a
 /// relative path leads to.
 std::unique_ptr<FrfSource> open_npy(const std::filesystem::path& path, const OpenOptions& options = {});
+
+/// The arrays of an archive.
+std::unique_ptr<MatFile> open_npz_variables(const std::filesystem::path& path);
+
+/// One array, which has the name of the file.
+std::unique_ptr<MatFile> open_npy_variable(const std::filesystem::path& path);
 
 }  // namespace jointid::frf

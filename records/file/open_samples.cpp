@@ -12,12 +12,13 @@ namespace jointid::records {
 std::unique_ptr<SampleStream> open_samples(const std::filesystem::path& path, const StreamOptions& options) {
   if (options.part >= options.parts)
     throw InputError({ErrorKind::usage, path.string(), "part", "is not one of " + std::to_string(options.parts), ""});
-  const auto binary = frf::detect_binary_format(path);
-  if (binary && *binary == frf::FileFormat::matlab_v5) return open_column_samples(path, options);
-  if (binary) return open_hdf5_samples(path, options);
+  const auto arrays = frf::detect_array_format(path);
+  const bool whole = arrays == frf::FileFormat::matlab_v5 || arrays == frf::FileFormat::npz || arrays == frf::FileFormat::npy;
+  if (whole) return open_column_samples(path, options);
+  if (arrays) return open_hdf5_samples(path, options);
   const std::string head = head_of(path);
   if (frf::looks_like_uff(head)) return open_uff_samples(path, options);
-  return looks_like_npy(head) ? open_column_samples(path, options) : open_text_samples(path, options);
+  return open_text_samples(path, options);
 }
 
 }  // namespace jointid::records

@@ -141,7 +141,7 @@ TEST_F(ColumnsFile, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(error("u,F\n1,2\n3,x4\n"), AllOf(HasSubstr("a.csv: line 3, column 2"), HasSubstr("'x4' is not a number")));
   EXPECT_THAT(error("u,F\n1,2\n3\n"), AllOf(HasSubstr("line 3"), HasSubstr("1 cells")));
   EXPECT_THAT(error("# nothing\n"), HasSubstr("holds no numbers"));
-  EXPECT_THAT(error(std::string("\0\1\2 5", 5)), HasSubstr("no text, MATLAB or HDF5 file"));
+  EXPECT_THAT(error(std::string("\0\1\2 5", 5)), HasSubstr("no text, MATLAB, HDF5 or numpy file"));
   const Columns read = read_columns(write_file("a.csv", "u,F\n1,2\n"));
   EXPECT_THAT(message_of([&] { (void)read.column("G"); }), AllOf(HasSubstr("no column 'G'"), HasSubstr("u, F")));
   EXPECT_THAT(message_of([&] { (void)read.column("3"); }), HasSubstr("no column '3'"));

@@ -130,7 +130,7 @@ const Wrong curve_files[] = {
      {"a.csv: ", "no column is named as a displacement", "--displacement", "frequency_hz"}},
     {"CellMissing", curve("u,F\n1,2\n3\n"), fit_curve, 3, {"curve.csv: line 3: ", "1 cells", "2", "every line the same cells"}},
     {"NoNumber", curve("u,F\n1,2\n3,x\n"), fit_curve, 3, {"curve.csv: line 3, column 2: ", "'x' is not a number", "begin lines"}},
-    {"Binary", curve(std::string("\1\0\2", 3)), fit_curve, 3, {"curve.csv: ", "no text, MATLAB or HDF5 file", "export"}},
+    {"Binary", curve(std::string("\1\0\2", 3)), fit_curve, 3, {"curve.csv: ", "no text, MATLAB, HDF5 or numpy file", "export"}},
     {"OnlyComments", curve("# nothing\n"), fit_curve, 3, {"curve.csv: ", "holds no numbers", "give columns"}},
     {"NothingFinite", curve("u,F\nnan,2\n"), fit_curve, 3, {"curve.csv: ", "there are no samples", "check the columns"}},
     {"UnitOfTheHeader", curve("u [kg],F\n1,2\n"), fit_curve, 3, {"curve.csv: column u: ", "'kg' is no unit of it", "--unit"}},
