@@ -146,7 +146,17 @@ class MatrixReader {
   FileMatrix sparse(const SparseWay& way) {
     const std::vector<std::size_t> columns = places(way.parts[0]), rows = places(way.parts[1]);
     const std::vector<Complex> data = numbers(way.parts[2]);
+    if (numbers_if("shape")) require_square();
     return way.compressed ? from_compressed(columns, rows, data) : from_places(columns, rows, data);
+  }
+
+  /// Its rows.
+  std::size_t require_square() {
+    const std::vector<std::size_t> shape = places("shape");
+    if (shape.size() != 2) fail("its shape has " + std::to_string(shape.size()) + " numbers");
+    if (shape[0] != shape[1])
+      fail("the matrix is not square: " + std::to_string(shape[0]) + " × " + std::to_string(shape[1]), "");
+    return shape[0];
   }
 
   void require_rows(std::size_t n) const {
@@ -174,19 +184,18 @@ class MatrixReader {
 
   FileMatrix from_places(const std::vector<std::size_t>& columns, const std::vector<std::size_t>& rows, const std::vector<Complex>& data) {
     if (columns.size() != data.size() || rows.size() != data.size()) fail("its elements, rows and columns are not equally many");
-    const std::vector<std::size_t> shape = places("shape");
-    if (shape.size() != 2 || shape[0] != shape[1]) fail("the matrix is not square", "");
-    require_rows(shape[0]);
+    const std::size_t n = require_square();
+    require_rows(n);
     std::map<std::pair<std::size_t, std::size_t>, Complex> sums;
     for (std::size_t k = 0; k < data.size(); ++k) {
       require_finite(data[k], k);
-      if (rows[k] >= shape[0] || columns[k] >= shape[0])
-        fail("element " + std::to_string(k + 1) + " is beyond the " + std::to_string(shape[0]) + " rows and columns");
+      if (rows[k] >= n || columns[k] >= n)
+        fail("element " + std::to_string(k + 1) + " is beyond the " + std::to_string(n) + " rows and columns");
       sums[{columns[k], rows[k]}] += data[k];
     }
     FileElements elements(file_.file());
     for (const auto& [place, value] : sums) elements.add(place.second, place.first, value.real(), value.imag());
-    return elements.matrix(shape[0], FileElements::Mirror::none);
+    return elements.matrix(n, FileElements::Mirror::none);
   }
 
   frf::MatFile& file_;

@@ -56,10 +56,12 @@ std::vector<MatInfo> sparse_infos(const matvar_t& variable, const std::string& n
   const std::size_t room = variable.nbytes, columns = variable.rank == 2 && variable.dims != nullptr ? variable.dims[1] : 0;
   return {{.name = name + ".data", .kind = variable.isComplex != 0 ? MatKind::complex : MatKind::real, .dims = {room, 1}},
           {.name = name + ".ir", .kind = MatKind::real, .dims = {room, 1}, .integers = true},
-          {.name = name + ".jc", .kind = MatKind::real, .dims = {columns + 1, 1}, .integers = true}};
+          {.name = name + ".jc", .kind = MatKind::real, .dims = {columns + 1, 1}, .integers = true},
+          {.name = name + ".shape", .kind = MatKind::real, .dims = {2, 1}, .integers = true}};
 }
 
 std::vector<Complex> sparse_numbers(const matvar_t& variable, std::string_view part) {
+  if (part == "shape") return {variable.dims, variable.dims + variable.rank};
   const auto* sparse = static_cast<const mat_sparse_t*>(variable.data);
   if (sparse == nullptr) return {};
   if (part == "data") return elements(variable, *sparse);

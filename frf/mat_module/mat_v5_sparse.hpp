@@ -10,7 +10,7 @@
 
 namespace jointid::frf::mat {
 
-/// A sparse matrix NAME as the arrays NAME.data, NAME.ir and NAME.jc. `dims` of the first two are of those that the file has room for,
+/// A sparse matrix NAME as the arrays NAME.data, NAME.ir, NAME.jc and NAME.shape. `dims` of the first two are of those that the file has room for,
 /// which may be more than it holds.
 std::vector<MatInfo> sparse_infos(const matvar_t& variable, const std::string& name);
 
