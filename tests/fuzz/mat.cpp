@@ -1,7 +1,8 @@
-// Files of named arrays: MATLAB v5 to v7 (matio) and v7.3 (HDF5), numpy.
+// Files of named arrays: MATLAB v4, v5 to v7 (matio) and v7.3 (HDF5), numpy.
 #include "frf/mat/mat_file.hpp"
 
 #include "frf/file/columns.hpp"
+#include "frf/file/variables.hpp"
 #include "frf/npy/npy_file.hpp"
 #include "frf/npy/npy_header.hpp"
 #include "fuzz_input.hpp"
@@ -11,6 +12,15 @@ using namespace jointid;
 
 namespace {
 
+/// All of them, sparse matrices too.
+void read_arrays(const std::filesystem::path& path) {
+  const auto file = frf::open_variables(path);
+  if (!file) return;
+  for (const frf::MatInfo& info : file->variables()) {
+    if (info.kind != frf::MatKind::other) file->read(info);
+  }
+}
+
 void read_numpy(std::span<const std::uint8_t> bytes, bool archive) {
   // Deflated singles become complex doubles, once as the file holds them and once in our order.
   const fuzz::Allowance allowance{.base = std::size_t{16} << 20, .per_byte = 8192};
@@ -19,6 +29,7 @@ void read_numpy(std::span<const std::uint8_t> bytes, bool archive) {
     if (!archive) options.frequency_variable = path.filename().string();
     fuzz::read_lines(*(archive ? frf::open_npz(path, options) : frf::open_npy(path, options)));
   });
+  fuzz::expect_answer(bytes, allowance, read_arrays);
 }
 
 }  // namespace
@@ -36,5 +47,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::read_lines(*(hdf5 ? frf::open_mat_v73(path, fuzz::two_responses()) : frf::open_mat_v5(path, fuzz::two_responses())));
   });
   fuzz::expect_answer(bytes, allowance, [](const auto& path) { frf::read_columns(path); });
+  fuzz::expect_answer(bytes, allowance, read_arrays);
   return 0;
 }
