@@ -25,11 +25,17 @@ constexpr std::int64_t string_base = 65536;
 struct Op4Head {
   std::int64_t columns = 0, rows = 0, form = 0, type = 0;
   std::string name;
+  bool long_words = false;  ///< integers and reals, single precision too, have 64 bits
 
-  bool is_big() const { return rows < 0; }
+  /// Strings have two integers: of 65,536 rows and more one cannot hold the row.
+  bool is_big() const { return rows < 0 || rows >= string_base; }
   std::size_t size() const { return static_cast<std::size_t>(std::abs(rows)); }
   bool is_complex() const { return type >= 3; }
-  std::size_t words() const { return type == 1 ? 1 : type == 4 ? 4 : 2; }  ///< of an element, of four bytes
+  /// Of an element.
+  std::size_t words() const {
+    if (long_words) return is_complex() ? 2 : 1;
+    return type == 1 ? 1 : type == 4 ? 4 : 2;
+  }
 };
 
 /// What both forms have in common: which matrix is wanted, and where its elements go.
@@ -118,26 +124,29 @@ class BinaryOp4 final : public Op4Reader {
     std::array<char, 4> first{};
     in_.read(first.data(), 4);
     in_.seekg(0);
-    swapped_ = integer(first.data(), false) != static_cast<std::int64_t>(header_bytes);
+    const auto is_head = [&](std::size_t bytes) { return integer<std::int32_t>(first.data()) == static_cast<std::int64_t>(bytes); };
+    swapped_ = !is_head(header_bytes) && !is_head(long_header_bytes);
+    word_ = is_head(long_header_bytes) ? 8 : 4;
   }
 
  private:
-  static std::int64_t integer(const char* at, bool swapped) {
-    std::array<char, 4> bytes{};
-    std::copy_n(at, 4, bytes.begin());
-    if (swapped) std::ranges::reverse(bytes);
-    return std::bit_cast<std::int32_t>(bytes);
-  }
-
-  template <class Real>
-  double real(std::size_t at) const {
-    std::array<char, sizeof(Real)> bytes{};
-    std::copy_n(record_.data() + at, sizeof(Real), bytes.begin());
+  template <class Number>
+  Number number(const char* at) const {
+    std::array<char, sizeof(Number)> bytes{};
+    std::copy_n(at, sizeof(Number), bytes.begin());
     if (swapped_) std::ranges::reverse(bytes);
-    return static_cast<double>(std::bit_cast<Real>(bytes));
+    return std::bit_cast<Number>(bytes);
   }
 
-  std::int64_t integer(std::size_t word) const { return integer(record_.data() + 4 * word, swapped_); }
+  template <class Integer>
+  std::int64_t integer(const char* at) const {
+    return number<Integer>(at);
+  }
+
+  std::int64_t integer(std::size_t word) const {
+    const char* at = record_.data() + word_ * word;
+    return word_ == 8 ? integer<std::int64_t>(at) : integer<std::int32_t>(at);
+  }
 
   std::string place() const override { return "byte " + std::to_string(at_); }
 
@@ -149,7 +158,7 @@ class BinaryOp4 final : public Op4Reader {
       if (left_ < 4 || !in_.read(length.data(), 4)) fail("the file ends early");
       left_ -= 4;
       at_ += 4;
-      return static_cast<std::size_t>(std::max<std::int64_t>(0, integer(length.data(), swapped_)));
+      return static_cast<std::size_t>(std::max<std::int64_t>(0, integer<std::int32_t>(length.data())));
     };
     const std::size_t bytes = count();
     if (bytes == 0 || bytes > left_) fail("a record of " + std::to_string(bytes) + " bytes goes beyond the end of the file");
@@ -163,20 +172,20 @@ class BinaryOp4 final : public Op4Reader {
 
   std::optional<Op4Head> next_head() override {
     if (!next_record()) return std::nullopt;
-    if (record_.size() != header_bytes) fail("a record of " + std::to_string(record_.size()) + " bytes where a matrix begins");
-    Op4Head head{integer(0), integer(1), integer(2), integer(3), std::string(record_.data() + 16, 8)};
-    head.name.resize(head.name.find_last_not_of(std::string(" \0", 2)) + 1);
+    if (record_.size() != 6 * word_) fail("a record of " + std::to_string(record_.size()) + " bytes where a matrix begins");
+    Op4Head head{integer(0), integer(1), integer(2), integer(3), std::string(record_.data() + 4 * word_, 2 * word_), word_ == 8};
+    std::erase_if(head.name, [](char c) { return c == ' ' || c == '\0'; });  // each word of a name is padded
     return head;
   }
 
   void read_columns(const Op4Head& head) override {
     for (std::int64_t last = 0;;) {
-      if (!next_record() || record_.size() < 12) fail("the file ends early");
+      if (!next_record() || record_.size() < 3 * word_) fail("the file ends early");
       const std::int64_t column = integer(0), row = integer(1), words = integer(2);
       if (column > head.columns) return;
       if (column <= last) fail("column " + std::to_string(column) + " after column " + std::to_string(last));
       last = column;
-      if (words < 0 || static_cast<std::size_t>(words) * 4 + 12 != record_.size())
+      if (words < 0 || static_cast<std::size_t>(words) != record_.size() / word_ - 3 || record_.size() % word_ != 0)
         fail("a column of " + std::to_string(words) + " words in a record of " + std::to_string(record_.size()) + " bytes");
       if (row > 0) {
         put_values(head, row, column, 3, static_cast<std::size_t>(words) / head.words());
@@ -196,17 +205,21 @@ class BinaryOp4 final : public Op4Reader {
   }
 
   void put_values(const Op4Head& head, std::int64_t row, std::int64_t column, std::size_t word, std::size_t count) {
-    const bool is_double = head.type == 2 || head.type == 4;
+    const bool is_double = head.type == 2 || head.type == 4 || head.long_words;
     const std::size_t bytes = is_double ? 8 : 4;
     for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t at = 4 * word + i * 4 * head.words();
-      const auto value = [&](std::size_t place) { return is_double ? real<double>(place) : real<float>(place); };
+      const std::size_t at = word_ * (word + i * head.words());
+      const auto value = [&](std::size_t place) {
+        const char* from = record_.data() + place;
+        return is_double ? number<double>(from) : static_cast<double>(number<float>(from));
+      };
       put(head, row + static_cast<std::int64_t>(i), column, value(at), head.is_complex() ? value(at + bytes) : 0.0);
     }
   }
 
   std::ifstream in_;
   std::size_t left_, at_ = 0;
+  std::size_t word_ = 4;  ///< bytes
   bool swapped_ = false;
   std::vector<char> record_;
 };
@@ -329,7 +342,7 @@ class TextOp4 final : public Op4Reader {
   std::size_t number_ = 0, width_ = 0;
 };
 
-enum class Op4Kind { none, text, binary, long_integers };
+enum class Op4Kind { none, text, binary };
 
 Op4Kind kind_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -340,7 +353,7 @@ Op4Kind kind_of(const std::filesystem::path& file) {
     const std::string little = {static_cast<char>(bytes), '\0', '\0', '\0'}, big(little.rbegin(), little.rend());
     for (const std::string& mark : {little, big}) {
       if (head.starts_with(mark) && head.size() >= bytes + 8 && head.substr(bytes + 4, 4) == mark)
-        return bytes == header_bytes ? Op4Kind::binary : Op4Kind::long_integers;
+        return Op4Kind::binary;
     }
   }
   const std::string line = head.substr(0, head.find('\n'));
@@ -359,8 +372,6 @@ FileMatrix read_op4(const std::filesystem::path& file, const std::string& name) 
       return BinaryOp4(file, name).read();
     case Op4Kind::text:
       return TextOp4(file, name).read();
-    case Op4Kind::long_integers:
-      refuse_file(file, "byte 0", "its integers have 64 bits", "write it as text (FORMATTED), or with integers of 32 bits");
     case Op4Kind::none:
       break;
   }
