@@ -163,7 +163,9 @@ class MatrixReader {
     if (n < 1 || n > most_sparse_rows) fail("it has no columns, or more than " + std::to_string(most_sparse_rows), "");
   }
 
-  FileMatrix from_compressed(const std::vector<std::size_t>& begins, const std::vector<std::size_t>& rows, const std::vector<Complex>& data) {
+  using Places = std::vector<std::size_t>;
+
+  FileMatrix from_compressed(const Places& begins, const Places& rows, const std::vector<Complex>& data) {
     require_rows(begins.empty() ? 0 : begins.size() - 1);
     if (begins.back() > data.size() || begins.back() > rows.size()) fail("it has fewer elements than its columns state");
     if (data.size() > rows.size())
@@ -182,7 +184,7 @@ class MatrixReader {
     return elements.matrix(n, FileElements::Mirror::none);
   }
 
-  FileMatrix from_places(const std::vector<std::size_t>& columns, const std::vector<std::size_t>& rows, const std::vector<Complex>& data) {
+  FileMatrix from_places(const Places& columns, const Places& rows, const std::vector<Complex>& data) {
     if (columns.size() != data.size() || rows.size() != data.size()) fail("its elements, rows and columns are not equally many");
     const std::size_t n = require_square();
     require_rows(n);

@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "frf/csv/csv_titles.hpp"
+#include "frf/file/number_cell.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/text/label_text.hpp"
 #include "frf/text/number_text.hpp"
@@ -19,7 +20,7 @@ char separator_of(std::string_view line) {
 
 bool is_number(std::string_view cell, const DecimalMark& mark) {
   double value = 0.0;
-  return parse_cell(cell, mark.may_be_comma(), value);
+  return read_number_cell(cell, mark.may_be_comma(), value).has_value();
 }
 
 /// Whether a line may be one of units: "(ms)", "s;N", "[g]".
@@ -86,8 +87,9 @@ bool ColumnTitles::is_of_numbers(std::string_view line) const {
   const auto number = [&](std::string_view cell) { return is_number(cell, mark); };
   const bool all = std::ranges::all_of(cells, number);
   if (texts_.empty()) return all;
-  const bool any = std::ranges::any_of(cells, [&](std::string_view cell) { return !cell.empty() && number(cell); });
-  return any && number(cells.front()) && (all || !cells.front().empty());
+  const auto count = std::ranges::count_if(cells, [&](std::string_view cell) { return !cell.empty() && number(cell); });
+  const bool sentence = separator == ' ' && cells.size() > 1 && count == 1;  // "3 channels"
+  return count > 0 && !sentence && number(cells.front()) && (all || !cells.front().empty());
 }
 
 void ColumnTitles::settle(std::string_view numbers) {

@@ -10,8 +10,10 @@
 #include "frf/csv/lvm_file.hpp"
 #include "frf/file/column_titles.hpp"
 #include "frf/file/columns.hpp"
+#include "frf/file/number_cell.hpp"
 #include "frf/file/variables.hpp"
 #include "frf/mat/mat_column.hpp"
+#include "frf/set/unit_label.hpp"
 #include "frf/text/footer.hpp"
 #include "frf/text/number_text.hpp"
 #include "frf/text/plain_text.hpp"
@@ -86,13 +88,26 @@ class TextColumns {
     if (!mark_.fits(line)) fail(out_.file, place(), mixed_marks, one_mark);
     for (std::size_t i = 0; i < cells.size(); ++i) {
       double value = 0.0;
-      if (!parse_cell(cells[i], mark_.may_be_comma(), value)) value = std::numeric_limits<double>::quiet_NaN();
+      const auto unit = read_number_cell(cells[i], mark_.may_be_comma(), value);
+      if (!unit) value = std::numeric_limits<double>::quiet_NaN();
+      if (unit && !unit->empty()) take_unit(i, *unit);
       if (std::isnan(value) && !states_no_value(cells[i])) {
         fail(out_.file, place() + ", column " + std::to_string(i + 1),
              "'" + std::string(cells[i].substr(0, 40)) + "' is not a number", "begin lines that are no numbers with #");
       }
       out_.columns[i].values.push_back(value);
     }
+  }
+
+  /// Of a number of column i; all of its numbers have one.
+  void take_unit(std::size_t i, std::string_view unit) {
+    NumberColumn& column = out_.columns[i];
+    if (column.unit.empty() && column.values.empty()) column.unit = unit;
+    const auto own = parse_unit(column.unit), other = parse_unit(unit);
+    if (own && other && own->same_dimension(*other) && own->si == other->si) return;
+    fail(out_.file, place() + ", column " + std::to_string(i + 1),
+         "'" + std::string(unit) + "' stands behind a number, and '" + column.unit + "' is the unit of the others",
+         "write all numbers of a column in one unit");
   }
 
   Columns out_;
@@ -176,7 +191,8 @@ Columns read_variables(MatFile& file) {
   require_bounded(file);
   const ColumnUnits units(file);
   for (const MatInfo& info : file.variables()) {
-    if (is_column(info)) add_variable(file, info, units, out);
+    const bool number = info.kind == MatKind::real && info.dims.empty();
+    if (number || is_column(info)) add_variable(file, info, units, out);
   }
   if (out.columns.empty())
     fail(out.file, {}, "has no real vector or matrix", "store displacement and force as vectors of doubles");

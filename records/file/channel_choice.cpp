@@ -1,5 +1,6 @@
 #include "records/file/channel_choice.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "base/error.hpp"
@@ -25,8 +26,10 @@ std::vector<std::size_t> chosen_columns(const frf::Columns& columns, const std::
   }
   if (!wanted.empty()) return out;
   const frf::NumberColumn* time = find_times(columns);
+  const auto is_long = [](const frf::NumberColumn& column) { return column.values.size() > 1; };
+  const bool some_long = std::ranges::any_of(columns.columns, is_long);  // a number beside them is no channel
   for (const frf::NumberColumn& column : columns.columns) {
-    if (&column != time) out.push_back(static_cast<std::size_t>(&column - first));
+    if (&column != time && (!some_long || is_long(column))) out.push_back(static_cast<std::size_t>(&column - first));
   }
   if (!out.empty()) return out;
   throw InputError({ErrorKind::data, columns.file, "", "has no channel beside the time", "name the channels"});

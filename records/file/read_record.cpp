@@ -12,8 +12,7 @@
 #include "records/file/limits.hpp"
 #include "records/file/npy_file.hpp"
 #include "records/file/stated_unit.hpp"
-#include "records/file/time_axis.hpp"
-#include "records/file/time_title.hpp"
+#include "records/file/table_rate.hpp"
 #include "records/file/uff_record.hpp"
 
 namespace jointid::records {
@@ -21,28 +20,6 @@ namespace {
 
 [[noreturn]] void fail(const std::string& file, std::string problem, std::string remedy) {
   throw InputError({ErrorKind::data, file, {}, std::move(problem), std::move(remedy)});
-}
-
-/// The column of times, or null.
-const frf::NumberColumn* times_of(const frf::Columns& table, const RecordOptions& options) {
-  if (!options.time.empty()) return &table.column(options.time);
-  const frf::NumberColumn* found = find_times(table);
-  return found != nullptr ? found : table.find({"x"});
-}
-
-/// Samples per second, by a column of times or by the user.
-double rate_of_table(const frf::Columns& table, const RecordOptions& options) {
-  const frf::NumberColumn* times = times_of(table, options);
-  const bool used = times != nullptr && std::ranges::any_of(options.channels, [&](const GivenChannel& given) {
-                      return &table.column(given.column) == times;
-                    });
-  if (used && !options.rate_hz)
-    fail(table.file, "column " + times->name + " holds the times, and --channel names it as a signal",
-         "name the column of times by --time");
-  if (times != nullptr && !used) return stated_or_given_rate(*times, table.file, options.rate_hz);
-  if (options.rate_hz) return *options.rate_hz;
-  fail(table.file, "does not state when its samples were taken",
-       "give --rate HZ, or --time COLUMN; in a scene rate = HZ, or time = \"COLUMN\"");
 }
 
 Channel channel_of(const frf::Columns& table, const GivenChannel& given, const RecordOptions& options) {
@@ -54,8 +31,10 @@ Channel channel_of(const frf::Columns& table, const GivenChannel& given, const R
   const auto kind = parsed ? kind_of(*parsed, given.dof.is_rotation()) : std::nullopt;
   if (!kind)
     throw InputError({ErrorKind::data, table.file, place,
-                      "'" + unit.unit + "' is no unit of a force or a motion at " + given.dof.name(),
-                      "give it, e.g. N or m/s^2"});
+                      unit.unit.empty() ? "the file states no unit of it"
+                                        : "'" + unit.unit + "' is no unit of a force or a motion at " + given.dof.name(),
+                      is_other_quantity(unit.unit) ? "give factor and unit, e.g. " + given.column + "=" + given.dof.name() + " 22.4 N"
+                                                   : "give it, e.g. " + given.column + "=" + given.dof.name() + " N, or m/s^2"});
   require_agreement(column.unit, unit, table.file, place);
   Channel channel{column.name, given.dof, *kind, column.values};
   for (double& sample : channel.samples) sample *= given.factor * parsed->si;

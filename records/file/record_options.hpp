@@ -16,7 +16,8 @@ struct GivenChannel {
   std::string unit;  ///< empty: as the file states it
 };
 
-/// Parses "3=4:+Z g", "F=1:+Z N", "volts=1:+Z 44.5 N" (DOF, factor if any, unit). Throws InputError (usage).
+/// Parses "3=4:+Z g", "F=1:+Z N", "volts=1:+Z 44.5 N" (DOF, factor if any, unit), "F=1:+Z" (unit of the file). Throws InputError
+/// (usage).
 GivenChannel parse_channel(const std::string& text);
 
 /// What the user knows of a file and the file does not say. What a file states and an option contradicts is an error.

@@ -50,11 +50,12 @@ bool is_time_column(const frf::NumberColumn& column) {
   const std::vector<std::string> words = words_of(column.name);
   if (words.size() == 1 && is_long_time_unit(words.front())) return true;
   return std::ranges::any_of(words, [](const std::string& word) { return is_one_of(word, time_words); }) &&
-         !is_one_of("rate", words);
+         (!is_one_of("rate", words) || seconds_of(column.unit));
 }
 
 const frf::NumberColumn* find_times(const frf::Columns& columns) {
-  const auto found = std::ranges::find_if(columns.columns, is_time_column);
+  const auto are_times = [](const frf::NumberColumn& column) { return column.values.size() != 1 && is_time_column(column); };
+  const auto found = std::ranges::find_if(columns.columns, are_times);
   return found == columns.columns.end() ? nullptr : &*found;
 }
 

@@ -10,7 +10,7 @@ namespace jointid::records {
 /// nothing but a unit of time ("sec", "ms"); not where a unit of something else is stated.
 bool is_time_column(const frf::NumberColumn& column);
 
-/// The first of them, or null.
+/// The first of them that is no single number, or null.
 const frf::NumberColumn* find_times(const frf::Columns& columns);
 
 /// The unit of times that a column states: its unit ("time (ms)", a row of units, an attribute), else the word behind the one of

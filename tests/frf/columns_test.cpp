@@ -50,6 +50,24 @@ TEST_F(ColumnsFile, HeaderWithUnitsAndTabs) {
   EXPECT_TRUE(std::isnan(read.column("Position").values[1]));
 }
 
+/// As writetimetable() of MATLAB writes durations.
+TEST_F(ColumnsFile, NumbersWithAUnitOfTime) {
+  const Columns read = read_columns(write_file("a.csv", "Time,F\n0 sec,1\n0.5 sec,2\n"));
+  EXPECT_EQ(read.columns[0].unit, "sec");
+  EXPECT_THAT(read.columns[0].values, ElementsAre(0.0, 0.5));
+  EXPECT_EQ(read_columns(write_file("a.csv", "Time [s],F\n0 sec,1\n0.5 sec,2\n")).columns[0].unit, "s");
+  EXPECT_THAT(error("Time,F\n0 sec,1\n500 ms,2\n"),
+              HasSubstr("line 3, column 1: 'ms' stands behind a number, and 'sec' is the unit of the others"));
+  EXPECT_THAT(error("Time,F\n0 sec,1\n1 rev,2\n"), HasSubstr("line 3, column 1: '1 rev' is not a number"));
+}
+
+/// A line of blanks between words is none of numbers because it begins with one.
+TEST_F(ColumnsFile, WordsWithANumberAboveTheTitles) {
+  const Columns read = read_columns(write_file("a.asc", "CONVERTED\n3 channels\nTime 1 [s]\tForce [N]\n0\t1\n0.5\t2\n"));
+  EXPECT_THAT(names(read), ElementsAre("Time 1", "Force"));
+  EXPECT_THAT(read.columns[1].values, ElementsAre(1.0, 2.0));
+}
+
 TEST_F(ColumnsFile, AnEmptyLastCellBetweenTabsIsNoNumber) {
   const Columns read = read_columns(write_file("a.txt", "a\tb\n1\t2\n3\t\n"));
   EXPECT_TRUE(std::isnan(read.columns[1].values[1]));

@@ -80,6 +80,65 @@ TEST_F(RecordFile, RatesAreTheRoundNumbersThatTimesOfSingleOrDoublePrecisionMean
   EXPECT_EQ(read_records(write("a.csv", text), force_and_g())[0].rate_hz, 51.2);
 }
 
+TEST_F(RecordFile, TheUnitOfTheFileIsEnough) {
+  RecordOptions options;
+  options.channels = {parse_channel("2=1:+Z"), parse_channel("3=4:-Z")};
+  expect_the_record(read_records(write("a.csv", "time [ms],F [kN],a [g]\n0,0,0\n1,5,1\n2,1,-2\n"), options));
+  EXPECT_THAT(message(write("b.csv", "time,F [N],a\n0,0,0\n1,5,1\n2,1,-2\n"), options),
+              HasSubstr("column a: the file states no unit of it; give it, e.g. 3=4:-Z N, or m/s^2"));
+  EXPECT_THAT(message(write("c.csv", "time,F [V],a [g]\n0,0,0\n1,5,1\n2,1,-2\n"), options),
+              HasSubstr("column F: 'V' is no unit of a force or a motion at 1:+Z; give factor and unit, e.g. 2=1:+Z 22.4 N"));
+}
+
+TEST_F(RecordFile, TablesOfSeveralPlotsHaveOneColumnOfTimes) {
+  const auto plots = [](const std::string& shift) {
+    return "Time 0 [ms],F [kN],Time 1 [s],a [g]\n0,0," + shift + "0,0\n1,5," + shift + "1,1\n2,1," + shift + "2,-2\n";
+  };
+  RecordOptions options;
+  options.channels = {parse_channel("F=1:+Z"), parse_channel("a=4:-Z")};
+  expect_the_record(read_records(write("a.csv", plots("0.00")), options));
+  EXPECT_THAT(message(write("b.csv", plots("0.01")), options),
+              HasSubstr("columns Time 0 and Time 1 are times that differ by up to 0.01 s, and channels stand behind both"));
+  options.channels.pop_back();
+  EXPECT_EQ(read_records(write("c.csv", plots("0.01")), options).front().rate_hz, 1000.0) << "one channel has one";
+  options.channels = {parse_channel("F=1:+Z"), parse_channel("a=4:-Z")};
+  expect_the_record(read_records(write("d.csv", "timestamp,time [ms],F [kN],a [g]\n9,0,0,0\n10,1,5,1\n11,2,1,-2\n"),
+                                 [&] {
+                                   RecordOptions named = options;
+                                   named.time = "2";
+                                   return named;
+                                 }()));
+}
+
+TEST_F(RecordFile, ARateOrAStepBesideTheColumns) {
+  const auto file_with = [&](const std::string& name, const std::vector<std::pair<std::string, double>>& numbers) {
+    const auto path = folder_ / name;
+    const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    const auto put = [&](const std::string& of, const std::vector<double>& values) {
+      const hsize_t count = values.size();
+      const hid_t space = H5Screate_simple(1, &count, nullptr);
+      const hid_t set = H5Dcreate2(file, of.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+      H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+      H5Dclose(set);
+      H5Sclose(space);
+    };
+    put("F", {0.0, 5.0, 1.0});
+    put("a", {0.0, 1.0, -2.0});
+    for (const auto& [of, value] : numbers) put(of, {value});
+    H5Fclose(file);
+    return path;
+  };
+  expect_the_record(read_records(file_with("fs.h5", {{"Fs", 1000.0}}), force_and_g("F", "a")));
+  expect_the_record(read_records(file_with("dt.h5", {{"dt", 0.001}}), force_and_g("F", "a")));
+  expect_the_record(read_records(file_with("both.h5", {{"sample_rate", 1000.0}, {"time_step", 0.001}}), force_and_g("F", "a")));
+  EXPECT_THAT(message(file_with("two.h5", {{"Fs", 1000.0}, {"dt", 0.002}}), force_and_g("F", "a")),
+              HasSubstr("dt states 500 samples per second, and another number of the file 1000"));
+  RecordOptions other = force_and_g("F", "a");
+  other.rate_hz = 2000.0;
+  EXPECT_THAT(message(file_with("other.h5", {{"Fs", 1000.0}}), other), HasSubstr("states 1000 samples per second, --rate"));
+  EXPECT_THAT(message(file_with("none.h5", {{"gain", 1000.0}}), force_and_g("F", "a")), HasSubstr("does not state when"));
+}
+
 TEST(GivenChannel, IsColumnDofFactorAndUnit) {
   const GivenChannel channel = parse_channel("chan 2=12:-RY 0.5 rad/s^2");
   EXPECT_EQ(channel.column, "chan 2");
@@ -95,7 +154,9 @@ TEST(GivenChannel, IsColumnDofFactorAndUnit) {
     return std::string("nothing was thrown");
   };
   EXPECT_THAT(message("4:+Z N"), HasSubstr("has no column before ="));
-  EXPECT_THAT(message("2=4:+Z"), HasSubstr("has 1 words after =, not DOF and unit"));
+  EXPECT_THAT(message("2="), HasSubstr("has 0 words after =, not DOF and unit"));
+  EXPECT_THAT(message("2=4:+Z 1 N m"), HasSubstr("has 4 words after =, not DOF and unit"));
+  EXPECT_EQ(parse_channel("2=4:+Z").unit, "") << "that of the file";
   EXPECT_THAT(message("2=4:+Z V"), HasSubstr("'V' is no unit of a force or a motion at 4:+Z"));
   EXPECT_THAT(message("2=4:+RZ m/s^2"), HasSubstr("'m/s^2' is no unit of a force or a motion at 4:+RZ"));
   EXPECT_THAT(message("2=4:+Z 0 N"), HasSubstr("'0' is no factor"));
