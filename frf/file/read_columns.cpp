@@ -106,7 +106,7 @@ class TextColumns {
     const auto own = parse_unit(column.unit), other = parse_unit(unit);
     if (own && other && own->same_dimension(*other) && own->si == other->si) return;
     fail(out_.file, place() + ", column " + std::to_string(i + 1),
-         "'" + std::string(unit) + "' stands behind a number, and '" + column.unit + "' is the unit of the others",
+         "'" + std::string(unit) + "' is behind a number, and '" + column.unit + "' is the unit of the others",
          "write all numbers of a column in one unit");
   }
 

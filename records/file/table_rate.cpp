@@ -90,7 +90,7 @@ void require_same_times(const frf::Columns& table, const RecordOptions& options,
     const double step = count > 1 ? unit * (first->values[count - 1] - first->values[0]) / static_cast<double>(count - 1) : 0.0;
     if (apart > of_step * std::abs(step))
       refuse_rate(table.file,
-           fmt::format("columns {} and {} are times that differ by up to {:.3g} s, and channels stand behind both", first->name,
+           fmt::format("columns {} and {} are times that differ by up to {:.3g} s, and channels are behind both", first->name,
                        own->name, apart),
            "export channels that were sampled together, with one column of times");
   }

@@ -57,7 +57,7 @@ TEST_F(ColumnsFile, NumbersWithAUnitOfTime) {
   EXPECT_THAT(read.columns[0].values, ElementsAre(0.0, 0.5));
   EXPECT_EQ(read_columns(write_file("a.csv", "Time [s],F\n0 sec,1\n0.5 sec,2\n")).columns[0].unit, "s");
   EXPECT_THAT(error("Time,F\n0 sec,1\n500 ms,2\n"),
-              HasSubstr("line 3, column 1: 'ms' stands behind a number, and 'sec' is the unit of the others"));
+              HasSubstr("line 3, column 1: 'ms' is behind a number, and 'sec' is the unit of the others"));
   EXPECT_THAT(error("Time,F\n0 sec,1\n1 rev,2\n"), HasSubstr("line 3, column 1: '1 rev' is not a number"));
 }
 

@@ -98,7 +98,7 @@ TEST_F(RecordFile, TablesOfSeveralPlotsHaveOneColumnOfTimes) {
   options.channels = {parse_channel("F=1:+Z"), parse_channel("a=4:-Z")};
   expect_the_record(read_records(write("a.csv", plots("0.00")), options));
   EXPECT_THAT(message(write("b.csv", plots("0.01")), options),
-              HasSubstr("columns Time 0 and Time 1 are times that differ by up to 0.01 s, and channels stand behind both"));
+              HasSubstr("columns Time 0 and Time 1 are times that differ by up to 0.01 s, and channels are behind both"));
   options.channels.pop_back();
   EXPECT_EQ(read_records(write("c.csv", plots("0.01")), options).front().rate_hz, 1000.0) << "one channel has one";
   options.channels = {parse_channel("F=1:+Z"), parse_channel("a=4:-Z")};
