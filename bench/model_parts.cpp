@@ -9,8 +9,8 @@
 
 #include "base/complex.hpp"
 #include "bench/bench.hpp"
-#include "bench/solid_block.hpp"
 #include "models/matrix_model.hpp"
+#include "problems/solid/solid_matrices.hpp"
 
 namespace {
 
@@ -19,7 +19,7 @@ using namespace jointid::models;
 
 void compare(std::size_t about, bool quick, bench::Promises& promises) {
   const int n = std::max(2, static_cast<int>(std::lround(std::cbrt(static_cast<double>(about) / 12.0))));
-  StructureMatrices matrices = bench::solid_matrices({2.1e11, 0.3, 7800.0}, {0.5, 0.25, 0.25}, {2 * n, 2 * n, n});
+  StructureMatrices matrices = problems::solid_matrices({2.1e11, 0.3, 7800.0}, {.size = {0.5, 0.25, 0.25}, .elements = {2 * n, 2 * n, n}});
   matrices.loss_factor = 0.005;
   const auto size = static_cast<std::size_t>(matrices.mass.rows());
   std::vector<std::size_t> asked;

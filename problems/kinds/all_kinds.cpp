@@ -7,6 +7,7 @@
 #include "problems/kinds/problem_kind.hpp"
 #include "problems/lines/line_problem.hpp"
 #include "problems/problem.hpp"
+#include "problems/solid/solid_blocks.hpp"
 #include "problems/thesis/loading_curves.hpp"
 #include "problems/thesis/mesh_joints.hpp"
 #include "problems/thesis/oscillations.hpp"
@@ -76,12 +77,18 @@ WrittenProblem write_line_problem(const std::string& name, const Path& directory
   return {scene, (problem.decouples ? "decouple " : "solve ") + scene.string()};
 }
 
+WrittenProblem write_solid_blocks(const std::string&, const Path& directory, const WriteOptions& options) {
+  const auto scene = write(make_solid_blocks(), directory, options);
+  return {scene, "solve " + scene.string()};
+}
+
 constexpr std::array every_kind = {
     ProblemKind{problems::list, write_identification_problem},
     ProblemKind{[] { return infos_of(loading_curves()); }, write_loading_curve},
     ProblemKind{list_flanges, write_identification_problem},
     ProblemKind{list_many_joints, write_identification_problem},
     ProblemKind{list_coupling, write_coupling_problem},
+    ProblemKind{list_solid_blocks, write_solid_blocks},
     ProblemKind{list_line_problems, write_line_problem},
     ProblemKind{list_rig_two, write_rig_two},
     ProblemKind{list_modal_sets, write_modal_set},

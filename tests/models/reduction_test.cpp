@@ -9,9 +9,9 @@
 #include "base/complex.hpp"
 #include "base/eigen.hpp"
 #include "base/random.hpp"
-#include "bench/solid_block.hpp"
 #include "models/matrix_model.hpp"
 #include "models/model_source.hpp"
+#include "problems/solid/solid_matrices.hpp"
 
 namespace jointid::models {
 namespace {
@@ -50,8 +50,10 @@ Indices some(Draw& draw, std::size_t size, std::size_t count) {
 /// A block of steel, aluminium or rubber-like material, free or on springs, with losses of one kind or several.
 StructureMatrices random_structure(Draw& draw) {
   const problems::Solid solid{std::pow(10.0, draw.between(8.0, 11.4)), draw.between(0.1, 0.4), draw.between(1000.0, 8000.0)};
-  StructureMatrices out = bench::solid_matrices(solid, {draw.between(0.1, 0.8), draw.between(0.05, 0.3), draw.between(0.02, 0.2)},
-                                                {draw.count(7, 10), draw.count(3, 4), draw.count(2, 3)});
+  problems::Block block;
+  block.elements = {draw.count(7, 10), draw.count(3, 4), draw.count(2, 3)};
+  block.size = {draw.between(0.1, 0.8), draw.between(0.05, 0.3), draw.between(0.02, 0.2)};
+  StructureMatrices out = problems::solid_matrices(solid, block);
   const Eigen::Index n = out.mass.rows();
   const double k = out.stiffness.coeff(0, 0);
   if (draw.coin()) out.stiffness += diagonal(n, some(draw, static_cast<std::size_t>(n), 6), 0.01 * k);
@@ -110,7 +112,7 @@ TEST(Reduction, GivesUpWhereTheBasisMayNotBeLargeEnough) {
 }
 
 TEST(Reduction, LeavesGeneralDampingToTheFactorisation) {
-  StructureMatrices matrices = bench::solid_matrices({2e11, 0.3, 7800.0}, {0.3, 0.2, 0.1}, {4, 3, 2});
+  StructureMatrices matrices = problems::solid_matrices({2e11, 0.3, 7800.0}, {.size = {0.3, 0.2, 0.1}, .elements = {4, 3, 2}});
   matrices.viscous_damping = matrices.mass.cwiseProduct(matrices.mass) * 1e3;
   EXPECT_FALSE(proportional_form(matrices, 64));
   const std::vector<double> omega = lines_of(matrices, 20);
@@ -123,7 +125,7 @@ TEST(Reduction, LeavesGeneralDampingToTheFactorisation) {
 }
 
 TEST(ProportionalForm, FindsTheSharesOfMassAndStiffness) {
-  StructureMatrices matrices = bench::solid_matrices({7e10, 0.33, 2700.0}, {0.3, 0.2, 0.1}, {3, 2, 2});
+  StructureMatrices matrices = problems::solid_matrices({7e10, 0.33, 2700.0}, {.size = {0.3, 0.2, 0.1}, .elements = {3, 2, 2}});
   matrices.loss_factor = 0.01;
   matrices.hysteretic_damping = 0.002 * matrices.stiffness;
   matrices.viscous_damping = 3.0 * matrices.mass + 2e-6 * matrices.stiffness;
@@ -136,7 +138,7 @@ TEST(ProportionalForm, FindsTheSharesOfMassAndStiffness) {
 }
 
 TEST(ProportionalForm, LeavesWhatIsAtFewCoordinates) {
-  StructureMatrices matrices = bench::solid_matrices({7e10, 0.33, 2700.0}, {0.3, 0.2, 0.1}, {4, 3, 2});
+  StructureMatrices matrices = problems::solid_matrices({7e10, 0.33, 2700.0}, {.size = {0.3, 0.2, 0.1}, .elements = {4, 3, 2}});
   const Eigen::Index n = matrices.mass.rows();
   matrices.hysteretic_damping = 0.002 * matrices.stiffness + diagonal(n, {3, 44, 90}, 4e5);
   matrices.stiffness += diagonal(n, {3, 44, 90}, 1e7);  // the springs whose loss that is
@@ -150,7 +152,7 @@ TEST(ProportionalForm, LeavesWhatIsAtFewCoordinates) {
 
 /// Blocks of lines and DOFs as readers ask for them: the basis grows, and few lines are factorised as before.
 TEST(ModelSource, ReadsManyLinesOfALargeModelWithoutAFactorisationOfEach) {
-  const StructureMatrices matrices = bench::solid_matrices({2.1e11, 0.3, 7800.0}, {0.5, 0.3, 0.1}, {6, 4, 1});
+  const StructureMatrices matrices = problems::solid_matrices({2.1e11, 0.3, 7800.0}, {.size = {0.5, 0.3, 0.1}, .elements = {6, 4, 1}});
   const auto source_of = [&](std::size_t lines) {
     NamedCoordinates names;
     for (const std::size_t place : {0u, 4u, 50u, 103u}) {

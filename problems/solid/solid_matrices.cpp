@@ -1,25 +1,20 @@
-#pragma once
+#include "problems/solid/solid_matrices.hpp"
 
 #include <array>
 #include <utility>
 #include <vector>
 
-#include "models/structure_matrices.hpp"
-#include "problems/structure/brick.hpp"
+namespace jointid::problems {
 
-namespace jointid::bench {
-
-/// A free rectangular block of equal bricks as sparse matrices, coordinates x, y, z of each node, numbered along x, then y, then z.
-inline models::StructureMatrices solid_matrices(const problems::Solid& solid, const std::array<double, 3>& size,
-                                                const std::array<int, 3>& elements) {
+models::StructureMatrices solid_matrices(const Solid& solid, const Block& block) {
   std::array<double, 3> edge{};
-  for (std::size_t i = 0; i < 3; ++i) edge[i] = size[i] / elements[i];
-  const problems::Matrix stiffness = problems::brick_stiffness(solid, edge), mass = problems::brick_mass(solid, edge);
-  const auto node = [&](int i, int j, int k) { return i + (elements[0] + 1) * (j + (elements[1] + 1) * k); };
+  for (std::size_t i = 0; i < 3; ++i) edge[i] = block.size[i] / block.elements[i];
+  const Matrix stiffness = brick_stiffness(solid, edge), mass = brick_mass(solid, edge);
+  const auto node = [&](int i, int j, int k) { return static_cast<int>(block.node(i, j, k) - block.first_node); };
   std::vector<Eigen::Triplet<double>> k_elements, m_elements;
-  for (int k = 0; k < elements[2]; ++k) {
-    for (int j = 0; j < elements[1]; ++j) {
-      for (int i = 0; i < elements[0]; ++i) {
+  for (int k = 0; k < block.elements[2]; ++k) {
+    for (int j = 0; j < block.elements[1]; ++j) {
+      for (int i = 0; i < block.elements[0]; ++i) {
         const std::array<int, 8> nodes = {node(i, j, k),     node(i + 1, j, k),     node(i + 1, j + 1, k),     node(i, j + 1, k),
                                           node(i, j, k + 1), node(i + 1, j, k + 1), node(i + 1, j + 1, k + 1), node(i, j + 1, k + 1)};
         for (std::size_t a = 0; a < 24; ++a) {
@@ -32,7 +27,7 @@ inline models::StructureMatrices solid_matrices(const problems::Solid& solid, co
       }
     }
   }
-  const int n = 3 * (elements[0] + 1) * (elements[1] + 1) * (elements[2] + 1);
+  const int n = 3 * (block.elements[0] + 1) * (block.elements[1] + 1) * (block.elements[2] + 1);
   models::StructureMatrices out;
   for (auto [to, from] : {std::pair(&out.stiffness, &k_elements), std::pair(&out.mass, &m_elements)}) {
     to->resize(n, n);
@@ -41,4 +36,4 @@ inline models::StructureMatrices solid_matrices(const problems::Solid& solid, co
   return out;
 }
 
-}  // namespace jointid::bench
+}  // namespace jointid::problems
