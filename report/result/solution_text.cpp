@@ -43,8 +43,18 @@ std::string head(const ident::Solution& solution, const std::string& title) {
   return (title.empty() ? "" : title + "\n") + table.text();
 }
 
+/// Springs between many coordinates: pages of zeros, whose few numbers are the unknowns.
+bool is_mostly_zeros(const ident::Matrix& rows) {
+  constexpr std::size_t widest = 16, share = 4;
+  std::size_t others = 0;
+  for (const auto& row : rows) others += row.size() - static_cast<std::size_t>(std::ranges::count(row, 0.0));
+  return rows.size() > widest && share * others < rows.size() * rows.size();
+}
+
 /// `errors`: of the elements, or null.
 std::string matrix_text(const std::vector<frf::Dof>& dofs, const ident::Matrix& rows, const ident::Matrix* errors) {
+  if (is_mostly_zeros(rows))
+    return fmt::format("  {0} × {0}, mostly zeros: see the unknowns below; in full by --json and --report\n", rows.size());
   std::vector<Column> columns = {{"", Align::left}};
   for (const auto& dof : dofs) columns.push_back({dof.name(), Align::right});
   Table table(std::move(columns));

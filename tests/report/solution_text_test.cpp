@@ -55,6 +55,27 @@ TEST(SolutionText, BandsSayWhereTheyHold) {
   EXPECT_THAT(solution_text(solution, ""), HasSubstr("stiffness K (SI units), 100 to 200.5 Hz\n"));
 }
 
+/// Twelve springs between 24 coordinates.
+TEST(SolutionText, AWideMatrixOfSpringsIsNotPrinted) {
+  ident::Solution solution = sample_solution();
+  constexpr std::size_t springs = 12;
+  solution.dofs.clear();
+  ident::Matrix k(2 * springs, std::vector<double>(2 * springs, 0.0));
+  for (std::size_t i = 0; i < 2 * springs; ++i) {
+    solution.dofs.push_back({.node = static_cast<std::int64_t>(i + 1), .direction = frf::Direction::x});
+    k[i][i] = 7e5;
+    k[i][(i + springs) % (2 * springs)] = -7e5;
+  }
+  solution.bands.resize(1);
+  solution.bands[0].matrices = {{restrictions::Kind::stiffness, k}};
+  solution.bands[0].errors.clear();
+  const std::string text = solution_text(solution, "");
+  EXPECT_THAT(text, HasSubstr("stiffness K (SI units)\n  24 × 24, mostly zeros: see the unknowns below; in full by --json and --report\n"));
+  EXPECT_THAT(text, Not(HasSubstr("700000")));
+  solution.bands[0].matrices.begin()->second.assign(2 * springs, std::vector<double>(2 * springs, 7e5));
+  EXPECT_THAT(solution_text(solution, ""), HasSubstr("700000")) << "a full one";
+}
+
 TEST(SolutionText, OfALikelihoodHasItsOwnFiguresAndNoWeighting) {
   const std::string text = solution_text(sample_likelihood(), "");
   EXPECT_THAT(text, HasSubstr("likelihood, equations nn nj, solver gauss-helmert\n"));
