@@ -70,7 +70,8 @@ TEST(SolutionText, AWideMatrixOfSpringsIsNotPrinted) {
   solution.bands[0].matrices = {{restrictions::Kind::stiffness, k}};
   solution.bands[0].errors.clear();
   const std::string text = solution_text(solution, "");
-  EXPECT_THAT(text, HasSubstr("stiffness K (SI units)\n  24 × 24, mostly zeros: see the unknowns below; in full by --json and --report\n"));
+  EXPECT_THAT(text, HasSubstr("stiffness K (SI units)\n"
+                              "  24 × 24, mostly zeros: see the unknowns below; in full by --json and --report\n"));
   EXPECT_THAT(text, Not(HasSubstr("700000")));
   solution.bands[0].matrices.begin()->second.assign(2 * springs, std::vector<double>(2 * springs, 7e5));
   EXPECT_THAT(solution_text(solution, ""), HasSubstr("700000")) << "a full one";
