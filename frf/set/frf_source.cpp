@@ -99,6 +99,16 @@ void require_diagonal(const FrfHeader& header, std::size_t line, std::size_t r, 
 
 }  // namespace
 
+void FrfSource::place_nodes(const std::vector<Node>& nodes) {
+  for (const Node& node : nodes) {
+    const auto known = std::ranges::find(header_.nodes, node.id, &Node::id);
+    if (known == header_.nodes.end())
+      header_.nodes.push_back(node);
+    else
+      known->position = node.position;
+  }
+}
+
 void FrfSource::read(const Block& block, std::span<Complex> out) {
   assert(out.size() == block.size());
   ++count_.calls;

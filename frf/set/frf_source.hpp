@@ -51,6 +51,8 @@ class FrfSource {
   FrfSource& operator=(const FrfSource&) = delete;
 
   const FrfHeader& header() const { return header_; }
+  /// Positions of nodes, in place of those that the file states of the same ones.
+  void place_nodes(const std::vector<Node>& nodes);
   const ReadCount& count() const { return count_; }
 
   /// Reads block.size() values into `out`. Throws InputError if the file contradicts its header.

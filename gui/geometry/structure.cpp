@@ -91,14 +91,16 @@ std::vector<frf::NodeLine> drawn_lines(const ident::DataSection& data, const std
   std::vector<frf::NodeLine> out;
   for (const auto* list : {&data.substructures, &data.assembly}) {
     for (const ident::DataFile& file : *list) {
-      stop_if(interrupted);
-      std::error_code none;
-      if (!is_universal_file(file.path) || std::filesystem::file_size(file.path, none) > largest_file || none) continue;
-      try {
-        const std::vector<frf::NodeLine> own = frf::read_uff_lines(file.path);
-        out.insert(out.end(), own.begin(), own.end());
-      } catch (const InputError&) {
-        continue;  // the data page says what is wrong with the file
+      for (const ident::Path& path : {file.path, file.nodes.value_or(ident::Path())}) {
+        stop_if(interrupted);
+        std::error_code none;
+        if (path.empty() || !is_universal_file(path) || std::filesystem::file_size(path, none) > largest_file || none) continue;
+        try {
+          const std::vector<frf::NodeLine> own = frf::read_uff_lines(path);
+          out.insert(out.end(), own.begin(), own.end());
+        } catch (const InputError&) {
+          continue;  // the data page says what is wrong with the file
+        }
       }
     }
   }

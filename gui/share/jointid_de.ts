@@ -2478,6 +2478,14 @@ Eine Auswertung und die Kanäle wählen, dann ausführen.</translation>
         <translation>Dateien des Zusammenbaus, mit der Fügestelle</translation>
     </message>
     <message>
+        <source>positions of nodes: a table node, x [mm], y [mm], z [mm], or UFF</source>
+        <translation>Orte der Knoten: eine Tabelle node, x [mm], y [mm], z [mm], oder UFF</translation>
+    </message>
+    <message>
+        <source>positions of the nodes of this file: a table, or UFF</source>
+        <translation>Orte der Knoten dieser Datei: eine Tabelle oder UFF</translation>
+    </message>
+    <message>
         <source>whether reciprocity replaces a missing FRF: H_ij by H_ji</source>
         <translation>ob Reziprozität eine fehlende FRF ersetzt: H_ij durch H_ji</translation>
     </message>

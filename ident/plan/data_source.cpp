@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "frf/file/node_table.hpp"
 #include "frf/noise/repeats.hpp"
 #include "frf/set/corrections.hpp"
 #include "models/model_file.hpp"
@@ -15,6 +16,7 @@ namespace {
 /// With the corrections and virtual points that the scene gives it.
 std::unique_ptr<frf::FrfSource> as_in_scene(std::unique_ptr<frf::FrfSource> source, const DataFile& file) {
   source = frf::corrected(std::move(source), file.corrections);
+  if (file.nodes) source->place_nodes(frf::read_node_table(*file.nodes));
   if (file.virtual_points.empty()) return source;
   return virtualpoint::virtual_source(std::move(source), file.virtual_points, file.virtual_noise);
 }

@@ -34,6 +34,7 @@ struct DataFile {
   std::optional<frf::NoiseModel> virtual_noise{};  ///< noise model of these FRFs, if the file has none ([noise])
   std::optional<Path> model{};      ///< description of a model of the same structure, which `check` holds the file against
   std::optional<double> mass{};     ///< kg, of the structure, which hung free; `check` compares it with the rigid-body lines
+  std::optional<Path> nodes{};      ///< positions of its nodes (frf::read_node_table()), before those that it states itself
 };
 
 /// Which systems' FRFs a modal model replaces.

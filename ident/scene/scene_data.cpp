@@ -68,7 +68,8 @@ std::vector<PlacedFile> placed_files(const DataSection& data, const Names& names
 scene::Table file_table(const scene::Item& item) {
   std::vector<std::string> keys = correction_keys();
   keys.insert(keys.begin(),
-              {"quantity", "unit", "dofs", "reference_dofs", "variable", "frequency_variable", "frequency_unit", "mass", "model"});
+              {"quantity", "unit", "dofs", "reference_dofs", "variable", "frequency_variable", "frequency_unit", "mass", "model",
+               "nodes"});
   return item.table(keys);
 }
 
@@ -120,6 +121,15 @@ void read_options_of(const scene::Item& item, DataFile& file, const Path& folder
   file.corrections = read_corrections(keys);
   if (const auto mass = keys.find("mass")) file.mass = mass->positive();
   if (const auto model = keys.find("model")) file.model = read_model_of(*model, file, folder);
+  if (const auto nodes = keys.find("nodes")) file.nodes = folder / nodes->text_not_empty();
+}
+
+/// `nodes` of [data], for every file; a file's own comes after it.
+void read_nodes_of_all(const scene::Table& table, DataSection& data, const Path& folder) {
+  const auto nodes = table.find("nodes");
+  if (!nodes) return;
+  const Path path = folder / nodes->text_not_empty();
+  for (DataFile* file : all_files(data)) file->nodes = path;
 }
 
 /// `files` are those of `names`; a name may stand for several.
@@ -145,13 +155,14 @@ std::vector<DataFile*> all_files(DataSection& data) {
 }
 
 DataSection read_data(const scene::Item& item, const Path& folder) {
-  const scene::Table table = item.table({"substructures", "assembly", "reciprocity", "regenerate", "files", "gains", "masses"});
+  const scene::Table table = item.table({"substructures", "assembly", "nodes", "reciprocity", "regenerate", "files", "gains", "masses"});
   DataSection data;
   Names names;
   data.substructures = read_files(table.require("substructures"), folder, names);
   data.assembly = read_files(table.require("assembly"), folder, names);
   if (const auto regenerate = table.find("regenerate")) data.regenerate = read_regeneration(*regenerate);
   if (const auto reciprocity = table.find("reciprocity")) data.reciprocity = reciprocity->boolean();
+  read_nodes_of_all(table, data, folder);
   if (const auto files = table.find("files")) read_all_options(*files, names, all_files(data), folder);
   read_systematic_errors(table, placed_files(data, names), data);
   return data;
@@ -166,6 +177,7 @@ DataSection readable_data(const scene::Item& item, const Path& folder) {
     data.substructures.insert(data.substructures.end(), files.begin(), files.end());
   }
   data.assembly = readable_files(table, "assembly", folder, names);
+  if_readable([&] { read_nodes_of_all(table, data, folder); });
   const auto options = table.find("files");
   if (!options || !options->is_table()) return data;
   const scene::Table by_name = options->open_table();
@@ -178,7 +190,7 @@ DataSection readable_data(const scene::Item& item, const Path& folder) {
 
 DataSection read_parts_section(const scene::Item& item, const Path& folder, std::vector<std::string>& names,
                                const std::vector<FurtherFile>& further, const std::vector<std::string>& beside) {
-  std::vector<std::string> keys = {"parts", "substructures", "reciprocity", "files"};
+  std::vector<std::string> keys = {"parts", "substructures", "nodes", "reciprocity", "files"};
   keys.insert(keys.end(), beside.begin(), beside.end());
   const scene::Table table = item.table(keys);
   DataSection data;
@@ -187,6 +199,7 @@ DataSection read_parts_section(const scene::Item& item, const Path& folder, std:
   if (as_elsewhere && table.find("parts")) as_elsewhere->fail("there are parts, too", "give one of them: both are the same");
   data.substructures = read_files(as_elsewhere ? *as_elsewhere : table.require("parts"), folder, all);
   if (const auto reciprocity = table.find("reciprocity")) data.reciprocity = reciprocity->boolean();
+  read_nodes_of_all(table, data, folder);
   if (const auto files = table.find("files")) {
     Names named = all;
     std::vector<DataFile*> of_name = all_files(data);

@@ -15,6 +15,7 @@ void add_file(const DataFile& file, const std::string& place, std::vector<NamedF
   if (models::is_model_file(file.path)) {
     for (const Path& named : models::files_of_model(file.path)) to.push_back({named, place + ", " + file.path.filename().string()});
   }
+  if (file.nodes) to.push_back({*file.nodes, place + ", nodes"});
   if (file.model) add_file({.path = *file.model, .options = {}}, place + ", model", to);
   for (const DataFile& run : file.repeats) add_file(run, place, to);
 }

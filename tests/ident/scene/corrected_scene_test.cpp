@@ -11,7 +11,9 @@
 #include "frf/hdf5/hdf5_file.hpp"
 #include "frf/hdf5/hdf5_writer.hpp"
 #include "ident/identify.hpp"
+#include "ident/plan/data_source.hpp"
 #include "ident/scene/read_scene.hpp"
+#include "ident/scene/scene_files.hpp"
 #include "problems/case/coupling_problem.hpp"
 #include "problems/problem.hpp"
 #include "problems/vibration/rig_two.hpp"
@@ -263,6 +265,36 @@ TEST_F(CorrectedScene, VariancesThatAStudyDoesNotUseAreSaid) {
   EXPECT_THAT(study::load_trial_data(read_scene(file))->notes,
               ElementsAre(AllOf(HasSubstr("Trials draw their errors from [noise] (circular)"),
                                 HasSubstr("rig1_assembly.h5 are not used"))));
+}
+
+/// Positions of [data] nodes stand before those of the files; one file may have its own.
+TEST(CorrectedScene, NodesOfATable) {
+  const TestFolder folder;
+  const auto put = [&](const char* name, const std::string& text) { std::ofstream(folder / name) << text; };
+  const std::string numbers = "10,1e-6,0\n20,1e-6,0\n";
+  put("part.csv", "# node 4 = 7 7 7\n# quantity = receptance\nFrequency [Hz],4:+Y/4:+Y re [m/N],4:+Y/4:+Y im [m/N]\n" + numbers);
+  put("whole.csv", "# quantity = receptance\nFrequency [Hz],4:+Y/5:+Y re [m/N],4:+Y/5:+Y im [m/N]\n" + numbers);
+  put("nodes.csv", "node,x [mm],y [mm],z [mm]\n4,900,0,0\n5,0,100,0\n");
+  put("other.csv", "node,x,y,z\n5,0,0,3\n");
+  const std::string data = "[data]\nsubstructures = [\"part.csv\"]\nassembly = [\"whole.csv\"]\nnodes = \"nodes.csv\"\n";
+  const std::string joint = "[joint]\ndofs = [\"4:+Y\"]\nstiffness = \"symmetric\"\n";
+  const auto position = [&](const std::string& text, bool assembly, std::int64_t node) {
+    const Scene scene = parse_scene(text, folder / "scene.toml");
+    const Sources sources = open_all(assembly ? scene.data.assembly : scene.data.substructures);
+    const auto& nodes = sources.front()->header().nodes;
+    const auto found = std::ranges::find(nodes, node, &frf::Node::id);
+    return found == nodes.end() ? std::array<double, 3>{-1.0, -1.0, -1.0} : found->position;
+  };
+  EXPECT_THAT(position(data + joint, false, 4), ElementsAre(0.9, 0.0, 0.0)) << "not that of the file";
+  EXPECT_THAT(position(data + joint, true, 5), ElementsAre(0.0, 0.1, 0.0));
+  const std::string own = data + "[data.files.\"whole.csv\"]\nnodes = \"other.csv\"\n" + joint;
+  EXPECT_THAT(position(own, true, 5), ElementsAre(0.0, 0.0, 3.0));
+  EXPECT_THAT(position(own, true, 4), ElementsAre(-1.0, -1.0, -1.0)) << "its own file has no node 4";
+  EXPECT_THAT(position(own, false, 4), ElementsAre(0.9, 0.0, 0.0));
+  std::vector<std::string> places;
+  for (const NamedFile& file : files_of(parse_scene(own, folder / "scene.toml"))) places.push_back(file.path.filename().string());
+  EXPECT_THAT(places, testing::UnorderedElementsAre("scene.toml", "part.csv", "whole.csv", "nodes.csv", "other.csv"))
+      << "none is overwritten";
 }
 
 }  // namespace
