@@ -304,9 +304,14 @@ std::vector<double> shifts_of(const std::string& name) {
 void measure(const bench::CommandLine& line, bench::Promises& promises) {
   const std::size_t seeds = line.count(0, 100, 4);
   const std::vector<std::string> kinds =
-      line.choice(1, {"clean", "widths", "gain", "hammer", "force", "temperature", "one", "places"}, {"gain", "hammer", "temperature"});
+      line.choice(1, {"clean", "widths", "gain", "hammer", "force", "temperature", "one", "places", "A1", "lap", "rig1"},
+                  {"gain", "hammer", "temperature"});
   const auto wanted = [&](const char* kind) { return std::ranges::find(kinds, kind) != kinds.end(); };
-  const std::vector<std::string> names = line.quick() ? std::vector<std::string>{"A1"} : std::vector<std::string>{"A1", "lap", "rig1"};
+  std::vector<std::string> names = {"A1", "lap", "rig1"};
+  if (line.quick()) names = {"A1"};
+  if (std::ranges::any_of(names, [&](const std::string& name) { return wanted(name.c_str()); })) {
+    std::erase_if(names, [&](const std::string& name) { return !wanted(name.c_str()); });
+  }
   fmt::print(
       "| situation | seeds | coverage | of the unknown covered least | "
       "width, mean / largest | χ²/f, mean / largest | rms of error / std error | ok beyond 3.5 | "

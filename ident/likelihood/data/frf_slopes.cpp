@@ -1,5 +1,6 @@
 #include "ident/likelihood/data/frf_slopes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/eigen.hpp"
@@ -10,6 +11,8 @@
 namespace jointid::ident {
 namespace {
 
+constexpr std::size_t most_degree = FrfSlopes::most_lines / 2;
+static_assert(most_degree == 4);
 using Columns = Lanes<4>;  // parts along the columns of what polynomials leave, zero beyond the degree
 
 /// An FRF that is zero by symmetry, and rounding in it: its slope would be that of rounding, and its own size says nothing of its error.
@@ -31,7 +34,48 @@ Eigen::MatrixXd basis_of(Eigen::MatrixXd projector, Eigen::Index count) {
   return out;
 }
 
+/// L⁻¹ of C = L Lᵀ, by columns: what errors of these variances on the lines make of the parts along the columns. False: C is singular.
+bool whitener_of(const Columns* column, std::size_t lines, const double* variance, Columns* inverse) {
+  constexpr double singular = 1e-13;  // of the variance, what the columns before leave of it
+  const std::size_t degree = lines / 2;
+  Columns lower[most_degree] = {};
+  for (std::size_t k = 0; k < lines; ++k) {
+    for (std::size_t a = 0; a < degree; ++a) lower[a] += (variance[k] * column[k][a]) * column[k];
+  }
+  for (std::size_t a = 0; a < degree; ++a) {
+    Columns row = lower[a];
+    const double whole = row[a];
+    for (std::size_t b = 0; b < a; ++b) row -= lower[b][a] * lower[b];
+    if (!(row[a] > singular * whole)) return false;
+    lower[a] = row / std::sqrt(row[a]);  // lanes before a are not used
+  }
+  for (std::size_t a = 0; a < degree; ++a) {
+    inverse[a] = Columns{};
+    for (std::size_t b = a; b < degree; ++b) {
+      double sum = a == b ? 1.0 : 0.0;
+      for (std::size_t c = a; c < b; ++c) sum -= lower[c][b] * inverse[a][c];
+      inverse[a][b] = sum / lower[b][b];
+    }
+  }
+  return true;
+}
+
+void whiten(const Columns* inverse, std::size_t degree, const Columns& parts, Columns& out) {
+  out = Columns{};
+  for (std::size_t a = 0; a < degree; ++a) out += parts[a] * inverse[a];
+}
+
 }  // namespace
+
+/// Of the real and, after them, the imaginary parts of c_1 … c_d; the last row is that of the right side.
+struct FrfSlopes::Sums {
+  Columns row[2 * most_degree + 1][2 * most_degree + 1] = {};
+};
+
+/// Columns that span what polynomials leave, and w^j times them, by lines.
+struct FrfSlopes::Remainder {
+  Columns column[most_lines] = {}, power[most_lines][most_degree + 1] = {};
+};
 
 FrfSlopes::FrfSlopes(const std::vector<std::size_t>& coordinates, const std::vector<double>& frequency,
                      std::vector<const Symmetric<Measured>*> lines, std::size_t own)
@@ -42,9 +86,15 @@ FrfSlopes::FrfSlopes(const std::vector<std::size_t>& coordinates, const std::vec
   Eigen::MatrixXd powers(count, degree + 1);
   for (Eigen::Index j = 0; j <= degree; ++j) powers.col(j) = place_.array().pow(static_cast<double>(j));
   const Eigen::MatrixXd inverse = dense::solve_symmetric(powers.transpose() * powers, powers.transpose());
+  const Eigen::MatrixXd off = basis_of(Eigen::MatrixXd::Identity(count, count) - powers * inverse, degree);
+  Remainder remainder;
+  for (std::size_t k = 0; k < lines_.size(); ++k) {
+    for (Eigen::Index c = 0; c < degree; ++c) remainder.column[k][static_cast<std::size_t>(c)] = off(at(k), c);
+    for (Eigen::Index j = 0; j <= degree; ++j) remainder.power[k][static_cast<std::size_t>(j)] = powers(at(k), j) * remainder.column[k];
+  }
   Complex rate;  // of the denominator at own, where it is 1
-  const Values on_lines =
-      denominator(sums(coordinates, basis_of(Eigen::MatrixXd::Identity(count, count) - powers * inverse, degree)), rate);
+  Values on_lines = Values::Ones(count);
+  for (int pass = 0; pass < 2; ++pass) on_lines = denominator(sums(coordinates, remainder, on_lines), rate);
   for (Eigen::Index k = 0; k < count; ++k) factor_[static_cast<std::size_t>(k)] = on_lines[k] * inverse(1, k) / unit;
   factor_[own] -= rate / unit;
 }
@@ -58,81 +108,88 @@ bool FrfSlopes::take(Element element, OnLines& values) const {
   return true;
 }
 
-/// Of all lines.
-double FrfSlopes::variance(Element element) const {
-  double sum = 0.0;
-  for (const Symmetric<Measured>* line : lines_) {
-    const Complex both = line->at(element.row, element.column).variance;
-    sum += both.real() + both.imag();
+/// Of the real and the imaginary part of q H on the lines; false: the errors are not known.
+bool FrfSlopes::take_variances(Element element, const Values& denominator, Variances& re, Variances& im) const {
+  constexpr double least = 1e-12;  // of those of all lines: parts without an error are not exact
+  double all = 0.0;
+  for (std::size_t k = 0; k < lines_.size(); ++k) {
+    const Complex both = lines_[k]->at(element.row, element.column).variance, q = denominator[at(k)];
+    const double own = q.real() * q.real(), other = q.imag() * q.imag();
+    re[k] = own * both.real() + other * both.imag();
+    im[k] = own * both.imag() + other * both.real();
+    all += re[k] + im[k];
   }
-  return sum;
+  for (std::size_t k = 0; k < lines_.size(); ++k) {
+    re[k] = std::max(re[k], least * all);
+    im[k] = std::max(im[k], least * all);
+  }
+  return all > 0.0 && std::isfinite(all);
 }
 
-/// q = 1 + Σ c_j w^j so that q H is nearly a polynomial: what it is off is its part along the columns of `off`.
-FrfSlopes::Sums FrfSlopes::sums(const std::vector<std::size_t>& coordinates, const Square& off) const {
-  static_assert(most_degree == 4);
+/// q = 1 + Σ c_j w^j so that q H is nearly a polynomial: what it is off is its part along the columns that polynomials leave, whitened by
+/// the errors, which go through the denominator `before`. Real and imaginary parts have weights of their own: where damping is small and
+/// errors are in proportion to each part, the imaginary one is known far better, and has most of what a stretch changes.
+FrfSlopes::Sums FrfSlopes::sums(const std::vector<std::size_t>& coordinates, const Remainder& off, const Values& before) const {
   const std::size_t count = lines_.size(), degree = count / 2;
-  Columns factor[most_lines][most_degree + 1] = {};  // what w^j H on a line adds to its parts along the columns
-  for (std::size_t k = 0; k < count; ++k) {
-    double power = 1.0;
-    for (std::size_t j = 0; j <= degree; ++j, power *= place_[at(k)]) {
-      for (std::size_t c = 0; c < degree; ++c) factor[k][j][c] = off(at(k), at(c)) * power;
-    }
-  }
   OnLines values{};
-  Columns sum_re[most_degree + 1][most_degree] = {}, sum_im[most_degree + 1][most_degree] = {};
+  Variances variance_re{}, variance_im{};
+  Sums out;
+  const auto add = [&](const Columns* inverse, const Columns* own, const Columns* other, double sign) {
+    Columns row[2 * most_degree + 1];
+    for (std::size_t j = 1; j <= degree; ++j) {
+      whiten(inverse, degree, own[j], row[j - 1]);
+      whiten(inverse, degree, other[j], row[degree + j - 1]);
+      row[degree + j - 1] *= sign;
+    }
+    whiten(inverse, degree, own[0], row[2 * degree]);
+    for (std::size_t i = 0; i <= 2 * degree; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) out.row[i][j] += row[i] * row[j];
+    }
+  };
   for (std::size_t r = 0; r < coordinates.size(); ++r) {
     for (std::size_t s = 0; s <= r; ++s) {
       const Element element{coordinates[r], coordinates[s]};
       if (!take(element, values)) continue;
-      const double variance = this->variance(element);
-      if (!(variance > 0.0)) continue;
-      Columns re[most_degree + 1] = {}, im[most_degree + 1] = {};
+      if (!take_variances(element, before, variance_re, variance_im)) continue;
+      Columns re[most_degree + 1] = {}, im[most_degree + 1] = {}, inverse[most_degree];
       for (std::size_t k = 0; k < count; ++k) {
         for (std::size_t j = 0; j <= degree; ++j) {
-          re[j] += values[k].real() * factor[k][j];
-          im[j] += values[k].imag() * factor[k][j];
+          re[j] += values[k].real() * off.power[k][j];
+          im[j] += values[k].imag() * off.power[k][j];
         }
       }
-      const double weight = 1.0 / variance;
-      for (std::size_t i = 0; i <= degree; ++i) {
-        for (std::size_t j = 1; j <= degree; ++j) {
-          sum_re[i][j - 1] += weight * (re[j] * re[i] + im[j] * im[i]);
-          sum_im[i][j - 1] += weight * (re[j] * im[i] - im[j] * re[i]);
-        }
-      }
+      if (whitener_of(off.column, count, variance_re.data(), inverse)) add(inverse, re, im, -1.0);
+      if (whitener_of(off.column, count, variance_im.data(), inverse)) add(inverse, im, re, 1.0);
     }
-  }
-  Sums out;
-  const auto total = [&](std::size_t i, std::size_t j) {
-    const Columns re = sum_re[i][j], im = sum_im[i][j];
-    return Complex((re[0] + re[1]) + (re[2] + re[3]), (im[0] + im[1]) + (im[2] + im[3]));
-  };
-  for (std::size_t j = 0; j < degree; ++j) {
-    for (std::size_t l = 0; l < degree; ++l) out.matrix[j][l] = total(l + 1, j);
-    out.right[j] = -total(0, j);
   }
   return out;
 }
 
-/// On the lines; a little is known of its coefficients beforehand, which are 0 ± 1.
+/// On the lines; a little is known of the parts of its coefficients beforehand, which are 0 ± 10.
 FrfSlopes::Values FrfSlopes::denominator(const Sums& sums, Complex& rate) const {
+  constexpr double beforehand = 10.0;
   const Eigen::Index degree = place_.size() / 2;
-  Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Identity(degree, degree);
-  Eigen::VectorXcd right(degree);
-  for (Eigen::Index j = 0; j < degree; ++j) {
-    const auto row = static_cast<std::size_t>(j);
-    for (Eigen::Index l = 0; l < degree; ++l) matrix(j, l) += sums.matrix[row][static_cast<std::size_t>(l)];
-    right[j] = sums.right[row];
+  const auto total = [&](Eigen::Index i, Eigen::Index j) {
+    const Columns& parts = sums.row[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+    return (parts[0] + parts[1]) + (parts[2] + parts[3]);
+  };
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(2 * degree, 2 * degree) / (beforehand * beforehand);
+  Eigen::VectorXd right(2 * degree);
+  for (Eigen::Index i = 0; i < 2 * degree; ++i) {
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      matrix(i, j) += total(i, j);
+      matrix(j, i) = matrix(i, j);
+    }
+    right[i] = -total(2 * degree, i);
   }
-  const Eigen::VectorXcd c = dense::solve_positive(matrix, right);
+  const Eigen::VectorXd c = dense::solve_positive(matrix, right);
   Numbers power = Numbers::Ones(place_.size());
   Values out = Values::Ones(place_.size());
   for (Eigen::Index j = 0; j < degree; ++j) {
     power.array() *= place_.array();
-    out += c[j] * power;
+    out += Complex(c[j], c[degree + j]) * power;
   }
-  rate = c[0];
+  rate = Complex(c[0], c[degree]);
   return out;
 }
 

@@ -27,23 +27,19 @@ class FrfSlopes {
 
  private:
   static constexpr int most = static_cast<int>(most_lines);
-  static constexpr std::size_t most_degree = most_lines / 2;
   using Numbers = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1>;
   using Values = Eigen::Matrix<Complex, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1>;
-  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, most>;
 
   /// Numbers on the lines, only the first of them used.
   using OnLines = std::array<Complex, most_lines>;
+  using Variances = std::array<double, most_lines>;
 
-  /// Normal equations of the denominator's coefficients.
-  struct Sums {
-    std::array<std::array<Complex, most_degree>, most_degree> matrix{};
-    std::array<Complex, most_degree> right{};
-  };
+  struct Remainder;
+  struct Sums;  ///< normal equations of the denominator's coefficients
 
   bool take(Element element, OnLines& values) const;
-  double variance(Element element) const;
-  Sums sums(const std::vector<std::size_t>& coordinates, const Square& off) const;
+  bool take_variances(Element element, const Values& denominator, Variances& re, Variances& im) const;
+  Sums sums(const std::vector<std::size_t>& coordinates, const Remainder& off, const Values& before) const;
   Values denominator(const Sums& sums, Complex& rate) const;
 
   std::vector<const Symmetric<Measured>*> lines_;

@@ -188,7 +188,8 @@ TEST(UnstatedErrors, AnotherTemperatureIsInTheIntervalOfWhatFewLinesTell) {
 }
 
 /// One line of the part is on a resonance. There its slopes are nearly all in proportion to its FRFs, and with their noise of 1 % the
-/// stretch was found at a fifth of itself, in every other seed below three deviations.
+/// stretch was found at a fifth of itself, in every other seed below three deviations. With weights of both parts of an FRF together it was
+/// found at three quarters of itself.
 TEST(UnstatedErrors, AnotherTemperatureOfOnePartIsFoundThoughItsFrfsHaveNoise) {
   LikelihoodCase a1("A1", 0.01);
   problems::Problem problem = warmed("A1", 2e-4, true);
@@ -205,7 +206,7 @@ TEST(UnstatedErrors, AnotherTemperatureOfOnePartIsFoundThoughItsFrfsHaveNoise) {
     ASSERT_NE(place, std::string::npos) << seed << found.message;
     mean += std::stod(found.message.substr(place + found_text.size())) / 4.0;
   }
-  EXPECT_NEAR(mean, 0.02, 0.007);  // %
+  EXPECT_NEAR(mean, 0.02, 0.002);  // %, by single seeds ± 0.0018
 }
 
 }  // namespace
