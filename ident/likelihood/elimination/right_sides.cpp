@@ -42,7 +42,7 @@ class ShapeProducts {
     moved_.setZero(at(rows_.size()), right.cols());
     for (const ImpedanceTerm& term : terms) {
       const auto place = std::ranges::find(rows_, term.row) - rows_.begin();
-      for (Eigen::Index k = 0; k < right.cols(); ++k) moved_(place, k) += product(term.coefficient, right(at(term.column), k));
+      for (Eigen::Index k = 0; k < right.cols(); ++k) moved_(place, k) += term.coefficient * right(at(term.column), k);
     }
   }
 

@@ -1,13 +1,12 @@
 #include "ident/likelihood/elimination/row_squares.hpp"
 
-#include "base/eigen.hpp"
 #include "base/kernel.hpp"
 #include "ident/likelihood/rows/normal_kernels.hpp"
 
 namespace jointid::ident {
 namespace {
 
-std::size_t numbers_of(Eigen::Index joint) { return widths_of(static_cast<std::size_t>(joint * (joint + 1))); }
+std::size_t square_width(Eigen::Index joint) { return widths_of(static_cast<std::size_t>(joint * (joint + 1))); }
 
 /// conj(x_i) x_j, i ≥ j, real and imaginary parts in turn.
 void put_square(const ComplexMatrix& x, Eigen::Index column, double* out) {
@@ -55,7 +54,7 @@ void RowSquares::take(const LineLayout& layout, const Eigen::VectorXd& weights, 
   for (const auto [p, k] : layout.asm_jn) seconds_(at(p), at(k)) = next();
   for (const auto [p, q] : layout.asm_jj) of_b_(at(p), at(q)) = next();
   for (const auto [r, k] : layout.drop_nn) seconds_(joint_ + at(r), at(k)) = firsts_(at(k), at(r)) = next();
-  const auto width = at(numbers_of(joint_));
+  const auto width = at(square_width(joint_));
   by_p_and_h_.setZero(joint_ + others, width);
   by_g_.setZero(others, width);
   const ComplexMatrix p_rows = factors.p.transpose();

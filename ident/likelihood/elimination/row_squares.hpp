@@ -1,7 +1,6 @@
 #pragma once
 
-#include <vector>
-
+#include "base/eigen.hpp"
 #include "ident/likelihood/elimination/element_weights.hpp"
 #include "ident/likelihood/line/line_factors.hpp"
 
