@@ -155,7 +155,7 @@ bool ArrowElimination::factor(double damping) {
       factor_.diagonal()[arrow_.core_first[k] + e] += weights_.own_squared[at(layout_.sub_jn_first[k]) + e] * (1.0 + damping);
   }
   factor_.diagonal().segment(arrow_.core_x, arrow_.y) += weights_.own_squared.tail(arrow_.y) * (1.0 + damping);
-  dense::subtract_square(arms_, factor_);
+  if (arrow_.lone_size > 0) dense::subtract_square(arms_, factor_);
   right_ = factor_.bottomLeftCorner(sides, core).adjoint();
   square_ = factor_.bottomRightCorner(sides, sides);
   if (!dense::cholesky_in_place(factor_.topLeftCorner(core, core))) return false;

@@ -18,11 +18,16 @@ class NormalRightSides {
   const ComplexMatrix& square() const { return square_; }  ///< sides × sides, the lower triangle
 
  private:
-  void take_given(const LineLayout& layout, const Eigen::VectorXd& squared, const RightSides& sides, bool with_differences);
-  void add_by_second(const LineLayout& layout, const Eigen::VectorXd& squared, const RightSides& sides, const LineFactors& factors);
+  using Sides = Eigen::Ref<const ComplexMatrix>;
 
+  void take_given(const LineLayout& layout, const Eigen::VectorXd& squared, const Sides& sides, bool with_differences);
+  void add_given(const LineLayout& layout, Eigen::Ref<ComplexMatrix> out);
+  void add_by_second(const LineLayout& layout, const Eigen::VectorXd& squared, const Sides& sides, Eigen::Ref<ComplexMatrix> out);
+  void take_square(const RightSides& sides, Eigen::Index used);
+
+  Eigen::VectorXd squared_;
   ComplexMatrix values_, square_;
-  ComplexMatrix weighed_, given_, left_, told_, by_, of_y_;
+  ComplexMatrix weighed_, given_, left_, second_left_, told_, by_, of_y_;
 };
 
 /// Adds a change of Y by all of its elements, as one by those that a line has, Y being symmetric.

@@ -70,6 +70,8 @@ void take_right_sides(const LineLayout& layout, const LineData& data, const Line
   const std::size_t errors = terms ? terms->unknowns : 0;
   out.unknowns.resize(parts + errors);
   out.values.setZero(places.end(), at(shapes + errors + 1));
+  out.first_error = at(shapes);
+  out.errors = at(errors);
   const Eigen::Index last = out.values.cols() - 1;
   take_residuals(layout, data, state, factors, out.values.col(last).data());
   const RowMatrixXc of_rows = -factors.py, of_d = factors.yh.transpose();

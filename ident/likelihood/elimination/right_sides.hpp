@@ -14,6 +14,7 @@ namespace jointid::ident {
 /// and damping of one spring do, have one column.
 struct RightSides {
   ComplexMatrix values;           ///< elements × columns; the last one has measured − predicted, 0 where nothing is measured
+  Eigen::Index first_error = 0, errors = 0;  ///< columns of systematic errors, which have few elements each
   std::vector<SharedColumn> unknowns;  ///< the joint's, then those of systematic errors
 };
 

@@ -120,6 +120,27 @@ RC_GTEST_PROP(LikelihoodElimination, SolvesTheEquationsOfAllRows, (unsigned seed
   expect_same_ways(s, ways, state, 1e-10);
 }
 
+/// Of four coordinates the first two are driven: D lacks the FRFs of the others with each other.
+TEST(ArrowLayout, EliminatesCoordinatesWithoutAForceOneByOne) {
+  LineLayout layout;
+  layout.others = 4;
+  layout.joint = 2;
+  layout.sub_jn_first = {0};
+  for (std::size_t k = 0; k < layout.others; ++k) {
+    for (std::size_t p = 0; p < layout.joint; ++p) layout.sub_jn.push_back({p, k});
+    for (std::size_t r = 0; r <= k && r < 2; ++r) layout.drop_nn.push_back({r, k});
+    layout.sub_jn_first.push_back(layout.sub_jn.size());
+  }
+  layout.sub_jj = {{0, 0}, {0, 1}, {1, 1}};
+  const ArrowLayout arrow(layout);
+  ASSERT_EQ(arrow.lone.size(), 2u);
+  EXPECT_EQ(arrow.core, (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(arrow.core_size(), 4 + 3);
+  EXPECT_EQ(arrow.lone_size, 4);
+  for (const ArrowLayout::Lone& lone : arrow.lone) EXPECT_EQ(lone.touches.size(), 2u);
+  EXPECT_EQ(arrow.core_pairs.size(), 3u);
+}
+
 /// Weights by a factor of 10⁴ apart.
 RC_GTEST_PROP(LikelihoodElimination, KeepsDigitsWithErrorsOfAllSizes, (unsigned seed)) {
   std::mt19937_64 random(seed);
