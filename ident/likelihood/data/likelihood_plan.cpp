@@ -153,7 +153,8 @@ double line_bytes(const LineLayout& layout, double columns) {
   const auto number = [](std::size_t i) { return static_cast<double>(i); };
   const double n = number(layout.joint), v = number(layout.variables());
   const double elements = v + number(layout.asm_jn.size() + layout.asm_jj.size() + layout.drop_nn.size());
-  const double frfs = sizeof(Measured) * (elements + number(layout.drop_nn.size())), state = 2.0 * sizeof(Complex) * n * (number(layout.others) + n);
+  const double frfs = sizeof(Measured) * (elements + number(layout.drop_nn.size()));
+  const double state = 2.0 * sizeof(Complex) * n * (number(layout.others) + n);
   return frfs + 2.0 * sizeof(Complex) * elements + 2.0 * state + 2.0 * sizeof(double) * v * columns;
 }
 
@@ -184,7 +185,8 @@ Iteration iteration_cost(const Plan& plan, const LikelihoodPlan& own) {
     width = 2.0 * v + p;
   }
   out.flops = lines * each;
-  out.memory_bytes = static_cast<std::size_t>(lines * line_bytes(layout, out.complex ? number(shared) : p) + 2.0 * (out.complex ? 16.0 : 8.0) * width * width);
+  const double back_columns = out.complex ? number(shared) : p;
+  out.memory_bytes = static_cast<std::size_t>(lines * line_bytes(layout, back_columns) + 2.0 * (out.complex ? 16.0 : 8.0) * width * width);
   return out;
 }
 

@@ -107,7 +107,8 @@ RC_GTEST_PROP(LikelihoodElimination, SolvesTheEquationsOfAllRows, (unsigned seed
   std::mt19937_64 random(seed);
   const auto up_to = [&](std::size_t most) { return std::uniform_int_distribution<std::size_t>(1, most)(random); };
   std::bernoulli_distribution coin;
-  LineSample s({.others = up_to(6), .joint = up_to(6), .with_b = coin(random), .undriven = coin(random), .uncoupled = coin(random)}, random);
+  LineSample s({.others = up_to(6), .joint = up_to(6), .with_b = coin(random), .undriven = coin(random), .uncoupled = coin(random)},
+               random);
   make_circular(s, coin(random) ? 10.0 : 1.0, random);
   // Not all of A, B and D.
   std::bernoulli_distribution absent(coin(random) ? 0.2 : 0.0);
