@@ -66,4 +66,9 @@ JOINTID_INLINE std::complex<double> product(const std::complex<double>& a, const
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
+/// ā b, likewise.
+JOINTID_INLINE std::complex<double> conjugate_product(const std::complex<double>& a, const std::complex<double>& b) {
+  return {a.real() * b.real() + a.imag() * b.imag(), a.real() * b.imag() - a.imag() * b.real()};
+}
+
 }  // namespace jointid

@@ -34,17 +34,21 @@ BlasModule* blas_for(Eigen::Index products) {
 
 int whole(Eigen::Index i) { return static_cast<int>(i); }
 
+void add_square(double factor, const Ref<const MatrixXcd>& a, Ref<MatrixXcd> c) {
+  if (BlasModule* blas = blas_for(a.rows() * a.rows() * a.cols() / 2)) {
+    blas->add_square(factor, whole(a.rows()), whole(a.cols()), a.data(), whole(a.outerStride()), c.data(), whole(c.outerStride()));
+  } else {
+    c.selfadjointView<Eigen::Lower>().rankUpdate(a, factor);
+  }
+}
+
 }  // namespace
 
 bool has_blas() { return is_there(open_blas); }
 
-void add_square(const Ref<const MatrixXcd>& a, Ref<MatrixXcd> c) {
-  if (BlasModule* blas = blas_for(a.rows() * a.rows() * a.cols() / 2)) {
-    blas->add_square(whole(a.rows()), whole(a.cols()), a.data(), whole(a.outerStride()), c.data(), whole(c.outerStride()));
-  } else {
-    c.selfadjointView<Eigen::Lower>().rankUpdate(a);
-  }
-}
+void add_square(const Ref<const MatrixXcd>& a, Ref<MatrixXcd> c) { add_square(1.0, a, c); }
+
+void subtract_square(const Ref<const MatrixXcd>& a, Ref<MatrixXcd> c) { add_square(-1.0, a, c); }
 
 void add_product(const Ref<const MatrixXcd>& a, const Ref<const MatrixXcd>& b, Ref<MatrixXcd> c) {
   if (BlasModule* blas = blas_for(a.rows() * b.rows() * a.cols())) {
@@ -52,6 +56,15 @@ void add_product(const Ref<const MatrixXcd>& a, const Ref<const MatrixXcd>& b, R
                       whole(b.outerStride()), c.data(), whole(c.outerStride()));
   } else {
     c.noalias() += a * b.adjoint();
+  }
+}
+
+void subtract_adjoint_product(const Ref<const MatrixXcd>& a, const Ref<const MatrixXcd>& b, Ref<MatrixXcd> c) {
+  if (BlasModule* blas = blas_for(a.rows() * a.cols() * b.cols())) {
+    blas->subtract_adjoint_product(whole(a.cols()), whole(b.cols()), whole(a.rows()), a.data(), whole(a.outerStride()), b.data(),
+                                   whole(b.outerStride()), c.data(), whole(c.outerStride()));
+  } else {
+    c.noalias() -= a.adjoint() * b;
   }
 }
 

@@ -7,9 +7,16 @@ namespace jointid::dense {
 /// C += A Aᴴ, the lower triangle.
 void add_square(const Eigen::Ref<const Eigen::MatrixXcd>& a, Eigen::Ref<Eigen::MatrixXcd> c);
 
+/// C −= A Aᴴ, the lower triangle.
+void subtract_square(const Eigen::Ref<const Eigen::MatrixXcd>& a, Eigen::Ref<Eigen::MatrixXcd> c);
+
 /// C += A Bᴴ.
 void add_product(const Eigen::Ref<const Eigen::MatrixXcd>& a, const Eigen::Ref<const Eigen::MatrixXcd>& b,
                  Eigen::Ref<Eigen::MatrixXcd> c);
+
+/// C −= Aᴴ B.
+void subtract_adjoint_product(const Eigen::Ref<const Eigen::MatrixXcd>& a, const Eigen::Ref<const Eigen::MatrixXcd>& b,
+                              Eigen::Ref<Eigen::MatrixXcd> c);
 
 /// L of A = L Lᴴ in place of the lower triangle. False when A is not positive definite; it is spoilt then.
 bool cholesky_in_place(Eigen::Ref<Eigen::MatrixXcd> a);

@@ -24,15 +24,21 @@ class OpenBlas final : public BlasModule {
     return openblas_get_parallel() == pthreads;
   }
 
-  void add_square(int size, int depth, const Number* a, int a_step, Number* c, int c_step) override {
+  void add_square(double factor, int size, int depth, const Number* a, int a_step, Number* c, int c_step) override {
     const double one = 1.0;
-    zherk_("L", "N", &size, &depth, &one, a, &a_step, &one, c, &c_step);
+    zherk_("L", "N", &size, &depth, &factor, a, &a_step, &one, c, &c_step);
   }
 
   void add_product(int rows, int columns, int depth, const Number* a, int a_step, const Number* b, int b_step, Number* c,
                    int c_step) override {
     const Number one = 1.0;
     zgemm_("N", "C", &rows, &columns, &depth, &one, a, &a_step, b, &b_step, &one, c, &c_step);
+  }
+
+  void subtract_adjoint_product(int rows, int columns, int depth, const Number* a, int a_step, const Number* b, int b_step, Number* c,
+                                int c_step) override {
+    const Number one = 1.0, minus = -1.0;
+    zgemm_("C", "N", &rows, &columns, &depth, &minus, a, &a_step, b, &b_step, &one, c, &c_step);
   }
 
   bool cholesky(int size, Number* a, int a_step) override {

@@ -34,7 +34,7 @@ double off(const MatrixXcd& a, const MatrixXcd& b) { return (a - b).norm() / (1.
 
 MatrixXcd lower(const MatrixXcd& a) { return a.triangularView<Eigen::Lower>(); }
 
-/// What all five functions are off their definitions, for an n×n matrix; blocks of a larger one, so that columns do not touch.
+/// What all functions are off their definitions, for an n×n matrix; blocks of a larger one, so that columns do not touch.
 double errors(Index n, Index depth, std::mt19937_64& random) {
   MatrixXcd store = MatrixXcd::Zero(n + 3, n + 2);
   const MatrixXcd a = any(n, depth, random), b = any(n, depth, random);
@@ -45,6 +45,12 @@ double errors(Index n, Index depth, std::mt19937_64& random) {
   MatrixXcd c = square;
   add_product(a, b, c);
   worst = std::max(worst, off(c - square, product(a, b)));
+  subtract_square(a, c);
+  worst = std::max(worst, off(lower(c), lower(square + product(a, b) - product(a, a))));
+  MatrixXcd of_depth = square.topLeftCorner(1, 1).replicate(depth, depth);
+  const MatrixXcd before = of_depth;
+  subtract_adjoint_product(a, b, of_depth);
+  worst = std::max(worst, off(before - of_depth, product(a.adjoint(), b.adjoint())));
   if (!cholesky_in_place(store.topLeftCorner(n, n))) return 1.0;
   const MatrixXcd l = lower(store.topLeftCorner(n, n));
   worst = std::max(worst, off(product(l, l), square));

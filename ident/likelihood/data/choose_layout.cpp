@@ -23,7 +23,7 @@ std::array<std::vector<Element>, 5> all_blocks(std::size_t coordinates, std::siz
   return {jn, jj, jn, jj, nn};
 }
 
-Measured element_of(const BothSystems<Measured>& line, std::size_t block, std::size_t n, const Element& e) {
+Measured element_of(const BothMeasured& line, std::size_t block, std::size_t n, const Element& e) {
   switch (block) {
     case 0:
       return line.substructures.at(n + e.row, e.column);
@@ -46,13 +46,13 @@ void count_columns(LineLayout& layout) {
 
 }  // namespace
 
-std::vector<double> count_elements(std::size_t coordinates, std::size_t others, const std::vector<BothSystems<Measured>>& lines) {
+std::vector<double> count_elements(std::size_t coordinates, std::size_t others, const std::vector<BothMeasured>& lines) {
   std::vector<double> counts;
   const auto blocks = all_blocks(coordinates, others);
   for (std::size_t block = 0; block < blocks.size(); ++block) {
     for (const Element& e : blocks[block]) {
       double not_zero = 0.0, known = 0.0;
-      for (const BothSystems<Measured>& line : lines) {
+      for (const BothMeasured& line : lines) {
         const Measured element = element_of(line, block, others, e);
         not_zero += element.is_zero() ? 0.0 : 1.0;
         known += element.known() ? 1.0 : 0.0;

@@ -6,7 +6,7 @@ namespace jointid::ident {
 
 /// On how many lines an element of a block is not zero, and on how many it is known, of all elements of X, Y, A, B and D (LineLayout)
 /// over some coordinates, of which the first `others` are not of the joint. Those of several processes add up.
-std::vector<double> count_elements(std::size_t coordinates, std::size_t others, const std::vector<BothSystems<Measured>>& lines);
+std::vector<double> count_elements(std::size_t coordinates, std::size_t others, const std::vector<BothMeasured>& lines);
 
 /// The layout of lines counted so. H_sub(j,n) and H_sub(j,j) are there whether measured or not, unless they are zero on every line; the
 /// rest where some line has it.

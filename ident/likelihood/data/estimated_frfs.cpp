@@ -7,7 +7,7 @@ namespace jointid::ident {
 namespace {
 
 /// Values of the measured ones of some elements of a block, whose first row and column are those of `origin`.
-void put(const std::vector<Element>& elements, Element origin, const ComplexMatrix& values, const Symmetric<Measured>& measured,
+void put(const std::vector<Element>& elements, Element origin, const ComplexMatrix& values, const MeasuredFrfs& measured,
          Symmetric<Complex>& out) {
   for (const auto [r, c] : elements) {
     const std::size_t row = origin.row + r, column = origin.column + c;
@@ -23,7 +23,7 @@ Complex share(const Complex& residual, const Complex& own, const Complex& other)
 
 }  // namespace
 
-BothSystems<Complex> estimated_frfs(const LineLayout& layout, const BothSystems<Measured>& measured, const Channel& difference,
+BothSystems<Complex> estimated_frfs(const LineLayout& layout, const BothMeasured& measured, const Channel& difference,
                                     const LineState& state, const ComplexMatrix& z) {
   const std::size_t n = layout.others, size = n + layout.joint;
   BothSystems<Complex> out{Symmetric<Complex>(size, nan), Symmetric<Complex>(size, nan)};

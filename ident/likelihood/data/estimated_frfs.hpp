@@ -15,7 +15,7 @@ struct BothSystems {
 
 /// The values that a state and a joint Z give to the measured FRFs of a line; NaN where not measured. H_sub(n,n) and H_asm(n,n)
 /// stand alone in their rows: they share the residual of `difference`, D, by their variances.
-BothSystems<Complex> estimated_frfs(const LineLayout& layout, const BothSystems<Measured>& measured, const Channel& difference,
+BothSystems<Complex> estimated_frfs(const LineLayout& layout, const BothMeasured& measured, const Channel& difference,
                                     const LineState& state, const ComplexMatrix& z);
 
 }  // namespace jointid::ident

@@ -16,7 +16,7 @@ static_assert(most_degree == 4);
 using Columns = Lanes<4>;  // parts along the columns of what polynomials leave, zero beyond the degree
 
 /// An FRF that is zero by symmetry, and rounding in it: its slope would be that of rounding, and its own size says nothing of its error.
-bool is_negligible(const Symmetric<Measured>& line, Element element, Complex value) {
+bool is_negligible(const MeasuredFrfs& line, Element element, Complex value) {
   constexpr double negligible = 1e-12;  // of |H_rr H_cc|
   const Measured &row = line.at(element.row, element.row), &column = line.at(element.column, element.column);
   return row.known() && column.known() && std::norm(value) < negligible * std::abs(row.value * column.value);
@@ -78,7 +78,7 @@ struct FrfSlopes::Remainder {
 };
 
 FrfSlopes::FrfSlopes(const std::vector<std::size_t>& coordinates, const std::vector<double>& frequency,
-                     std::vector<const Symmetric<Measured>*> lines, std::size_t own)
+                     std::vector<const MeasuredFrfs*> lines, std::size_t own)
     : lines_(std::move(lines)), place_(at(lines_.size())), own_(own) {
   const Eigen::Index count = place_.size(), degree = (count - 1) / 2;
   const double unit = (frequency.back() - frequency.front()) / static_cast<double>(count - 1);

@@ -18,7 +18,7 @@ class FrfSlopes {
   /// `frequency` of the lines, an odd number of them, and their FRFs, of which those between `coordinates` are the structure's; `own`:
   /// where the derivatives are.
   FrfSlopes(const std::vector<std::size_t>& coordinates, const std::vector<double>& frequency,
-            std::vector<const Symmetric<Measured>*> lines, std::size_t own);
+            std::vector<const MeasuredFrfs*> lines, std::size_t own);
 
   /// By the unit of `frequency`; NaN where the FRF is not known on all lines, or zero by symmetry on one.
   Complex of(Element element) const;
@@ -42,7 +42,7 @@ class FrfSlopes {
   Sums sums(const std::vector<std::size_t>& coordinates, const Remainder& off, const Values& before) const;
   Values denominator(const Sums& sums, Complex& rate) const;
 
-  std::vector<const Symmetric<Measured>*> lines_;
+  std::vector<const MeasuredFrfs*> lines_;
   Numbers place_;    ///< of the lines, 0: own
   OnLines factor_{};  ///< of the FRF on a line in the derivative
   std::size_t own_;

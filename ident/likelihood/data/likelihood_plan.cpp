@@ -147,18 +147,19 @@ std::size_t expected_iterations(const Plan& plan, const LikelihoodPlan& own) {
   return plan.admissible ? count + constrained : count;
 }
 
-/// What is kept of a line: FRFs of both systems with their variances, values and weights of the elements, two states (where it stands, and
-/// before the last step), and U⁻¹W with `columns`.
+/// What is kept of a line: known FRFs of both systems with their variances, values and weights of the elements, two states (where it
+/// stands, and before the last step), and U⁻¹W with `columns`, shared ones where it is large.
 double line_bytes(const LineLayout& layout, double columns) {
   const auto number = [](std::size_t i) { return static_cast<double>(i); };
-  const double size = number(layout.coordinates.size()), n = number(layout.joint), v = number(layout.variables());
+  const double n = number(layout.joint), v = number(layout.variables());
   const double elements = v + number(layout.asm_jn.size() + layout.asm_jj.size() + layout.drop_nn.size());
-  const double frfs = sizeof(Measured) * size * (size + 1.0), state = 2.0 * sizeof(Complex) * n * (number(layout.others) + n);
+  const double frfs = sizeof(Measured) * (elements + number(layout.drop_nn.size()));
+  const double state = 2.0 * sizeof(Complex) * n * (number(layout.others) + n);
   return frfs + 2.0 * sizeof(Complex) * elements + 2.0 * state + 2.0 * sizeof(double) * v * columns;
 }
 
-/// Flops of linearising a line and eliminating its FRFs: LineElimination where that pays, else by the rows of what was measured.
-/// Large lines are counted as those of circular errors, in complex numbers.
+/// Flops of linearising a line and eliminating its FRFs: of large lines, as those of circular errors, by LineElimination where that
+/// pays, else by ArrowElimination; of others by the rows of what was measured.
 Iteration iteration_cost(const Plan& plan, const LikelihoodPlan& own) {
   const LineLayout& layout = own.observations->layout();
   const auto number = [](std::size_t i) { return static_cast<double>(i); };
@@ -168,12 +169,24 @@ Iteration iteration_cost(const Plan& plan, const LikelihoodPlan& own) {
   Iteration out;
   out.expected = expected_iterations(plan, own);
   out.complex = layout.is_large();
-  const bool eliminates = elimination_pays(layout, shared);
-  const double each = eliminates ? flops_by_elimination(layout, shared) : flops_by_rows(layout, unknowns + 1);
-  out.flops = lines * (out.complex ? 1.0 : 2.0) * each;
-  out.matrix = eliminates ? std::max(layout.sub_jj.size(), layout.drop_nn.size()) : (out.complex ? 1 : 2) * layout.variables();
-  const double width = eliminates ? number(layout.sub_jj.size() + layout.drop_nn.size()) : (out.complex ? 1.0 : 2.0) * v + p;
-  out.memory_bytes = static_cast<std::size_t>(lines * line_bytes(layout, p) + 2.0 * (out.complex ? 16.0 : 8.0) * width * width);
+  double each = 0.0, width = 0.0;
+  if (elimination_pays(layout, shared)) {
+    each = flops_by_elimination(layout, shared);
+    out.matrix = std::max(layout.sub_jj.size(), layout.drop_nn.size());
+    width = number(layout.sub_jj.size() + layout.drop_nn.size());
+  } else if (out.complex) {
+    const ArrowLayout arrow(layout);
+    each = flops_by_arrow(layout, arrow, shared);
+    out.matrix = static_cast<std::size_t>(arrow.core_size());
+    width = v + number(shared);
+  } else {
+    each = 2.0 * flops_by_rows(layout, unknowns + 1);
+    out.matrix = 2 * layout.variables();
+    width = 2.0 * v + p;
+  }
+  out.flops = lines * each;
+  const double back_columns = out.complex ? number(shared) : p;
+  out.memory_bytes = static_cast<std::size_t>(lines * line_bytes(layout, back_columns) + 2.0 * (out.complex ? 16.0 : 8.0) * width * width);
   return out;
 }
 

@@ -32,8 +32,8 @@ Complex variance_of(const Complex& weight) {
 }
 
 /// What the headers of a system's files promise of the blocks that are read: 1 where an FRF or its transpose is there, else unknown.
-Symmetric<Measured> promised_frfs(const frf::FrfSystem& system, const Dofs& coordinates, std::size_t others, const Blocks& blocks) {
-  Symmetric<Measured> out(coordinates.size(), {nan, nan});
+MeasuredFrfs promised_frfs(const frf::FrfSystem& system, const Dofs& coordinates, std::size_t others, const Blocks& blocks) {
+  MeasuredFrfs out(coordinates.size(), {nan, nan});
   const auto has = [&](std::size_t response, std::size_t reference) {
     return frf::has(system.responses(), coordinates[response]) && frf::has(system.references(), coordinates[reference]);
   };
@@ -47,7 +47,7 @@ Symmetric<Measured> promised_frfs(const frf::FrfSystem& system, const Dofs& coor
 }
 
 /// Of each coordinate the first of its structure: FRFs between structures are zero, or not measured.
-std::vector<std::size_t> structures(const Symmetric<Measured>& frfs, std::size_t coordinates) {
+std::vector<std::size_t> structures(const MeasuredFrfs& frfs, std::size_t coordinates) {
   std::vector<std::size_t> of(coordinates);
   std::iota(of.begin(), of.end(), std::size_t{0});
   for (std::size_t row = 0; row < coordinates; ++row) {
@@ -129,8 +129,7 @@ bool Observations::has_independent_errors() const {
 
 std::size_t Observations::bytes() const {
   std::size_t total = 0;
-  const std::size_t size = layout_.coordinates.size();
-  total += raw_.size() * size * (size + 1) * sizeof(Measured);
+  for (const Raw& raw : raw_) total += raw.substructures.bytes() + raw.assembly.bytes();
   for (const LineData& line : data_) {
     for (const Channel* channel : {&line.sub_jn, &line.sub_jj, &line.asm_jn, &line.asm_jj, &line.drop_nn}) {
       total += (channel->value.capacity() + channel->weight.capacity()) * sizeof(Complex);
@@ -178,7 +177,7 @@ void Observations::read_chunk(std::span<const std::size_t> substructure_lines, s
   if (systematic_lines_) systematic_lines_->read(substructure_lines, assembly_lines);
   const std::size_t size = layout_.coordinates.size();
   for (std::size_t i = 0; i < substructure_lines.size(); ++i) {
-    raw_.push_back({Symmetric<Measured>(size), Symmetric<Measured>(size)});
+    raw_.push_back({MeasuredFrfs(size), MeasuredFrfs(size)});
     Raw& raw = raw_.back();
     for (std::size_t at = 0; at < size * size; ++at) {
       const std::size_t row = at / size, column = at % size;
@@ -189,6 +188,9 @@ void Observations::read_chunk(std::span<const std::size_t> substructure_lines, s
       if (!apart) substructures_.add_difference(i, row, column, differences_);
       assembly_.add_difference(i, row, column, differences_);
     }
+    const Raw* const before = raw_.size() > 1 ? &raw_[raw_.size() - 2] : nullptr;
+    raw.substructures.pack(size, before ? &before->substructures : nullptr);
+    raw.assembly.pack(size, before ? &before->assembly : nullptr);
     Errors errors{substructures_.errors(i), assembly_.errors(i)};
     if (errors.substructures || errors.assembly) errors_.push_back(std::move(errors));
   }
@@ -201,7 +203,7 @@ std::optional<FrfSlopes> Observations::slopes(std::size_t own_line, bool of_asse
   const std::size_t count = std::min(FrfSlopes::most_lines, raw_.size() - (raw_.size() + 1) % 2);
   const std::size_t first = std::min(own_line - std::min(own_line, count / 2), raw_.size() - count);
   std::vector<double> frequency;
-  std::vector<const Symmetric<Measured>*> lines;
+  std::vector<const MeasuredFrfs*> lines;
   for (std::size_t k = first; k < first + count; ++k) {
     frequency.push_back(plan_lines_[own_lines_.first + k].frequency_hz);
     lines.push_back(of_assembly ? &raw_[k].assembly : &raw_[k].substructures);
@@ -218,7 +220,7 @@ void Observations::write_systematic_frfs(std::size_t line, const SystematicLines
   std::array<System, 2> systems;
   const auto slope = [&](bool of_assembly, Element at) -> StretchFactor {
     System& system = systems[of_assembly ? 1 : 0];
-    const Symmetric<Measured>& frfs = of_assembly ? raw_[own].assembly : raw_[own].substructures;
+    const MeasuredFrfs& frfs = of_assembly ? raw_[own].assembly : raw_[own].substructures;
     if (system.structure.empty()) system.structure = structures(frfs, layout_.coordinates.size());
     const std::size_t structure = system.structure[at.row];
     const auto [of, is_new] = system.slopes.try_emplace(structure);
@@ -282,7 +284,7 @@ void Observations::weigh_at(std::size_t line, const LineState& state, const Comp
 }
 
 void Observations::reweigh(const std::vector<Element>& elements, Element origin, const SymmetricFrfs& system,
-                           const Symmetric<Measured>& measured, const Symmetric<Complex>& values, Channel& channel) const {
+                           const MeasuredFrfs& measured, const Symmetric<Complex>& values, Channel& channel) const {
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const std::size_t row = origin.row + elements[i].row, column = origin.column + elements[i].column;
     const Measured& m = measured.at(row, column);

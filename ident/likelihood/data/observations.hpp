@@ -70,7 +70,7 @@ class Observations final : public LikelihoodData {
   std::size_t bytes() const;
 
  private:
-  using Raw = BothSystems<Measured>;
+  using Raw = BothMeasured;
 
   struct Errors {
     std::shared_ptr<const LineErrors> substructures, assembly;
@@ -80,7 +80,7 @@ class Observations final : public LikelihoodData {
   void read_chunk(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines);
   LineData data_of(std::size_t own_line, double omega) const;
   void reweigh(const std::vector<Element>& elements, Element origin, const SymmetricFrfs& system,
-               const Symmetric<Measured>& measured, const Symmetric<Complex>& values, Channel& channel) const;
+               const MeasuredFrfs& measured, const Symmetric<Complex>& values, Channel& channel) const;
   void reweigh_differences(const Raw& raw, const BothSystems<Complex>& values, Channel& channel) const;
 
   SymmetricFrfs substructures_, assembly_;

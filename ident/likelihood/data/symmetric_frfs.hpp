@@ -1,32 +1,17 @@
 #pragma once
 
-#include <cmath>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "ident/equations/equation_builder.hpp"
-#include "ident/likelihood/line/symmetric.hpp"
 #include "ident/likelihood/data/line_errors.hpp"
+#include "ident/likelihood/data/measured_frfs.hpp"
 #include "ident/variance/frf_covariances.hpp"
 #include "ident/variance/frf_error_sums.hpp"
 #include "ident/variance/variances.hpp"
 
 namespace jointid::ident {
-
-/// A measured FRF with the variances of its real and imaginary part; NaN where not measured.
-struct Measured {
-  Complex value, variance;
-  bool averaged = false;  ///< of two measurements that differ
-
-  bool known() const { return !std::isnan(value.real()) && !std::isnan(variance.real()); }
-  bool is_zero() const { return known() && value == Complex(0.0); }
-};
-
-/// The difference of two independent measurements; not known unless both are.
-inline Measured operator-(const Measured& a, const Measured& b) {
-  return {a.value - b.value, a.variance + b.variance};
-}
 
 /// Which blocks of a system are read, with n non-joint and j joint coordinates.
 struct Blocks {

@@ -115,7 +115,7 @@ void SystematicLines::read(std::span<const std::size_t> substructure_lines, std:
 }
 
 SystematicFactor SystematicLines::mass_factor(std::size_t i, std::size_t unknown, const SensorRole& sensor,
-                                              const Symmetric<Measured>& measured) const {
+                                              const MeasuredFrfs& measured) const {
   SystematicFactor out{unknown, nan};
   for (std::size_t d = 0; d < driving_points_.size(); ++d) {
     const std::size_t coordinate = driving_points_[d].coordinate;
@@ -130,7 +130,7 @@ SystematicFactor SystematicLines::mass_factor(std::size_t i, std::size_t unknown
 
 /// Of a sensor at a coordinate that measured an FRF `value` with the coordinate `other`.
 void SystematicLines::add_factors(std::size_t i, const SensorRole& sensor, std::size_t coordinate, std::size_t other,
-                                  const Symmetric<Measured>& measured, Complex value, const SlopeOf& slope, SystematicWay& out) const {
+                                  const MeasuredFrfs& measured, Complex value, const SlopeOf& slope, SystematicWay& out) const {
   for (const std::size_t u : errors_of(sensor, coordinate)) {
     SystematicFactor factor{u, {}};
     if (unknowns_[u].kind == Systematic::mass) factor = mass_factor(i, u, sensor, measured);
@@ -146,7 +146,7 @@ void SystematicLines::add_factors(std::size_t i, const SensorRole& sensor, std::
   }
 }
 
-void SystematicLines::write_way(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at, const SlopeOf& slope,
+void SystematicLines::write_way(std::size_t i, bool of_assembly, const MeasuredFrfs& measured, Element at, const SlopeOf& slope,
                                 SystematicWay& out) const {
   const auto [file, transposed] = origin(of_assembly, at.row, at.column);
   const std::size_t response = transposed ? at.column : at.row, reference = transposed ? at.row : at.column;
@@ -159,7 +159,7 @@ void SystematicLines::write_way(std::size_t i, bool of_assembly, const Symmetric
 }
 
 /// As SymmetricFrfs averages: an average has both ways, and of copies the FRF back is taken.
-void SystematicLines::write_ways(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at, const SlopeOf& slope,
+void SystematicLines::write_ways(std::size_t i, bool of_assembly, const MeasuredFrfs& measured, Element at, const SlopeOf& slope,
                                  std::vector<SystematicWay>& out) const {
   const Element mirrored{at.column, at.row};
   const bool there = origin(of_assembly, at.row, at.column).file != frf::npos;
@@ -174,11 +174,11 @@ void SystematicLines::write_ways(std::size_t i, bool of_assembly, const Symmetri
   for (SystematicWay& each : out) each.share = 0.5;
 }
 
-void SystematicLines::write(std::size_t i, const LineLayout& layout, const BothSystems<Measured>& measured, const SlopeOf& slope,
+void SystematicLines::write(std::size_t i, const LineLayout& layout, const BothMeasured& measured, const SlopeOf& slope,
                             SystematicFrfs& out) const {
   std::size_t element = 0, count = 0;
   const auto add = [&](bool of_assembly, Element at, double sign, double share) {
-    const Symmetric<Measured>& frfs = of_assembly ? measured.assembly : measured.substructures;
+    const MeasuredFrfs& frfs = of_assembly ? measured.assembly : measured.substructures;
     if (count == out.size()) out.emplace_back();
     SystematicFrf& frf = out[count];
     write_ways(i, of_assembly, frfs, at, slope, frf.ways);
@@ -206,7 +206,7 @@ void SystematicLines::write(std::size_t i, const LineLayout& layout, const BothS
   out.resize(count);
 }
 
-std::shared_ptr<const SystematicFrfs> SystematicLines::of(std::size_t i, const LineLayout& layout, const BothSystems<Measured>& measured,
+std::shared_ptr<const SystematicFrfs> SystematicLines::of(std::size_t i, const LineLayout& layout, const BothMeasured& measured,
                                                           const SlopeOf& slope) const {
   auto out = std::make_shared<SystematicFrfs>();
   write(i, layout, measured, slope, *out);

@@ -40,10 +40,10 @@ class SystematicLines {
   }
 
   /// Of the i-th line read; `slope` only where stretches are unknown.
-  std::shared_ptr<const SystematicFrfs> of(std::size_t i, const LineLayout& layout, const BothSystems<Measured>& measured,
+  std::shared_ptr<const SystematicFrfs> of(std::size_t i, const LineLayout& layout, const BothMeasured& measured,
                                            const SlopeOf& slope = {}) const;
   /// The same in place of those of another line, whose memory it takes over.
-  void write(std::size_t i, const LineLayout& layout, const BothSystems<Measured>& measured, const SlopeOf& slope,
+  void write(std::size_t i, const LineLayout& layout, const BothMeasured& measured, const SlopeOf& slope,
              SystematicFrfs& out) const;
 
  private:
@@ -63,9 +63,9 @@ class SystematicLines {
   const FrfOrigin& origin(bool of_assembly, std::size_t row, std::size_t column) const {
     return origins_[of_assembly ? 1 : 0][row * coordinates_.size() + column];
   }
-  void write_way(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at, const SlopeOf& slope,
+  void write_way(std::size_t i, bool of_assembly, const MeasuredFrfs& measured, Element at, const SlopeOf& slope,
                  SystematicWay& out) const;
-  void write_ways(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at, const SlopeOf& slope,
+  void write_ways(std::size_t i, bool of_assembly, const MeasuredFrfs& measured, Element at, const SlopeOf& slope,
                   std::vector<SystematicWay>& out) const;
   void plan_errors(const frf::FrfSystem& system, bool of_assembly);
   const std::vector<std::size_t>& errors_of(const SensorRole& sensor, std::size_t coordinate) const {
@@ -76,8 +76,8 @@ class SystematicLines {
   void read_other_axes(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines);
   Complex along_other_axis(std::size_t i, const SensorRole& sensor, std::size_t unknown, std::size_t coordinate) const;
   void add_factors(std::size_t i, const SensorRole& sensor, std::size_t coordinate, std::size_t other,
-                   const Symmetric<Measured>& measured, Complex value, const SlopeOf& slope, SystematicWay& out) const;
-  SystematicFactor mass_factor(std::size_t i, std::size_t unknown, const SensorRole& sensor, const Symmetric<Measured>& measured) const;
+                   const MeasuredFrfs& measured, Complex value, const SlopeOf& slope, SystematicWay& out) const;
+  SystematicFactor mass_factor(std::size_t i, std::size_t unknown, const SensorRole& sensor, const MeasuredFrfs& measured) const;
 
   SystematicPlan plan_;
   std::vector<SystematicUnknown> unknowns_;

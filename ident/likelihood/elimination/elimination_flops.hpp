@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ident/likelihood/line/line_layout.hpp"
+#include "ident/likelihood/elimination/arrow_layout.hpp"
 
 namespace jointid::ident {
 
@@ -10,8 +10,10 @@ double flops_by_rows(const LineLayout& layout, std::size_t right_sides);
 /// By LineElimination, in O(N⁶) too, but a fourth of it or less where Y has more FRFs than X has in a column and D does not have
 /// most of all:
 double flops_by_elimination(const LineLayout& layout, std::size_t right_sides);
+/// By ArrowElimination: in O(N⁶) by the core alone.
+double flops_by_arrow(const LineLayout& layout, const ArrowLayout& arrow, std::size_t right_sides);
 
-/// Whether LineElimination is the faster way.
+/// Whether LineElimination is a faster way than ArrowElimination, of lines that are large.
 bool elimination_pays(const LineLayout& layout, std::size_t right_sides);
 
 }  // namespace jointid::ident

@@ -1,19 +1,17 @@
 #pragma once
 
-#include <optional>
-
 #include "ident/likelihood/elimination/difference_rows.hpp"
 #include "ident/likelihood/elimination/eliminated_columns.hpp"
 #include "ident/likelihood/elimination/kronecker_squares.hpp"
-#include "ident/likelihood/elimination/right_sides.hpp"
-#include "ident/likelihood/line/reduced_line.hpp"
+#include "ident/likelihood/elimination/normal_right_sides.hpp"
+#include "ident/likelihood/elimination/structured_line.hpp"
 
 namespace jointid::ident {
 
 /// The normal equations of a line with circular, independent errors solved by their structure: columns of X one by one, then Y,
 /// of which the normal equations are sums of Kronecker products, and D by as many multipliers as it has elements
 /// (docs/formulas.md §11e). The same as Cholesky factors of them all, to rounding. Not thread-safe: one per thread.
-class LineElimination {
+class LineElimination final : public StructuredLine {
  public:
   explicit LineElimination(const LineLayout& layout);
 
@@ -23,14 +21,11 @@ class LineElimination {
                  const SystematicTerms* terms);
 
   /// See LineModel.
-  std::optional<ReducedLine> reduce(double damping);
-  LineStep own_step(const LineStep& gradient) const;
+  std::optional<ReducedLine> reduce(double damping, bool answer) override;
+  LineStep own_step(const LineStep& gradient) const override;
 
  private:
-  void take_weights(const LineData& data, const LineState& state);
-  void take_normal_right_sides(const LineFactors& factors);
   bool factor(double damping);
-  void fold(const Complex* matrix, Complex* out) const;
   ComplexMatrix solve(const ComplexMatrix& right, ComplexMatrix differences, ComplexMatrix& square) const;
 
   const LineLayout& layout_;
@@ -38,12 +33,11 @@ class LineElimination {
   KroneckerSquares squares_;
   DifferenceRows differences_;
   RightSides sides_;
-  Eigen::VectorXd weights_;               ///< of all elements; 0: not measured
-  Eigen::VectorXd guesses_;               ///< squares of those of X and Y, guesses where not measured
+  ElementWeights weights_;
+  NormalRightSides normal_sides_;         ///< without D
   ComplexMatrix p_, g_, c_;               ///< P, Z A and I − Z B
   std::vector<ComplexMatrix> b_squares_;  ///< Pᴴ W² P by the columns of B
-  ComplexMatrix right_, off_;             ///< right-hand sides without those of D, and those of D
-  ComplexMatrix square_;                  ///< right-hand sides by themselves, without D: lower triangle
+  ComplexMatrix off_;                     ///< right-hand sides of D
   ComplexMatrix y_lower_;
   double damping_ = 0.0;  ///< of the factors
   std::vector<WeighedRow> weighed_rows_;

@@ -1,5 +1,7 @@
 #include "ident/likelihood/elimination/right_sides.hpp"
 
+#include <algorithm>
+
 #include "base/eigen.hpp"
 #include "base/kernel.hpp"
 
@@ -30,17 +32,34 @@ void take_residuals(const LineLayout& layout, const LineData& data, const LineSt
   put(layout.drop_nn, data.drop_nn, ComplexMatrix(state.sub_jn.transpose() * f.za + f.h.transpose() * f.r));
 }
 
-/// left(row)ᵀ S right(column) of every element, S the matrix of a shape.
-void add_shape(std::span<const ImpedanceTerm> terms, const std::vector<Element>& elements, const RowMatrixXc& left,
-               const ComplexMatrix& right, Complex* out) {
-  for (const Element& e : elements) {
-    const Complex* const l = left.data() + at(e.row) * left.cols();
-    const Complex* const r = right.data() + at(e.column) * right.rows();
-    Complex sum = 0.0;
-    for (const ImpedanceTerm& term : terms) sum += product(term.coefficient * l[term.row], r[term.column]);
-    *out++ = sum;
+/// left(row)ᵀ S right(column) of elements, S the matrix of a shape: S right once for all columns, its rows that are not zero.
+class ShapeProducts {
+ public:
+  ShapeProducts(std::span<const ImpedanceTerm> terms, const ComplexMatrix& right) {
+    for (const ImpedanceTerm& term : terms) {
+      if (std::ranges::find(rows_, term.row) == rows_.end()) rows_.push_back(term.row);
+    }
+    moved_.setZero(at(rows_.size()), right.cols());
+    for (const ImpedanceTerm& term : terms) {
+      const auto place = std::ranges::find(rows_, term.row) - rows_.begin();
+      for (Eigen::Index k = 0; k < right.cols(); ++k) moved_(place, k) += term.coefficient * right(at(term.column), k);
+    }
   }
-}
+
+  void add_to(const std::vector<Element>& elements, const RowMatrixXc& left, Complex* out) const {
+    for (const Element& e : elements) {
+      const Complex* const l = left.data() + at(e.row) * left.cols();
+      const Complex* const moved = moved_.col(at(e.column)).data();
+      Complex sum = 0.0;
+      for (std::size_t i = 0; i < rows_.size(); ++i) sum += product(l[rows_[i]], moved[i]);
+      *out++ = sum;
+    }
+  }
+
+ private:
+  std::vector<std::size_t> rows_;
+  ComplexMatrix moved_;
+};
 
 }  // namespace
 
@@ -51,6 +70,8 @@ void take_right_sides(const LineLayout& layout, const LineData& data, const Line
   const std::size_t errors = terms ? terms->unknowns : 0;
   out.unknowns.resize(parts + errors);
   out.values.setZero(places.end(), at(shapes + errors + 1));
+  out.first_error = at(shapes);
+  out.errors = at(errors);
   const Eigen::Index last = out.values.cols() - 1;
   take_residuals(layout, data, state, factors, out.values.col(last).data());
   const RowMatrixXc of_rows = -factors.py, of_d = factors.yh.transpose();
@@ -58,9 +79,10 @@ void take_right_sides(const LineLayout& layout, const LineData& data, const Line
     const ImpedanceShape& shape = joint->shapes()[s];
     const auto matrix = joint->terms().subspan(shape.first_term, shape.last_term - shape.first_term);
     Complex* const column = out.values.col(at(s)).data();
-    add_shape(matrix, layout.asm_jn, of_rows, state.asm_jn, column + places.a());
-    add_shape(matrix, layout.asm_jj, of_rows, state.asm_jj, column + places.b());
-    add_shape(matrix, layout.drop_nn, of_d, state.asm_jn, column + places.d());
+    const ShapeProducts by_a(matrix, state.asm_jn);
+    by_a.add_to(layout.asm_jn, of_rows, column + places.a());
+    if (!layout.asm_jj.empty()) ShapeProducts(matrix, state.asm_jj).add_to(layout.asm_jj, of_rows, column + places.b());
+    by_a.add_to(layout.drop_nn, of_d, column + places.d());
     for (std::size_t i = shape.first_part; i < shape.last_part; ++i) {
       out.unknowns[joint->parts()[i].unknown] = {at(s), joint->parts()[i].factor};
     }

@@ -5,7 +5,7 @@
 
 #include "ident/likelihood/line/line_data.hpp"
 #include "ident/likelihood/line/line_factors.hpp"
-#include "ident/likelihood/line/line_state.hpp"
+#include "ident/likelihood/line/way_back.hpp"
 
 namespace jointid::ident {
 
@@ -13,14 +13,9 @@ namespace jointid::ident {
 /// by: complex columns, not weighted. Unknowns of a joint that act by the same matrix times a number of their own, as stiffness
 /// and damping of one spring do, have one column.
 struct RightSides {
-  /// Of the real unknown in that place: factor · column.
-  struct Unknown {
-    Eigen::Index column;
-    Complex factor;
-  };
-
   ComplexMatrix values;           ///< elements × columns; the last one has measured − predicted, 0 where nothing is measured
-  std::vector<Unknown> unknowns;  ///< the joint's, then those of systematic errors
+  Eigen::Index first_error = 0, errors = 0;  ///< columns of systematic errors, which have few elements each
+  std::vector<SharedColumn> unknowns;  ///< the joint's, then those of systematic errors
 };
 
 /// Of the joint's unknowns, if there is one, and of the systematic errors that `data` is corrected for, if `terms` are given.

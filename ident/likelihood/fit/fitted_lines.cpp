@@ -381,8 +381,8 @@ std::size_t FittedLines::bytes() const {
     sum += sizeof(FittedLine) +
            sizeof(Complex) *
                static_cast<std::size_t>(state.sub_jn.size() + state.sub_jj.size() + state.asm_jn.size() + state.asm_jj.size()) +
-           sizeof(double) * static_cast<std::size_t>(reduced.information.size() + reduced.gradient.size() + reduced.own.size() +
-                                                     (reduced.back ? reduced.back->size() : 0));
+           sizeof(double) * (static_cast<std::size_t>(reduced.information.size() + reduced.gradient.size() + reduced.own.size()) +
+                              (reduced.back ? reduced.back->numbers() : 0));
   }
   return sum;
 }

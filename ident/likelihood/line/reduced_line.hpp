@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "ident/likelihood/line/line_state.hpp"
+#include "ident/likelihood/line/way_back.hpp"
 
 namespace jointid::ident {
 
@@ -12,12 +12,12 @@ namespace jointid::ident {
 struct ReducedLine {
   Eigen::MatrixXd information;                  ///< p×p: Σ JᵀJ − WᵀU⁻¹W; p counts systematic errors, too
   Eigen::VectorXd gradient;                     ///< p: a step of the unknowns solves information · δθ = gradient
-  std::shared_ptr<const Eigen::MatrixXd> back;  ///< 2v×p, U⁻¹W; shared by copies: the largest part
+  std::shared_ptr<const WayBack> back;          ///< U⁻¹W; shared by copies: the largest part
   LineStep own;                                 ///< 2v, U⁻¹g: the step of the FRFs is own − back · δθ
   double cost = 0.0;                            ///< χ² of the linearised problem at δθ = 0
 
   /// The FRFs' part of a step of the joint: −U⁻¹W δθ.
-  LineStep answer(const Eigen::VectorXd& step) const { return -(*back * step); }
+  LineStep answer(const Eigen::VectorXd& step) const { return -back->times(step); }
 
   /// Whether there is any information.
   bool tells() const { return information.trace() > 0.0; }

@@ -14,7 +14,7 @@ namespace {
 
 ReducedLine nothing(const LineLayout& layout, const FittedLine& line) {
   const auto p = at(line.columns.size()), v = at(2 * layout.variables());
-  return {Eigen::MatrixXd::Zero(p, p), Eigen::VectorXd::Zero(p), std::make_shared<Eigen::MatrixXd>(Eigen::MatrixXd::Zero(v, p)),
+  return {Eigen::MatrixXd::Zero(p, p), Eigen::VectorXd::Zero(p), std::make_shared<WayBack>(Eigen::MatrixXd::Zero(v, p)),
           LineStep::Zero(v), line.redundancy};
 }
 
@@ -75,7 +75,7 @@ std::optional<Eigen::VectorXd> followed_gradient(const LineData& data, const Com
     const LineStep step = model.own_step(gradient.own);
     const double promised = gradient.own.dot(step);
     if (!(gradient.cost <= cost)) return std::nullopt;
-    if (promised <= negligible * std::max(gradient.cost, 1.0)) return gradient.joint - line.reduced.back->transpose() * gradient.own;
+    if (promised <= negligible * std::max(gradient.cost, 1.0)) return gradient.joint - line.reduced.back->transpose_times(gradient.own);
     if (!(promised <= shrinks * last)) return std::nullopt;
     last = promised;
     cost = gradient.cost;
@@ -111,7 +111,7 @@ ReducedLine linearised(const LineData& data, const ComplexMatrix& z, LineModel& 
 
 void take_gradient(const LineData& data, const ComplexMatrix& z, const LineLayout& layout, FittedLine& line) {
   const LineGradient gradient = gradient_of(layout, data, line.joint, z, line.state);
-  line.reduced.gradient = gradient.joint - line.reduced.back->transpose() * gradient.own;
+  line.reduced.gradient = gradient.joint - line.reduced.back->transpose_times(gradient.own);
   line.reduced.own.setZero();
   line.cost = line.reduced.cost = gradient.cost;
 }

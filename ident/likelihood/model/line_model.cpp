@@ -21,14 +21,29 @@ bool LineModel::are_circular(const LineData& data) const {
       });
 }
 
-/// Whether the line is one for LineElimination, which is made for the first of them.
-bool LineModel::eliminates(const LineData& data, const JointImpedance& joint) {
-  if (data.correlation || numbers_ == Numbers::real || numbers_ == Numbers::complex) return false;
+/// Whether LineElimination is to be tried.
+bool LineModel::eliminates(const JointImpedance& joint) {
   const std::size_t right_sides = (joint_unknowns_ > 0 ? joint.shapes().size() : 0) + unknowns_ - joint_unknowns_ + 1;
-  if (numbers_ == Numbers::chosen && !elimination_pays(layout_, right_sides)) return false;
-  if (!are_circular(data)) return false;
-  if (!elimination_) elimination_ = std::make_unique<LineElimination>(layout_);
-  return true;
+  if (numbers_ != Numbers::chosen) return numbers_ == Numbers::eliminated;
+  if (pays_.first != right_sides) pays_ = {right_sides, elimination_pays(layout_, right_sides)};
+  return pays_.second;
+}
+
+/// The line linearised by one of the ways without rows, which are made for the first that takes them; nullptr: it is none for these.
+StructuredLine* LineModel::by_structure(const LineData& data, const LineState& state, const LineFactors& factors,
+                                        const JointImpedance& joint) {
+  if (data.correlation || numbers_ == Numbers::real || numbers_ == Numbers::complex) return nullptr;
+  if (numbers_ == Numbers::chosen && !layout_.is_large()) return nullptr;
+  if (!are_circular(data)) return nullptr;
+  const JointImpedance* const with = joint_unknowns_ > 0 ? &joint : nullptr;
+  if (eliminates(joint)) {
+    if (!elimination_) elimination_ = std::make_unique<LineElimination>(layout_);
+    if (elimination_->linearise(data, state, factors, with, terms_)) return elimination_.get();
+  }
+  if (numbers_ == Numbers::eliminated) return nullptr;
+  if (!arrow_) arrow_ = std::make_unique<ArrowElimination>(layout_);
+  arrow_->linearise(data, state, factors, with, terms_);
+  return arrow_.get();
 }
 
 NormalRows::Run LineModel::column(std::size_t other) const {
@@ -188,8 +203,8 @@ void LineModel::linearise(const LineData& data, const JointImpedance& joint, con
   h_ = (p_.transpose() * z.transpose()) * state.sub_jn;  // hᵀ: N×n
   yh_ = state.sub_jn - state.sub_jj.transpose() * h_;
   const LineFactors factors{p_, py_, za_, h_, yh_, r_, c_, rest_b_};
-  eliminated_ = eliminates(data, joint) && elimination_->linearise(data, state, factors, with_joint ? &joint : nullptr, terms_);
-  if (eliminated_) return;
+  structured_ = by_structure(data, state, factors, joint);
+  if (structured_ != nullptr) return;
   const bool pays = layout_.is_large() || data.correlation;
   complex_ = (numbers_ == Numbers::chosen ? pays : numbers_ != Numbers::real) && are_circular(data);
   const std::size_t others = unknowns_ + 1;
@@ -319,7 +334,7 @@ void LineModel::add_d(const LineData& data, const JointImpedance& joint, const L
 }
 
 std::optional<ReducedLine> LineModel::reduce(double damping, bool answer) {
-  if (eliminated_) return elimination_->reduce(damping);
+  if (structured_ != nullptr) return structured_->reduce(damping, answer);
   return complex_ ? reduce_complex(damping, answer) : reduce_real(damping, answer);
 }
 
@@ -353,7 +368,7 @@ std::optional<ReducedLine> LineModel::reduce_complex(double damping, bool answer
     parts.row(2 * i) = right_.row(i).real();
     parts.row(2 * i + 1) = right_.row(i).imag();
   }
-  out.back = std::make_shared<Eigen::MatrixXd>(parts.leftCols(p));
+  out.back = std::make_shared<WayBack>(parts.leftCols(p));
   out.own = parts.col(p);
   return out;
 }
@@ -380,13 +395,13 @@ std::optional<ReducedLine> LineModel::reduce_real(double damping, bool answer) {
   solve_eliminated(real_factor_.data(), stride, v, size, solved_.data());
   const Eigen::Map<const RowMatrixXd, 0, Eigen::OuterStride<>> solved(solved_.data(), at(v), p + 1,
                                                                       Eigen::OuterStride<>(at(widths_of(size - v))));
-  out.back = std::make_shared<Eigen::MatrixXd>(solved.leftCols(p));
+  out.back = std::make_shared<WayBack>(solved.leftCols(p));
   out.own = solved.col(p);
   return out;
 }
 
 LineStep LineModel::own_step(const LineStep& gradient) const {
-  if (eliminated_) return elimination_->own_step(gradient);
+  if (structured_ != nullptr) return structured_->own_step(gradient);
   if (!complex_) {
     LineStep step = gradient;
     solve_by_factor(real_factor_.data(), rows_.stride(), static_cast<std::size_t>(step.size()), step.data());

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "ident/likelihood/elimination/arrow_elimination.hpp"
 #include "ident/likelihood/elimination/line_elimination.hpp"
 #include "ident/likelihood/rows/complex_rows.hpp"
 #include "ident/likelihood/rows/correlated_rows.hpp"
@@ -20,14 +21,16 @@ namespace jointid::ident {
 /// explicit one (Gauss–Newton). Not thread-safe: one per thread.
 ///
 /// All of it is linear in complex numbers. Where real and imaginary part of every FRF have the same weight (circular errors) the
-/// normal equations are complex, half as many, and taken so for lines of many FRFs and where errors depend on each other. Where
-/// that takes fewer flops they are solved by their structure (LineElimination), if errors are independent.
+/// normal equations are complex, half as many, and taken so for lines of many FRFs and where errors depend on each other. Those of
+/// many FRFs with independent errors are solved by their structure: by LineElimination where that takes fewer flops, else by
+/// ArrowElimination.
 class LineModel {
  public:
   enum class Numbers {
     chosen,
     real,
-    complex,    ///< where errors are circular
+    complex,    ///< where errors are circular, by rows
+    blocks,     ///< by ArrowElimination where they are circular and independent
     eliminated  ///< by LineElimination where they are circular and independent, and it can
   };
 
@@ -58,7 +61,8 @@ class LineModel {
  private:
   bool are_circular(const LineData& data) const;
   bool are_plain() const { return !complex_ && !correlation_; }  ///< equations that PlainRows takes
-  bool eliminates(const LineData& data, const JointImpedance& joint);
+  bool eliminates(const JointImpedance& joint);
+  StructuredLine* by_structure(const LineData& data, const LineState& state, const LineFactors& factors, const JointImpedance& joint);
   std::optional<ReducedLine> reduce_real(double damping, bool answer);
   std::optional<ReducedLine> reduce_complex(double damping, bool answer);
   void add_priors(const LineData& data, const LineState& state);
@@ -80,7 +84,8 @@ class LineModel {
   const LineLayout& layout_;
   Numbers numbers_;
   bool complex_ = false;      ///< the normal equations of the line
-  bool eliminated_ = false;   ///< by elimination_
+  std::pair<std::size_t, bool> pays_{0, false};  ///< elimination_pays() for so many right-hand sides
+  StructuredLine* structured_ = nullptr;  ///< what solves them instead of rows
   std::size_t unknowns_ = 0;  ///< of the joint, and of systematic errors
   std::size_t joint_unknowns_ = 0;
   std::size_t place_ = 0;     ///< in the row that is being written
@@ -92,6 +97,7 @@ class LineModel {
   PlainRows plain_rows_;
   ComplexRows complex_rows_;
   std::unique_ptr<LineElimination> elimination_;        ///< once it is used
+  std::unique_ptr<ArrowElimination> arrow_;             ///< likewise
   const minimise::Correlation* correlation_ = nullptr;  ///< of the line's errors
   const SystematicTerms* terms_ = nullptr;    ///< of the line, while unknowns are asked for
   std::size_t first_element_ = 0;             ///< of the channel whose rows are written, see Correlation

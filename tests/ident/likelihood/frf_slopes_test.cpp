@@ -32,8 +32,8 @@ Complex derivative(double f, std::size_t row, std::size_t column) {
   return -residue(row, column, 1.0) / (one * one) - residue(row, column, 2.3) / (two * two);
 }
 
-Symmetric<Measured> line_at(double f, double deviation) {
-  Symmetric<Measured> out(coordinates);
+MeasuredFrfs line_at(double f, double deviation) {
+  MeasuredFrfs out(coordinates);
   for (std::size_t r = 0; r < coordinates; ++r) {
     for (std::size_t c = 0; c <= r; ++c) out.at(r, c) = {frf(f, r, c), Complex(1.0, 1.0) * deviation * deviation};
   }
@@ -42,10 +42,10 @@ Symmetric<Measured> line_at(double f, double deviation) {
 
 /// Of every FRF at the line `own`, over the derivative.
 double largest_error(const std::vector<double>& frequency, std::size_t own, double deviation) {
-  std::vector<Symmetric<Measured>> lines;
+  std::vector<MeasuredFrfs> lines;
   for (const double f : frequency) lines.push_back(line_at(f, deviation));
-  std::vector<const Symmetric<Measured>*> all;
-  for (const Symmetric<Measured>& line : lines) all.push_back(&line);
+  std::vector<const MeasuredFrfs*> all;
+  for (const MeasuredFrfs& line : lines) all.push_back(&line);
   const FrfSlopes slopes({0, 1, 2}, frequency, all, own);
   double largest = 0.0;
   for (std::size_t r = 0; r < coordinates; ++r) {
@@ -70,7 +70,7 @@ TEST(FrfSlopes, OfThreeLinesTakeOneResonance) {
 }
 
 TEST(FrfSlopes, AreNotKnownWhereALineIsNot) {
-  std::vector<Symmetric<Measured>> lines;
+  std::vector<MeasuredFrfs> lines;
   const std::vector<double> frequency = {100.0, 101.0, 102.0};
   for (const double f : frequency) lines.push_back(line_at(f, 1e-3));
   lines[2].at(1, 0).value = {NAN, NAN};

@@ -72,7 +72,7 @@ Complex frf_of(std::size_t r, std::size_t s, double f) {
 TEST(FrfSlopes, HoldWhereLinesAreFartherApartThanResonancesAreWide) {
   constexpr std::size_t coordinates = 5;
   std::vector<double> frequency;
-  std::vector<Symmetric<Measured>> lines;
+  std::vector<MeasuredFrfs> lines;
   for (std::size_t k = 0; k < FrfSlopes::most_lines; ++k) {
     frequency.push_back(90.0 + 12.0 * static_cast<double>(k));
     lines.emplace_back(coordinates);
@@ -80,7 +80,7 @@ TEST(FrfSlopes, HoldWhereLinesAreFartherApartThanResonancesAreWide) {
       for (std::size_t s = 0; s <= r; ++s) lines.back().at(r, s) = Measured{frf_of(r, s, frequency.back()), {1e-18, 1e-18}};
     }
   }
-  std::vector<const Symmetric<Measured>*> all;
+  std::vector<const MeasuredFrfs*> all;
   for (const auto& line : lines) all.push_back(&line);
   for (std::size_t own = 0; own < lines.size(); ++own) {
     const FrfSlopes slopes({0, 1, 2, 3, 4}, frequency, all, own);
@@ -97,7 +97,7 @@ TEST(FrfSlopes, HoldWhereLinesAreFartherApartThanResonancesAreWide) {
 }
 
 TEST(FrfSlopes, AreNotKnownWhereALineIsNot) {
-  std::vector<Symmetric<Measured>> lines(3, Symmetric<Measured>(2, {1.0, 1e-6}));
+  std::vector<MeasuredFrfs> lines(3, MeasuredFrfs(2, {1.0, 1e-6}));
   lines[0].at(1, 0) = Measured{jointid::nan, jointid::nan};
   const FrfSlopes slopes({0, 1}, {1.0, 2.0, 3.0}, {&lines[0], &lines[1], &lines[2]}, 1);
   EXPECT_TRUE(std::isnan(slopes.of({1, 0}).real()));
@@ -106,7 +106,7 @@ TEST(FrfSlopes, AreNotKnownWhereALineIsNot) {
 
 /// Rounding in an FRF that is zero by symmetry, with an error in proportion to itself as simulated noise has it.
 TEST(FrfSlopes, AreNotKnownOfAnFrfThatIsZeroBySymmetry) {
-  std::vector<Symmetric<Measured>> lines(3, Symmetric<Measured>(2, {1.0, {1e-6, 1e-6}}));
+  std::vector<MeasuredFrfs> lines(3, MeasuredFrfs(2, {1.0, {1e-6, 1e-6}}));
   for (std::size_t l = 0; l < 3; ++l) {
     const double value = 1e-14 * std::pow(-3.0, static_cast<double>(l));
     lines[l].at(1, 0) = Measured{value, {1e-6 * value * value, 1e-6 * value * value}};

@@ -14,6 +14,7 @@ namespace jointid::ident {
 struct LineShape {
   std::size_t others = 3, joint = 2;
   bool with_b = true;
+  bool undriven = false;   ///< some other coordinates are no references: none of their FRFs with each other is known
   bool uncoupled = false;  ///< two parts, whose cross FRFs are zero by construction
   double missing = 0.0;    ///< share of the FRFs that are not measured
   double noise = 0.1;      ///< standard deviation of the errors and of the weights
@@ -119,6 +120,8 @@ class LineSample {
       return second;
     };
     const std::vector<bool> other = part(shape.others), joint = part(shape.joint);
+    std::vector<bool> undriven(shape.others, false);
+    for (std::size_t k = 0; shape.undriven && k < shape.others; ++k) undriven[k] = coin(random);
     LineLayout layout;
     layout.others = shape.others;
     layout.joint = shape.joint;
@@ -128,7 +131,9 @@ class LineSample {
         if (other[k] == joint[p]) layout.sub_jn.push_back({p, k});
         layout.asm_jn.push_back({p, k});
       }
-      for (std::size_t r = 0; r <= k; ++r) layout.drop_nn.push_back({r, k});
+      for (std::size_t r = 0; r <= k; ++r) {
+        if (!undriven[r] || !undriven[k]) layout.drop_nn.push_back({r, k});
+      }
       layout.sub_jn_first.push_back(layout.sub_jn.size());
     }
     for (std::size_t q = 0; q < shape.joint; ++q) {
