@@ -106,8 +106,8 @@ Part part_of_a1(std::size_t number) {
 }
 
 /// Lines of a part with errors of `level` of each of the two parts of an FRF, those of `seed`.
-std::vector<Symmetric<Measured>> measured(const Part& part, double level, std::uint64_t seed) {
-  std::vector<Symmetric<Measured>> out;
+std::vector<MeasuredFrfs> measured(const Part& part, double level, std::uint64_t seed) {
+  std::vector<MeasuredFrfs> out;
   for (std::size_t l = 0; l < part.frf.size(); ++l) {
     const auto size = static_cast<std::size_t>(part.frf[l].rows());
     out.emplace_back(size);
@@ -126,13 +126,13 @@ std::vector<Symmetric<Measured>> measured(const Part& part, double level, std::u
 /// Of the slopes of all lines, over the slopes, both in parts of the real and the imaginary parts of the FRFs as errors are; of FRFs whose
 /// value on the line itself is exact, as a fit makes it nearly.
 double relative_error(const Part& part, std::uint64_t seed) {
-  const std::vector<Symmetric<Measured>> lines = measured(part, 0.006, seed);
+  const std::vector<MeasuredFrfs> lines = measured(part, 0.006, seed);
   std::vector<std::size_t> all;
   for (Eigen::Index r = 0; r < part.frf.front().rows(); ++r) all.push_back(static_cast<std::size_t>(r));
   double squares = 0.0, whole = 0.0;
   for (std::size_t own = 0; own < lines.size(); ++own) {
     const std::size_t count = FrfSlopes::most_lines, first = std::min(own - std::min(own, count / 2), lines.size() - count);
-    std::vector<const Symmetric<Measured>*> around;
+    std::vector<const MeasuredFrfs*> around;
     for (std::size_t k = first; k < first + count; ++k) around.push_back(&lines[k]);
     const auto begin = part.frequency.begin() + static_cast<std::ptrdiff_t>(first);
     const FrfSlopes slopes(all, {begin, begin + static_cast<std::ptrdiff_t>(count)}, around, own - first);
