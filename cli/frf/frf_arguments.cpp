@@ -19,7 +19,8 @@ void declare_reading(CLI::App& command, FrfArguments& arguments) {
           arguments.read.channels.push_back(of_option("--channel", [&] { return records::parse_channel(text); }));
         }
       },
-      "COLUMN=DOF [FACTOR] [UNIT], e.g. 2=1:+Z N: a column by name or number, the DOF of its sensor, its unit where the file states none; one per channel. "
+      "COLUMN=DOF [FACTOR] [UNIT], e.g. 2=1:+Z N: a column by name or number, the DOF of its sensor, its unit where the file states "
+      "none; one per channel. "
       "UFF: a channel of the run, if the file does not state it");
   channel->allow_extra_args(false);  // what follows is the next word, not one more channel
   command.add_option("--time", arguments.read.time,

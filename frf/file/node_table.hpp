@@ -7,10 +7,10 @@
 
 namespace jointid::frf {
 
-/// Positions of nodes, m: datasets 15 and 2411 of a universal file; else a table of frf::read_columns() with the columns node (or id, point,
-/// nr), x, y and z, whose titles or rows of units state a length, without one m. Throws InputError (data) for columns that are missing, a unit
-/// that is no length, numbers of nodes that are not whole or come twice, positions that are not finite, and numbers without a unit that
-/// would be further than 100 m apart.
+/// Positions of nodes, m: datasets 15 and 2411 of a universal file; else a table of frf::read_columns() with the columns node (or id,
+/// point, nr), x, y and z, whose titles or rows of units state a length, without one m. Throws InputError (data) for columns that are
+/// missing, a unit that is no length, numbers of nodes that are not whole or come twice, positions that are not finite, and numbers
+/// without a unit that would be further than 100 m apart.
 std::vector<Node> read_node_table(const std::filesystem::path& path);
 
 }  // namespace jointid::frf

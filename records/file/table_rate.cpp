@@ -19,8 +19,8 @@ namespace {
 constexpr std::array<std::string_view, 11> rate_names = {
     "fs",           "samplerate",       "samplingrate", "samplefrequency", "samplefreq",  "samplingfrequency",
     "samplingfreq", "samplespersecond", "scanrate",     "abtastrate",      "sampleratehz"};
-constexpr std::array<std::string_view, 9> step_names = {"dt",           "deltat",         "timestep",   "sampleinterval", "samplinginterval",
-                                                        "sampleperiod", "samplingperiod", "sampletime", "samplingtime"};
+constexpr std::array<std::string_view, 9> step_names = {
+    "dt", "deltat", "timestep", "sampleinterval", "samplinginterval", "sampleperiod", "samplingperiod", "sampletime", "samplingtime"};
 
 [[noreturn]] void refuse_rate(const std::string& file, std::string problem, std::string remedy) {
   throw InputError({ErrorKind::data, file, {}, std::move(problem), std::move(remedy)});

@@ -60,7 +60,8 @@ double largest_error(const std::vector<double>& frequency, std::size_t own, doub
 
 TEST(FrfSlopes, AreExactOfTwoResonancesFromFiveLinesWiderApartThanTheseAre) {
   const std::vector<double> frequency = {97.0, 99.5, 102.0, 105.0, 107.5};
-  for (const std::size_t own : {std::size_t{0}, std::size_t{2}, std::size_t{4}}) EXPECT_LT(largest_error(frequency, own, 1e-9), 1e-6) << own;
+  for (const std::size_t own : {std::size_t{0}, std::size_t{2}, std::size_t{4}})
+    EXPECT_LT(largest_error(frequency, own, 1e-9), 1e-6) << own;
 }
 
 TEST(FrfSlopes, OfThreeLinesTakeOneResonance) {
