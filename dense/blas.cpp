@@ -35,6 +35,7 @@ BlasModule* blas_for(Eigen::Index products) {
 int whole(Eigen::Index i) { return static_cast<int>(i); }
 
 void add_square(double factor, const Ref<const MatrixXcd>& a, Ref<MatrixXcd> c) {
+  if (a.cols() == 0) return;  // Eigen divides by it
   if (BlasModule* blas = blas_for(a.rows() * a.rows() * a.cols() / 2)) {
     blas->add_square(factor, whole(a.rows()), whole(a.cols()), a.data(), whole(a.outerStride()), c.data(), whole(c.outerStride()));
   } else {

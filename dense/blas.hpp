@@ -4,10 +4,10 @@
 
 namespace jointid::dense {
 
-/// C += A Aᴴ, the lower triangle.
+/// C += A Aᴴ, the lower triangle of a Hermitian matrix: imaginary parts of its diagonal are not read.
 void add_square(const Eigen::Ref<const Eigen::MatrixXcd>& a, Eigen::Ref<Eigen::MatrixXcd> c);
 
-/// C −= A Aᴴ, the lower triangle.
+/// C −= A Aᴴ, likewise.
 void subtract_square(const Eigen::Ref<const Eigen::MatrixXcd>& a, Eigen::Ref<Eigen::MatrixXcd> c);
 
 /// C += A Bᴴ.

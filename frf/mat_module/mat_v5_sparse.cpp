@@ -1,5 +1,7 @@
 #include "frf/mat_module/mat_v5_sparse.hpp"
 
+#include <matio.h>
+
 #include <cstdint>
 #include <span>
 

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <matio.h>
-
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "frf/mat/mat_variable.hpp"
+
+struct matvar_t;
 
 namespace jointid::frf::mat {
 

@@ -268,7 +268,7 @@ TEST_F(CorrectedScene, VariancesThatAStudyDoesNotUseAreSaid) {
 }
 
 /// Positions of [data] nodes stand before those of the files; one file may have its own.
-TEST(CorrectedScene, NodesOfATable) {
+TEST(NodesOfScene, StandBeforeThoseOfTheFiles) {
   const TestFolder folder;
   const auto put = [&](const char* name, const std::string& text) { std::ofstream(folder / name) << text; };
   const std::string numbers = "10,1e-6,0\n20,1e-6,0\n";

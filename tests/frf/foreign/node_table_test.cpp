@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "file_fixture.hpp"
+#include "tests/frf/file_fixture.hpp"
 
 namespace jointid::frf {
 namespace {
