@@ -277,7 +277,7 @@ TEST(NodesOfScene, StandBeforeThoseOfTheFiles) {
   put("nodes.csv", "node,x [mm],y [mm],z [mm]\n4,900,0,0\n5,0,100,0\n");
   put("other.csv", "node,x,y,z\n5,0,0,3\n");
   const std::string data = "[data]\nsubstructures = [\"part.csv\"]\nassembly = [\"whole.csv\"]\nnodes = \"nodes.csv\"\n";
-  const std::string joint = "[joint]\ndofs = [\"4:+Y\"]\nstiffness = \"symmetric\"\n";
+  const std::string joint = "[joint]\ndofs = [\"4:+Y\"]\nstiffness = { pattern = \"symmetric\" }\n";
   const auto position = [&](const std::string& text, bool assembly, std::int64_t node) {
     const Scene scene = parse_scene(text, folder / "scene.toml");
     const Sources sources = open_all(assembly ? scene.data.assembly : scene.data.substructures);
