@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -119,17 +118,13 @@ class MatrixReader {
     if (!std::isfinite(value.real()) || !std::isfinite(value.imag())) fail("element " + std::to_string(k + 1) + " is no finite number");
   }
 
-  std::optional<std::vector<Complex>> numbers_if(const std::string& part) {
-    const std::string whole = name_.empty() ? part : name_ + "." + part;
-    const auto found = std::ranges::find(file_.variables(), whole, &MatInfo::name);
-    if (found == file_.variables().end() || !is_number(*found)) return std::nullopt;
-    return file_.read(*found).values;
-  }
+  /// Of an array of the sparse matrix.
+  std::string array_name(const std::string& part) const { return name_.empty() ? part : name_ + "." + part; }
 
   std::vector<Complex> numbers(const std::string& part) {
-    auto found = numbers_if(part);
-    if (!found) fail("it is a sparse matrix without numbers " + part);
-    return std::move(*found);
+    const auto found = std::ranges::find(file_.variables(), array_name(part), &MatInfo::name);
+    if (found == file_.variables().end() || !is_number(*found)) fail("it is a sparse matrix without numbers " + part);
+    return file_.read(*found).values;
   }
 
   /// Numbers of places, stored as doubles or integers.
@@ -146,7 +141,7 @@ class MatrixReader {
   FileMatrix sparse(const SparseWay& way) {
     const std::vector<std::size_t> columns = places(way.parts[0]), rows = places(way.parts[1]);
     const std::vector<Complex> data = numbers(way.parts[2]);
-    if (numbers_if("shape")) require_square();
+    if (way.compressed && has(array_name("shape"))) require_square();
     return way.compressed ? from_compressed(columns, rows, data) : from_places(columns, rows, data);
   }
 
