@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "records/file/npy_file.hpp"
+#include "records/file/open_samples.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::records {
@@ -117,6 +118,17 @@ TEST_F(Npy, CutShortOrDamagedIsOneErrorOrTheArray) {
       }
     }
   }
+}
+
+/// An archive that numpy wrote (tests/records/foreign/make.py): as a stream its vectors are channels, without the times and a number.
+TEST(Npz, VectorsAreChannelsOfAStream) {
+  const auto stream = open_samples(std::filesystem::path(JOINTID_FOREIGN_RECORDS) / "record.npz");
+  ASSERT_EQ(stream->channels().size(), 2u);
+  EXPECT_EQ(stream->channels()[0].name, "F");
+  EXPECT_EQ(stream->time_column(), "time");
+  std::vector<double> rows(8, -1.0);
+  EXPECT_EQ(stream->read(rows), 3u);
+  EXPECT_THAT(rows, ElementsAre(0, 0, 5, 1, 1, -2, -1, -1));
 }
 
 }  // namespace
