@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <set>
 #include <string>
 #include <string_view>
@@ -11,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/temporary_file.hpp"
 #include "frf/file/columns.hpp"
+#include "frf/file/file_head.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/uff/uff_file.hpp"
 #include "frf/uff/uff_lines.hpp"
@@ -86,19 +86,11 @@ std::vector<Node> nodes_of(const Columns& table) {
   return out;
 }
 
-bool is_universal(const std::filesystem::path& path) {
-  std::string head(4096, '\0');
-  std::ifstream in(path, std::ios::binary);
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(in.gcount()));
-  return looks_like_uff(head);
-}
-
 }  // namespace
 
 std::vector<Node> read_node_table(const std::filesystem::path& path) {
   require_regular_file(path);
-  return is_universal(path) ? read_uff_nodes(path) : nodes_of(read_columns(path));
+  return is_universal_file(path) ? read_uff_nodes(path) : nodes_of(read_columns(path));
 }
 
 }  // namespace jointid::frf

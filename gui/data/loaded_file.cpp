@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/statistics.hpp"
+#include "frf/file/file_head.hpp"
 #include "frf/uff/uff_lines.hpp"
 #include "ident/plan/data_source.hpp"
 
@@ -31,7 +32,7 @@ Indices some_of(std::size_t count, std::size_t most) {
 
 /// Nodes of a file without FRFs; none of one that is no universal file.
 std::vector<frf::Node> nodes_alone(const std::filesystem::path& path) {
-  if (!is_universal_file(path)) return {};
+  if (!frf::is_universal_file(path)) return {};
   try {
     return frf::read_uff_nodes(path);
   } catch (const InputError&) {
@@ -122,11 +123,6 @@ std::optional<double> reciprocity_error(const Sample& sample, const frf::FrfHead
 }
 
 }  // namespace
-
-bool is_universal_file(const std::filesystem::path& path) {
-  const std::string ending = path.extension().string();
-  return ending == ".uff" || ending == ".unv" || ending == ".UFF" || ending == ".UNV" || ending == ".u58";
-}
 
 std::vector<LoadedFile> open_files(const ident::DataSection& data, const std::function<bool()>& interrupted) {
   std::vector<const ident::DataFile*> all;

@@ -20,9 +20,6 @@ struct LoadedFile {
   std::string error;
 };
 
-/// By the ending of its name.
-bool is_universal_file(const std::filesystem::path& path);
-
 /// Opens the files of a scene (headers only), runs of one measurement as their mean. One that cannot be read has an error. Throws
 /// Interrupted.
 std::vector<LoadedFile> open_files(const ident::DataSection& data, const std::function<bool()>& interrupted);

@@ -7,6 +7,7 @@
 
 #include "base/control.hpp"
 #include "base/error.hpp"
+#include "frf/file/file_head.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -94,7 +95,7 @@ std::vector<frf::NodeLine> drawn_lines(const ident::DataSection& data, const std
       for (const ident::Path& path : {file.path, file.nodes.value_or(ident::Path())}) {
         stop_if(interrupted);
         std::error_code none;
-        if (path.empty() || !is_universal_file(path) || std::filesystem::file_size(path, none) > largest_file || none) continue;
+        if (path.empty() || !frf::is_universal_file(path) || std::filesystem::file_size(path, none) > largest_file || none) continue;
         try {
           const std::vector<frf::NodeLine> own = frf::read_uff_lines(path);
           out.insert(out.end(), own.begin(), own.end());

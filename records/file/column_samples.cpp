@@ -2,8 +2,8 @@
 
 #include "base/error.hpp"
 #include "frf/file/columns.hpp"
+#include "frf/file/file_head.hpp"
 #include "records/file/channel_choice.hpp"
-#include "records/file/file_head.hpp"
 #include "records/file/limits.hpp"
 #include "records/file/npy_file.hpp"
 #include "records/file/sample_streams.hpp"
@@ -51,7 +51,7 @@ std::unique_ptr<SampleStream> open_column_samples(const std::filesystem::path& p
                       std::to_string(size >> 20) + " MiB are more than the 2048 MiB that are read into memory",
                       "export the record as HDF5, MATLAB v7.3, UFF or text, which are read in parts"});
   }
-  return std::make_unique<ColumnSamples>(looks_like_npy(head_of(path)) ? read_npy(path) : frf::read_columns(path), options);
+  return std::make_unique<ColumnSamples>(looks_like_npy(frf::head_of(path)) ? read_npy(path) : frf::read_columns(path), options);
 }
 
 }  // namespace jointid::records

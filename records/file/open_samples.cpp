@@ -2,8 +2,8 @@
 
 #include "base/error.hpp"
 #include "frf/file/file_format.hpp"
+#include "frf/file/file_head.hpp"
 #include "frf/uff/uff_file.hpp"
-#include "records/file/file_head.hpp"
 #include "records/file/npy_file.hpp"
 #include "records/file/sample_streams.hpp"
 
@@ -16,7 +16,7 @@ std::unique_ptr<SampleStream> open_samples(const std::filesystem::path& path, co
   const bool whole = arrays == frf::FileFormat::matlab_v5 || arrays == frf::FileFormat::npz || arrays == frf::FileFormat::npy;
   if (whole) return open_column_samples(path, options);
   if (arrays) return open_hdf5_samples(path, options);
-  const std::string head = head_of(path);
+  const std::string head = frf::head_of(path);
   if (frf::looks_like_uff(head)) return open_uff_samples(path, options);
   return open_text_samples(path, options);
 }

@@ -6,9 +6,9 @@
 #include "base/error.hpp"
 #include "frf/file/columns.hpp"
 #include "frf/file/file_format.hpp"
+#include "frf/file/file_head.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/uff/uff_file.hpp"
-#include "records/file/file_head.hpp"
 #include "records/file/limits.hpp"
 #include "records/file/npy_file.hpp"
 #include "records/file/stated_unit.hpp"
@@ -79,7 +79,7 @@ std::vector<Record> read_records(const std::filesystem::path& path, const Record
   if (size > most_file_bytes) {
     fail(path.string(), std::to_string(size >> 20) + " MiB are more than the 2048 MiB that are read into memory", "split it");
   }
-  const std::string head = text ? head_of(path) : std::string();
+  const std::string head = text ? frf::head_of(path) : std::string();
   if (frf::looks_like_uff(head)) return read_uff_records(path, options);
   return {record_of(looks_like_npy(head) ? read_npy(path) : frf::read_columns(path), options)};
 }

@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <fstream>
 
 #include "frf/set/frf_set.hpp"
 #include "gui/geometry/camera.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -54,6 +56,17 @@ TEST(Structure, DofsAndMotionsAreAlongTheAxesOfTheirNode) {
   ASSERT_EQ(global.size(), 2U);
   EXPECT_THAT(global.at(1), ElementsAre(Complex(-3.0), Complex(2.0, 1.0), Complex(5.0)));
   EXPECT_EQ(global.at(3), shape.at(3));
+}
+
+TEST(Structure, LinesOfAUniversalFileAreDrawnWhateverItsName) {
+  const TestFolder folder;
+  const std::filesystem::path path = folder / "export.dat";
+  std::ofstream(path) << "    -1\n    82\n         1         3         0\nbeam\n         1         2         5\n    -1\n";
+  ident::DataSection data;
+  data.assembly.push_back({path, {}});
+  EXPECT_THAT(drawn_lines(data, {}), ElementsAre(frf::NodeLine{1, 2}, frf::NodeLine{2, 5}));
+  std::ofstream(path) << "Frequency [Hz];1:+X\n";
+  EXPECT_THAT(drawn_lines(data, {}), IsEmpty());
 }
 
 TEST(Structure, WithoutLinesThoseOfStraightPartsAreJoined) {
