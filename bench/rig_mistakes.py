@@ -300,6 +300,9 @@ def table_row(kind, outcomes):
 def main(jointid, seeds="200", *kinds):
     print("| mistake | seeds | check: clean | told | refused | " + " | ".join(f"{m}: ok | of these > 3 σ off" for m in METHODS) + " |")
     print("|---|" + "---|" * (4 + 2 * len(METHODS)))
+    unknown = [kind for kind in kinds if kind not in (*KINDS, MIXED)]
+    if unknown:
+        raise SystemExit(f"rig_mistakes: no kind is called {unknown[0]!r}; the kinds are {', '.join((*KINDS, MIXED))}")
     broken = []
     with ThreadPoolExecutor(os.cpu_count()) as team:
         for kind in kinds or (*KINDS, MIXED):
