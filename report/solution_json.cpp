@@ -1,6 +1,7 @@
 #include "report/solution_json.hpp"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "report/check_json.hpp"
@@ -51,6 +52,22 @@ Json joints(const std::vector<JointSummary>& all) {
                    {"worst_relative_error", has_error ? value(each.worst_error) : Json(nullptr)}});
   }
   return out;
+}
+
+/// Of each joint the pair of DOFs that is seen least, in the order of the joints.
+Json relative_motions(const std::vector<ident::RelativeMotion>& pairs) {
+  Json all = Json::array();
+  std::map<std::string, std::size_t> places;
+  for (const ident::RelativeMotion& pair : pairs) {
+    const auto [at, is_new] = places.try_emplace(pair.joint, all.size());
+    Json one = {{"joint", pair.joint}, {"dofs", {pair.a.name(), pair.b.name()}}, {"over_error", value(pair.over_error)}};
+    if (is_new) {
+      all.push_back(std::move(one));
+    } else if (pair.over_error < all[at->second]["over_error"].get<double>()) {
+      all[at->second] = std::move(one);
+    }
+  }
+  return all;
 }
 
 Json loose_joints(const std::vector<ident::LooseJoint>& joints) {
@@ -223,6 +240,7 @@ std::string solution_json(const ident::Solution& solution) {
   json["fit"] = fit(solution.fit);
   if (solution.search) json["search"] = minima(*solution.search);
   if (solution.admissibility) json["admissibility"] = admissibility(*solution.admissibility);
+  if (!solution.relative_motions.empty()) json["relative_motions"] = relative_motions(solution.relative_motions);
   if (!solution.loose.empty()) json["loose"] = loose_joints(solution.loose);
   if (!solution.parts.empty()) json["parts"] = part_misfits(solution.parts);
   if (!solution.systematic.empty()) json["systematic"] = systematic(solution.systematic);

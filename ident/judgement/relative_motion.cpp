@@ -94,7 +94,8 @@ std::vector<RelativeMotion> relative_motions(const Plan& plan) {
 
 void tell_relative_motions(const Plan& plan, Solution& out) {
   constexpr double seen = 3.0;  // standard errors
-  const std::vector<RelativeMotion> all = relative_motions(plan);
+  out.relative_motions = relative_motions(plan);
+  const std::vector<RelativeMotion>& all = out.relative_motions;
   const auto hidden = std::ranges::count_if(all, [&](const RelativeMotion& each) { return each.over_error < seen; });
   if (hidden == 0) return;
   const RelativeMotion& least = *std::ranges::min_element(all, {}, &RelativeMotion::over_error);

@@ -77,6 +77,13 @@ struct PartMisfit {
   double chi_square = 0.0, degrees_of_freedom = 0.0;
 };
 
+/// The same direction on two sides of a joint.
+struct RelativeMotion {
+  std::string joint;
+  frf::Dof a, b;
+  double over_error = 0.0;  ///< |x_a − x_b| over its standard error, median over lines and references of the assembly
+};
+
 struct Fit {
   std::size_t equations_used = 0;     ///< complex equations
   std::size_t equations_dropped = 0;  ///< by Δ, by missing data, or with zero coefficients only
@@ -174,6 +181,7 @@ struct Solution {
   std::vector<SystematicEstimate> systematic{};  ///< of [[data.gains]] and [[data.masses]]
   std::vector<Suspect> suspects{};  ///< method likelihood: suspects from the fit itself; files as they were opened
   std::vector<PartMisfit> parts{};  ///< of solver "by-parts", in the order of the files
+  std::vector<RelativeMotion> relative_motions{};  ///< of ways by parts, if the assembly's files state errors: all pairs of joint DOFs
   std::vector<LooseJoint> loose{};  ///< if the scene asks for loose joints: the most probable first
   std::vector<VarianceSource> variances;  ///< per file, of methods that weigh FRFs by their variances
 };

@@ -232,6 +232,9 @@ class FrfSet:
             hint = "; numpy.moveaxis(frfs, -1, 0) puts the lines first" if array.shape[-1] == shape[0] != array.shape[0] else ""
             raise _refuse("frfs", f"its shape is {array.shape}, and {shape[0]} lines, {shape[1]} responses and "
                           f"{shape[2]} references make {shape}", "the axes are [line, response, reference]" + hint)
+        if array.size > 0 and np.asarray(frfs).dtype.kind != "c":
+            warnings.warn(f"{self.name}: the array is real: magnitudes, real parts or spectra are no FRFs; give complex FRFs, or "
+                          ".astype(complex) where nothing dissipates energy and they are real", DataWarning, stacklevel=3)
         return array
 
     def _factor(self, unit: str | None) -> float:

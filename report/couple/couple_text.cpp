@@ -101,11 +101,12 @@ std::string couple_text(const ident::CoupleScene& scene, const tasks::CoupleResu
     text += "dependency of the conditions, median over the lines\n" + conditions_table(*result.dependencies).text() + "  " +
             result.dependencies->reason + "\n";
   }
-  text += "resonances\n  " + result.result.path.string() + ": " + frequencies_text(result.result.resonances_hz) + "\n";
+  const bool is_file = !result.result.path.empty();
+  text += "resonances\n  " + (is_file ? result.result.path.string() + ": " : "") + frequencies_text(result.result.resonances_hz) + "\n";
   if (result.with_all) {
     text += "  " + result.with_all->path.string() + ", with all conditions: " + frequencies_text(result.with_all->resonances_hz) + "\n";
   }
-  text += "wrote " + result.result.path.string() + (result.with_all ? " and " + result.with_all->path.string() : "") + "\n";
+  if (is_file) text += "wrote " + result.result.path.string() + (result.with_all ? " and " + result.with_all->path.string() : "") + "\n";
   return text;
 }
 

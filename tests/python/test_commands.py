@@ -250,7 +250,7 @@ def level_of_records(newton, hertz, random, stiffness, mass):
 @pytest.mark.filterwarnings("ignore::jointid.JointidWarning")
 def test_friction_laws_of_records_in_memory():
     hertz, mass, random = np.array([95.0, 100.0, 105.0]), 0.5, np.random.default_rng(2)
-    part = jointid.FrfSet(-1 / (mass * (2 * np.pi * hertz) ** 2).reshape(-1, 1, 1), hertz, ["1:+Y"], name="mass")
+    part = jointid.FrfSet(-1 / (mass * (2 * np.pi * hertz) ** 2).reshape(-1, 1, 1) + 0j, hertz, ["1:+Y"], name="mass")
     scene = {"data": {"parts": [part], "levels": [level_of_records(newton, hertz, random, 2.5e5, mass) for newton in (1.0, 2.0)]},
              "frequency": {"range": [94.0, 106.0]}, "joint": {"friction": [{"name": "joint", "dofs": ["1:+Y"], "law": "spring"}]}}
     found = jointid.friction_laws(scene)["joints"][0]["stiffness"]

@@ -2,6 +2,7 @@
 
 import io
 import os
+import warnings
 
 import jointid
 import numpy as np
@@ -103,6 +104,15 @@ def test_right_arrays(name):
     frfs = made(RIGHT[name])
     assert frfs.frfs.dtype == np.complex128 and frfs.frfs.flags.c_contiguous
     np.testing.assert_allclose(frfs.frfs, np.asarray(RIGHT[name], complex), rtol=1e-15)
+
+
+@pytest.mark.parametrize("frfs", [np.abs(H), H.real.tolist(), np.ones((5, 2, 2), int)], ids=["magnitudes", "lists", "whole numbers"])
+def test_real_arrays_warn(frfs):
+    with pytest.warns(jointid.DataWarning, match="arrays: the array is real"):
+        made(frfs)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        made(np.asarray(frfs) + 0j)
 
 
 def test_what_is_masked_was_not_measured():

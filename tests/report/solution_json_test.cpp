@@ -62,6 +62,17 @@ TEST(SolutionJson, ManyJointsAreListedOneByOne) {
   EXPECT_EQ(json["joints"][4]["undetermined"], 2);
 }
 
+TEST(SolutionJson, OfEachJointThePairThatIsSeenLeastIsListed) {
+  EXPECT_FALSE(Json::parse(solution_json(sample_solution())).contains("relative_motions"));
+  auto solution = sample_solution();
+  const auto dof = [](const char* name) { return frf::Dof::parse(name); };
+  solution.relative_motions = {{"j2", dof("3:+Y"), dof("4:+Y"), 12.0}, {"j1", dof("1:+Y"), dof("2:+Y"), 40.0}, {"j2", dof("3:+RZ"), dof("4:+RZ"), 2.5}};
+  const Json json = Json::parse(solution_json(solution))["relative_motions"];
+  ASSERT_EQ(json.size(), 2U);
+  EXPECT_EQ(json[0], Json({{"joint", "j2"}, {"dofs", {"3:+RZ", "4:+RZ"}}, {"over_error", 2.5}}));
+  EXPECT_EQ(json[1], Json({{"joint", "j1"}, {"dofs", {"1:+Y", "2:+Y"}}, {"over_error", 40.0}}));
+}
+
 TEST(SolutionJson, SeveralBandsAreListed) {
   auto solution = sample_solution();
   solution.bands.push_back(solution.bands.front());
