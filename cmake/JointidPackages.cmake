@@ -57,21 +57,21 @@ endmacro()
 
 set(_same "(= ${PROJECT_VERSION}-1)")
 jointid_package(command jointid science "joints of structures from measured frequency response functions"
-  "Identifies stiffness, mass and damping matrices of joints between substructures, with intervals. Reads universal files (58, 58b), CSV, HDF5, MATLAB files, numpy arrays.")
+  "Identifies stiffness, mass and damping matrices of joints between\nsubstructures, with intervals. Reads universal files (58, 58b), CSV, HDF5,\nMATLAB files, numpy arrays.")
 set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS "jointid-solvers")
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SUGGESTS "jointid-workbench, python3-jointid, jointid-doc, jointid-mpi")
 jointid_package(solvers jointid-solvers science "solvers of jointid that need large libraries"
-  "SPQR and CHOLMOD for many joints, Ceres and Ipopt, products by OpenBLAS. These modules are under the GPL.")
+  "SPQR and CHOLMOD for many joints, Ceres and Ipopt, products by OpenBLAS.\nThese modules are under the GPL.")
 set(CPACK_DEBIAN_SOLVERS_PACKAGE_DEPENDS "jointid ${_same}")
 jointid_package(mpi jointid-mpi science "studies of jointid shared among processes"
-  "The module that mpirun needs to share the trials of a study or the lines of a scene.")
+  "The module that mpirun needs to share the trials of a study or the lines of\na scene.")
 set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "jointid ${_same}, openmpi-bin")
 jointid_package(workbench jointid-workbench science "desktop workbench of jointid"
-  "Files, geometry, joint, solution, checks and curves by mouse and keyboard. Under the GPL version 3, as it links QCustomPlot.")
+  "Files, geometry, joint, solution, checks and curves by mouse and keyboard.\nUnder the GPL version 3, as it links QCustomPlot.")
 set(CPACK_DEBIAN_WORKBENCH_PACKAGE_DEPENDS "jointid ${_same}")
 set(CPACK_DEBIAN_WORKBENCH_PACKAGE_RECOMMENDS "qt6-translations-l10n")
 jointid_package(dev libjointid-dev libdevel "headers and static libraries of jointid"
-  "For C++20 programs: find_package(jointid). Every command is a call of the library.")
+  "For C++20 programs: find_package(jointid). Every command is a call of the\nlibrary.")
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS # what jointid-config.cmake finds
   "jointid ${_same}, pkg-config, libeigen3-dev, libfmt-dev, nlohmann-json3-dev, libtbb-dev, libtomlplusplus-dev")
 jointid_package(python python3-jointid python "joints of structures from measured frequency response functions (Python)"
@@ -80,7 +80,7 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "jointid ${_same}, python3 (>= ${JOINTID
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas, python3-xarray, python3-openpyxl")
 jointid_package(doc jointid-doc doc "documentation of jointid"
-  "Tutorials, how-to pages, reference and formulas as pages that are searched without a network.")
+  "Tutorials, how-to pages, reference and formulas as pages that are searched\nwithout a network.")
 set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
 
 include(CPack)

@@ -140,6 +140,7 @@ def main(command: str, date: str, out: str) -> None:
     folder = pathlib.Path(out)
     for of in found:
         write(folder / "man/man1" / ("-".join(["jointid", *of.path]) + ".1.gz"), man_page(of, date, version), packed=True)
+    (folder / "man/man1/jointid-all.1.gz").symlink_to("jointid.1.gz")
     write(folder / "bash-completion/completions/jointid", bash(found))
     write(folder / "zsh/vendor-completions/_jointid", zsh(found))
     write(folder / "fish/vendor_completions.d/jointid.fish", fish(found))
