@@ -132,7 +132,9 @@ endfunction()
 # part, by default the command's.
 add_custom_target(modules)
 set(JOINTID_MODULES "${PROJECT_BINARY_DIR}/modules")
-set(CMAKE_BUILD_RPATH "${JOINTID_MODULES}")
+# Of each target's own folder, so that what is linked has the same bytes wherever the clone is; installation leaves the room of a longer path.
+set(CMAKE_BUILD_RPATH "\$ORIGIN/../modules;\$ORIGIN/../../modules;\$ORIGIN/../../../modules")
+set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
 set(JOINTID_INSTALL_MODULES "${CMAKE_INSTALL_LIBDIR}/jointid")
 
 function(jointid_module name)
