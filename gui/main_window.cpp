@@ -235,13 +235,13 @@ bool MainWindow::save_as(Project& project) {
   return !file.isEmpty() && project.save_as(file);
 }
 
-/// Runs are of the session: those that took long are not lost without a word.
+/// Runs of a scene that was not saved are of the session: those that took long are not lost without a word.
 bool MainWindow::may_lose_runs(Project& project) {
   constexpr double long_s = 60.0;
   const double seconds = project.seconds_of_runs();
   if (seconds < long_s) return true;
   tabs_->setCurrentWidget(&project);
-  const QString text = tr("The runs of %1 took %2. They are lost with it; JSON… and Report… on the page Solve keep them. Close it?")
+  const QString text = tr("The runs of %1 took %2. They are lost with it. Save the scene to keep them beside it. Close it?")
                            .arg(project.title(), duration_text(seconds));
   const auto answer =
       QMessageBox::question(this, tr("Runs are lost"), text, QMessageBox::Close | QMessageBox::Cancel, QMessageBox::Cancel);
@@ -262,6 +262,7 @@ bool MainWindow::close_project(int index) {
   auto* const project = qobject_cast<Project*>(tabs_->widget(index));
   if (project == nullptr || !may_close(*project)) return false;
   QSettings().setValue(QStringLiteral("project_layout"), project->layout_state());
+  project->keep_layout();
   tabs_->removeTab(index);
   delete project;
   show_titles();
@@ -319,6 +320,7 @@ void MainWindow::keep_layout() const {
   QSettings settings;
   settings.setValue(QStringLiteral("geometry"), saveGeometry());
   settings.setValue(QStringLiteral("state"), saveState(layout_version));
+  for (int i = 0; i < tabs_->count(); ++i) qobject_cast<Project*>(tabs_->widget(i))->keep_layout();
   if (const Project* project = current()) settings.setValue(QStringLiteral("project_layout"), project->layout_state());
 }
 

@@ -155,7 +155,7 @@ void Project::protect_inputs(QWidget& page) const {
 
 void Project::show_scene() {
   protect_inputs(*pages_);
-  solve_page_->set_file(file_);
+  solve_page_->set_file(file_, editor_->text());
   solve_page_->set_scene(checked_.scene);
   compare_page_.tell();
   plan_page_.tell();
@@ -188,7 +188,9 @@ void Project::fold_text() {
 
 double Project::seconds_of_runs() const {
   double seconds = 0.0;
-  for (const Solved& run : solve_page_->runs()) seconds += run.solution.runtime_s.total;
+  for (const Solved& run : solve_page_->runs()) {
+    if (run.kept.isEmpty()) seconds += run.solution.runtime_s.total;
+  }
   return seconds;
 }
 

@@ -89,12 +89,14 @@ class Project : public QWidget {
   void say_proposed();
   /// The pages alone, or the text beside them again.
   void fold_text();
-  /// Seconds that the solutions of the session took, which are lost with it.
+  /// Seconds that the solutions took which are kept in no file, and lost with the session.
   double seconds_of_runs() const;
   /// Stops what runs on any page.
   void cancel();
   const CheckedScene& checked() const { return checked_; }
 
+  /// What is in front, beside the scene: nothing where no run is kept there.
+  void keep_layout() const;
   QByteArray layout_state() const;
   void restore_layout(const QByteArray& state);
 
@@ -113,6 +115,7 @@ class Project : public QWidget {
   template <class Page>
   void tell_other_kind(Page& page, bool is_of_kind);
   void protect_inputs(QWidget& page) const;
+  void restore_kept_layout();
   void watch_commands(QWidget& page);
   void link_cursors();
   void check();

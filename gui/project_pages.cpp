@@ -21,6 +21,7 @@
 #include "gui/project.hpp"
 #include "gui/records/records_page.hpp"
 #include "gui/response/response_kind.hpp"
+#include "gui/scene/scene_editor.hpp"
 #include "gui/solve/solve_page.hpp"
 #include "gui/study/study_page.hpp"
 #include "tasks/joint/joint_springs.hpp"
@@ -66,7 +67,12 @@ void Project::add_pages() {
   connect(geometry_page_, &GeometryPage::edit_wanted, this, &Project::edit);
   connect(solve_page_, &SolvePage::run_shown, this, [this](std::size_t run) {
     const Solved& shown = solve_page_->runs()[run];
+    if (shown.plan == nullptr) return geometry_page_->set_springs({});
     geometry_page_->set_springs(tasks::joint_springs(shown.plan->restriction, shown.solution));
+  });
+  connect(solve_page_, &SolvePage::text_wanted, this, [this](const std::string& text) {
+    editor_->replace_text(text);
+    check();
   });
   connect(data_page_, &DataPage::files_opened, this, &Project::offer_dofs);
 }

@@ -1,5 +1,7 @@
 #include "gui/response/response_kind.hpp"
 
+#include <algorithm>
+
 #include "gui/look/said.hpp"
 #include "gui/work/control_of.hpp"
 #include "report/response/response_page.hpp"
@@ -57,11 +59,18 @@ Findings findings_of(const std::shared_ptr<const Responded>& all) {
   return out;
 }
 
+/// What it tells one after the other: force levels, their stability, curves, motions from rest.
+std::size_t passes_of(const tasks::ResponseScene& scene) {
+  const std::size_t levels = scene.levels.size();
+  return std::max<std::size_t>(1, levels * (scene.stability ? 2 : 1) + scene.curves.size() + (scene.transient ? std::max<std::size_t>(1, levels) : 0));
+}
+
 SceneTask read_responses(const std::string& text, const std::filesystem::path& file) {
   const tasks::ResponseScene scene = tasks::parse_response_scene(text, file);
   SceneTask task;
   for (const ident::NamedFile& named : tasks::files_of(scene)) task.inputs.push_back(named.path);
   const auto run = [scene](const Worker::Watch& watch, std::size_t) {
+    watch.begin({1, 1, 0.0, 1.0, passes_of(scene)});
     return findings_of(std::make_shared<const Responded>(Responded{scene, tasks::run_response(scene, control_of(watch))}));
   };
   task.run = {run};
