@@ -15,6 +15,7 @@
 #include "gui/begin/example_dialog.hpp"
 #include "gui/data/data_page.hpp"
 #include "gui/geometry/geometry_page.hpp"
+#include "gui/help/help_keys.hpp"
 #include "gui/look/dialogs.hpp"
 #include "gui/look/file_drop.hpp"
 #include "gui/look/job_progress.hpp"
@@ -59,6 +60,7 @@ bool is_scene(const QString& file) { return QFileInfo(file).suffix().compare(QSt
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   named(this, "main_window", tr("jointid workbench"));
   keep_wheel_from_fields(*this);
+  QApplication::instance()->installEventFilter(new HelpKeys(this));
   let_drop_files(*this, [this](const QStringList& files) { open(files); });
   auto* hint = named(new QLabel(tr("Drop FRF files of the substructures and of the assembly here, one file to look at, or a scene.\n\n"
                                    "Ctrl+O opens files, Ctrl+N starts an empty scene, Ctrl+Shift+O opens an example.\n"

@@ -1,11 +1,13 @@
 #include <QActionGroup>
+#include <QApplication>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QSettings>
 #include <QTabWidget>
+#include <QWhatsThis>
 
-#include "gui/help/help_window.hpp"
+#include "gui/help/help_keys.hpp"
 #include "gui/look/language.hpp"
 #include "gui/main_window.hpp"
 #include "gui/plan/plan_page.hpp"
@@ -165,16 +167,20 @@ void MainWindow::add_run_menu() {
                   on_current(this, [](Project& project) { project.cancel(); }));
 }
 
-/// Of the page in front.
+/// Of the text, where that has the focus; else of the page in front, or of what has the focus in it.
 void MainWindow::show_help() {
-  if (help_ == nullptr) help_ = new HelpWindow(this);
   const Project* const project = current();
-  help_->show_page(help_page_of(project == nullptr ? QString() : project->pages()->currentWidget()->objectName()));
+  if (project == nullptr) return show_help_of(this);
+  QWidget* const page = project->pages()->currentWidget();
+  QWidget* const focus = QApplication::focusWidget();
+  const bool is_text = focus != nullptr && project->isAncestorOf(focus) && !project->pages()->isAncestorOf(focus);
+  show_help_of(focus != nullptr && (page->isAncestorOf(focus) || is_text) ? focus : page);
 }
 
 void MainWindow::add_help_menu() {
   QMenu* const menu = menuBar()->addMenu(tr("&Help"));
   menu->addAction(tr("&Documentation of this page"), QKeySequence(tr("F1")), this, &MainWindow::show_help);
+  menu->addAction(tr("&What's this?"), QKeySequence(tr("Shift+F1")), this, [] { QWhatsThis::enterWhatsThisMode(); });
   menu->addAction(tr("&About"), this, [this] {
     QMessageBox::about(this, tr("jointid workbench"),
                        tr("jointid workbench %1\n\nIdentifies joints from measured FRFs. Sources under BSD-3-Clause; this "

@@ -29,6 +29,18 @@ std::vector<PlotMenu::Named> plots_of(const tasks::ResponseResult& run) {
           {Said::tr("motion"), report::transient_plots(run)}};
 }
 
+/// |X|/force over frequency and force level, of three levels or more.
+std::vector<PlotMenu::NamedMap> maps_of(const tasks::ResponseResult& run) {
+  constexpr std::size_t least_levels = 3;
+  std::vector<PlotMenu::NamedMap> out;
+  for (const report::Choice& choice : report::level_plots(run).choices) {
+    const auto* const magnitude = std::get_if<report::CurvePlot>(&choice.plots.front());
+    if (magnitude == nullptr || magnitude->series.size() < least_levels) continue;
+    out.emplace_back(Said::tr("map over force levels: %1").arg(q(choice.name)), heat_of(*magnitude, Said::tr("force level").toStdString()));
+  }
+  return out;
+}
+
 std::vector<TableMenu::Named> tables_of(const tasks::ResponseScene& scene, const tasks::ResponseResult& run) {
   std::vector<TableMenu::Named> out;
   std::size_t points = 0;
@@ -52,6 +64,7 @@ Findings findings_of(const std::shared_ptr<const Responded>& all) {
   out.said =
       out.is_bad ? Said::tr("Some results are missing. Tables and plots leave them out.") : Said::tr("All results were found.");
   out.plots = plots_of(all->run);
+  out.maps = maps_of(all->run);
   out.tables = tables_of(all->scene, all->run);
   out.outputs = {{"html", [all] { return report::response_report(all->scene, all->run); }},
                  {"json", [all] { return report::response_json(all->scene, all->run); }},

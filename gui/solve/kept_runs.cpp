@@ -82,7 +82,7 @@ KeptRuns read_kept_runs(const QString& scene_file) {
     try {
       out.runs.push_back(run_of_file(folder.filePath(name), scene_file));
     } catch (const InputError& error) {
-      out.failed << Said::tr("%1: %2").arg(name, QString::fromUtf8(error.what()));
+      out.failed << QStringLiteral("%1: %2").arg(name, QString::fromUtf8(error.what()));
     }
   }
   return out;

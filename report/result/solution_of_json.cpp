@@ -263,6 +263,7 @@ ident::Solution read_solution(const Json& json) {
                                  number_of(figures.at("rms_relative_error"))};
   }
   for (const auto& [phase, seconds] : ident::run_time_phases) out.runtime_s.*seconds = json.at("runtime_s").value(phase, 0.0);
+  out.runtime_s.total = json.at("runtime_s").at("total").get<double>();
   out.used = used_of(json.at("used"));
   out.warnings = json.at("warnings").get<std::vector<std::string>>();
   read_findings(json, out);

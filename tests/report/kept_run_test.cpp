@@ -49,7 +49,9 @@ TEST(SolutionOfJson, SolutionsOfProblemsComeBack) {
     ident::Scene scene = problems::scene(problem);
     scene.identify.method = method;
     const auto plan = problems::plan(scene, problems::polluted(problem, 1, 0));
-    const ident::Solution solution = ident::solve(*plan, {.judgement = ident::Judgement::data});
+    ident::Control control;
+    control.judgement = ident::Judgement::data;
+    const ident::Solution solution = ident::solve(*plan, control);
     EXPECT_EQ(twice(solution), solution_json(solution));
   }
 }
@@ -60,7 +62,7 @@ KeptRun sample_run() {
                          .light = tasks::Light::bad,
                          .text = "no",
                          .element = tasks::MatrixElement{0, restrictions::Kind::mass, 1, 0}},
-                        {.frf = tasks::FrfEntry{frf::Dof::parse("4:+Y"), frf::Dof::parse("5:-RZ")}}},
+                        {.text = "", .frf = tasks::FrfEntry{frf::Dof::parse("4:+Y"), frf::Dof::parse("5:-RZ")}}},
               .iterations = {{"K(1,1)", "k2"}, {{1, 3.5, {1.0, 2.0}}, {4, {}, {1.5, 2.5}}}}};
   run.solution.bands.front().errors = {{restrictions::Kind::stiffness, {{1.0, 2.0}, {3.0, 4.0}}}};
   return run;

@@ -19,7 +19,7 @@
 #include "gui/solve/difference_tab.hpp"
 #include "gui/solve/solve_page.hpp"
 #include "gui/table/cell_table.hpp"
-#include "widgets.hpp"
+#include "../widgets.hpp"
 
 namespace jointid::gui {
 namespace {
