@@ -114,7 +114,7 @@ void MainWindow::add_view_menu() {
   int page = 0;
   for (const QString& text : {tr("&Data"), tr("&Geometry"), tr("S&olve"), tr("&Compare"), tr("S&tudy"), tr("&Modes"),
                               tr("Cou&pling"), tr("&Loading curves"), tr("Test pl&anning"), tr("&Response"), tr("Friction la&ws"),
-                              tr("Stic&k-slip motion"), tr("Time r&ecords")}) {
+                              tr("Stic&k-slip motion"), tr("Time r&ecords"), tr("Joint l&ine by line")}) {
     const QString key = page < 9 ? QStringLiteral("Alt+%1").arg((page + 2) % 10) : QStringLiteral("Ctrl+%1").arg(page - 8);
     menu->addAction(text, QKeySequence(key), this, [this, page] { show_page(page); });
     ++page;
@@ -167,14 +167,13 @@ void MainWindow::add_run_menu() {
                   on_current(this, [](Project& project) { project.cancel(); }));
 }
 
-/// Of the text, where that has the focus; else of the page in front, or of what has the focus in it.
+/// Of the page in front, or of what has the focus in it.
 void MainWindow::show_help() {
   const Project* const project = current();
   if (project == nullptr) return show_help_of(this);
   QWidget* const page = project->pages()->currentWidget();
   QWidget* const focus = QApplication::focusWidget();
-  const bool is_text = focus != nullptr && project->isAncestorOf(focus) && !project->pages()->isAncestorOf(focus);
-  show_help_of(focus != nullptr && (page->isAncestorOf(focus) || is_text) ? focus : page);
+  show_help_of(focus != nullptr && page->isAncestorOf(focus) ? focus : page);
 }
 
 void MainWindow::add_help_menu() {

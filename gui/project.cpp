@@ -16,6 +16,7 @@
 #include "gui/geometry/geometry_page.hpp"
 #include "gui/joint/joint_assistant.hpp"
 #include "gui/laws/law_kind.hpp"
+#include "gui/lines/line_kind.hpp"
 #include "gui/loading_curve/loading_curve_page.hpp"
 #include "gui/look/message_bar.hpp"
 #include "gui/look/named.hpp"
@@ -147,6 +148,7 @@ void Project::check_other_kinds(const std::string& text) {
   tell(response_page_, response_kind().is_of(text));
   tell(laws_page_, law_kind().is_of(text));
   tell(oscillate_page_, oscillate_kind().is_of(text));
+  tell(lines_page_, line_kind().is_of(text));
 }
 
 void Project::protect_inputs(QWidget& page) const {
@@ -209,7 +211,7 @@ void Project::cancel() {
   solve_page_->cancel();
   const auto cancel_made = [](const auto&... pages) { ((pages.made() != nullptr ? pages.made()->cancel() : void()), ...); };
   cancel_made(compare_page_, study_page_, modal_page_, couple_page_, loading_curve_page_, plan_page_, response_page_, laws_page_,
-              oscillate_page_, records_page_);
+              oscillate_page_, lines_page_, records_page_);
 }
 
 /// A way of a comparison becomes that of the scene, one step that can be undone, and is solved.

@@ -77,6 +77,7 @@ class Project : public QWidget {
   ScenePage* response_page() { return response_page_.get(); }
   ScenePage* laws_page() { return laws_page_.get(); }
   ScenePage* oscillate_page() { return oscillate_page_.get(); }
+  ScenePage* lines_page() { return lines_page_.get(); }
   RecordsPage* records_page() { return records_page_.get(); }
   QTabWidget* pages() const { return pages_; }
   MessageBar* messages() const { return messages_; }
@@ -152,7 +153,7 @@ class Project : public QWidget {
   Later<ModalPage> modal_page_;
   Later<LoadingCurvePage> loading_curve_page_;
   Later<CouplePage> couple_page_;
-  Later<ScenePage> response_page_, laws_page_, oscillate_page_;
+  Later<ScenePage> response_page_, laws_page_, oscillate_page_, lines_page_;
   Later<RecordsPage> records_page_;
   QFileSystemWatcher watcher_;
   QString file_, folder_;

@@ -11,6 +11,7 @@
 #include "gui/data/data_page.hpp"
 #include "gui/geometry/geometry_page.hpp"
 #include "gui/laws/law_kind.hpp"
+#include "gui/lines/line_kind.hpp"
 #include "gui/loading_curve/loading_curve_page.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/said.hpp"
@@ -164,6 +165,7 @@ void Project::add_other_pages() {
     return page;
   };
   add_later(records_page_, tr("Records"), tr("Time records"), records, [](RecordsPage&) {});
+  add_kind(lines_page_, "lines_page", tr("Lines"), line_kind);
 }
 
 /// One cursor in all plots.

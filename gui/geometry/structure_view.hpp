@@ -38,6 +38,9 @@ class StructureView : public QWidget {
 
   /// As it stands, PNG, SVG or PDF.
   QByteArray picture(const QString& ending) const;
+  /// One period of the motion, as it stands, as a GIF.
+  QByteArray film();
+  bool moves() const { return !shape_.empty(); }
   /// Nodes with their positions in m and, where they move, the complex displacement of the shape.
   std::string table(char separator) const;
 

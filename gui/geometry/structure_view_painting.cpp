@@ -1,11 +1,14 @@
+#include <QImage>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/text.hpp"
 #include "gui/geometry/structure_view.hpp"
 #include "gui/look/said.hpp"
 #include "gui/look/theme.hpp"
+#include "gui/plot/animated_gif.hpp"
 #include "gui/plot/picture.hpp"
 
 namespace jointid::gui {
@@ -158,6 +161,23 @@ void StructureView::paintEvent(QPaintEvent* event) {
   painter.setPen(QPen(palette().color(QPalette::Highlight), 1));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(rect().adjusted(0, 0, -1, -1));
+}
+
+QByteArray StructureView::film() {
+  constexpr int pictures = 36, milliseconds = 40;
+  const double before = phase_;
+  std::vector<QImage> all;
+  for (int i = 0; i < pictures; ++i) {
+    phase_ = 2.0 * std::numbers::pi * i / pictures;
+    QImage image(size(), QImage::Format_RGB32);
+    image.fill(colours(theme_of(palette())).background);
+    QPainter painter(&image);
+    paint(painter);
+    painter.end();
+    all.push_back(std::move(image));
+  }
+  phase_ = before;
+  return animated_gif(all, milliseconds);
 }
 
 QByteArray StructureView::picture(const QString& ending) const {

@@ -23,6 +23,7 @@ const std::map<QString, QString>& pages_of_widgets() {
       {"laws_page", "friction-from-vibration"},
       {"oscillate_page", "oscillations"},
       {"records_page", "records"},
+      {"lines_page", "joint-line-by-line"},
       {"compare_page", "choosing-a-method"},
       {"study_page", "workbench#From files to joint"},
       {"plan_page", "likelihood"},

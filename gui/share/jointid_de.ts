@@ -759,10 +759,6 @@ Fügestelle: %1</translation>
         <translation>Speichern …</translation>
     </message>
     <message>
-        <source>Save as PNG, SVG, PDF or CSV</source>
-        <translation>Als PNG, SVG, PDF oder CSV speichern</translation>
-    </message>
-    <message>
         <source>Front</source>
         <translation>Vorn</translation>
     </message>
@@ -785,6 +781,10 @@ Fügestelle: %1</translation>
     <message>
         <source>Look down: x to the right, y up (T)</source>
         <translation>Blick nach unten: x nach rechts, y nach oben (T)</translation>
+    </message>
+    <message>
+        <source>Save as PNG, SVG, PDF or CSV; a motion as a film (GIF), too</source>
+        <translation>Als PNG, SVG, PDF oder CSV speichern; eine Bewegung auch als Film (GIF)</translation>
     </message>
 </context>
 <context>
@@ -1647,6 +1647,10 @@ Datei – Neu aus Vorlage hat Szenen zum Ausfüllen.</translation>
         <source>Shift+F1</source>
         <translation>Shift+F1</translation>
     </message>
+    <message>
+        <source>Joint l&amp;ine by line</source>
+        <translation>Fügestelle L&amp;inie für Linie</translation>
+    </message>
 </context>
 <context>
     <name>MessageBar</name>
@@ -2353,6 +2357,10 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode entfern
     <message>
         <source>%1 is in [data] %2 of the scene.</source>
         <translation>%1 steht in [data] %2 der Szene.</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Linien</translation>
     </message>
 </context>
 <context>
@@ -4211,6 +4219,46 @@ Eine Auswertung und die Kanäle wählen, dann ausführen.</translation>
     <message>
         <source>force level</source>
         <translation>Kraftniveau</translation>
+    </message>
+    <message>
+        <source>misfit by line</source>
+        <translation>Misfit je Linie</translation>
+    </message>
+    <message>
+        <source>parameters of the best law</source>
+        <translation>Parameter des besten Gesetzes</translation>
+    </message>
+    <message>
+        <source>Joint line by line</source>
+        <translation>Fügestelle Linie für Linie</translation>
+    </message>
+    <message>
+        <source>Z over frequency</source>
+        <translation>Z über der Frequenz</translation>
+    </message>
+    <message>
+        <source>Find Z</source>
+        <translation>Z finden</translation>
+    </message>
+    <message>
+        <source>Find the dynamic stiffness of the joint at every line, as `jointid solve` does</source>
+        <translation>Die dynamische Steifigkeit der Fügestelle an jeder Linie finden, wie `jointid solve`</translation>
+    </message>
+    <message>
+        <source>Dynamic stiffness of the joint over frequency</source>
+        <translation>Dynamische Steifigkeit der Fügestelle über der Frequenz</translation>
+    </message>
+    <message>
+        <source>This page shows the dynamic stiffness Z of the joint at every line, with 95 % bands, loss factors and laws. It needs a scene with [joint] lines.</source>
+        <translation>Diese Seite zeigt die dynamische Steifigkeit Z der Fügestelle an jeder Linie, mit 95-%-Bändern, Verlustfaktoren und Gesetzen. Sie braucht eine Szene mit [joint] lines.</translation>
+    </message>
+    <message>
+        <source>Elements of Z, laws</source>
+        <translation>Elemente von Z, Gesetze</translation>
+    </message>
+    <message>
+        <source>Pictures, tables and films (*.png *.svg *.pdf *.csv *.gif)</source>
+        <translation>Bilder, Tabellen und Filme (*.png *.svg *.pdf *.csv *.gif)</translation>
     </message>
 </context>
 <context>

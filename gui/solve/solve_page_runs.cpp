@@ -82,7 +82,9 @@ void SolvePage::add_kept(std::vector<Solved> runs, const QStringList& failed) {
   runs_.insert(runs_.begin(), std::make_move_iterator(runs.begin()), std::make_move_iterator(runs.end()));
   for (std::size_t i = 0; i < runs_.size(); ++i) runs_[i].name = std::to_string(i + 1) + ": " + ident::name(runs_[i].solution.used.method);
   if (!runs_.empty()) list_runs(front);
-  if (!failed.isEmpty()) line_->say(tr("Some kept runs cannot be read. %1").arg(failed.join(QLatin1Char(' '))), true);
+  if (failed.isEmpty()) return;
+  renew_status_ = false;
+  line_->say(tr("Some kept runs cannot be read. %1").arg(failed.join(QLatin1Char(' '))), true);
 }
 
 /// All runs beside a scene that was saved elsewhere.

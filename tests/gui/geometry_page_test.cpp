@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QImage>
+#include <QImageReader>
 #include <QListWidget>
 #include <QMouseEvent>
 #include <QSignalSpy>
@@ -244,6 +245,14 @@ TEST(GeometryPage, SavesPicturesAndNodes) {
   ASSERT_NE(at, std::string::npos);
   EXPECT_THAT(csv.substr(at + 1, csv.find('\n', at + 1) - at),
               HasSubstr("," + digits(shape[1].real(), "%.17g") + "," + digits(shape[1].imag(), "%.17g")));
+  seen.page.save(folder.filePath("a.gif"));
+  QImageReader film(folder.filePath("a.gif"));
+  EXPECT_EQ(film.imageCount(), 36);
+  const QImage first = film.read(), second = film.read();
+  EXPECT_EQ(first.size(), seen.page.view()->size());
+  EXPECT_NE(first, second);
+  seen.move();
+  EXPECT_THROW(seen.page.save(folder.filePath("b.gif")), InputError) << "what is at rest is no film";
   EXPECT_THROW(seen.page.save(seen.measured.files().front()), InputError);
 }
 

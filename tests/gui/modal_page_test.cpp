@@ -236,11 +236,11 @@ TEST(ModalPage, TheMouseOverAPoleStatesFrequencyDampingAndOrder) {
   QCoreApplication::processEvents();
   const report::ScatterPlot& plot = fitting.page.chart()->scatter();
   const report::Point& pole = plot.groups[report::at_mode].points.front();
-  QTest::mouseMove(fitting.page.chart()->canvas(), fitting.page.chart()->pixel_of(report::at_mode, 0));
+  move_mouse(fitting.page.chart()->canvas(), fitting.page.chart()->pixel_of(report::at_mode, 0));
   QCoreApplication::processEvents();
   const std::string said = fitting.page.chart()->readout().toStdString();
   EXPECT_THAT(said, testing::AllOf(HasSubstr("Hz"), HasSubstr("ζ"), HasSubstr("order (pole pairs) " + std::to_string(static_cast<int>(pole.y)))));
-  QTest::mouseMove(fitting.page.chart()->canvas(), QPoint(1, 1));
+  move_mouse(fitting.page.chart()->canvas(), QPoint(1, 1));
   QCoreApplication::processEvents();
   EXPECT_EQ(fitting.page.chart()->readout().toStdString(), "");
 }

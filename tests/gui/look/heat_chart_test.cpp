@@ -7,6 +7,8 @@
 #include <QTest>
 #include <cmath>
 
+#include "../widgets.hpp"
+
 namespace jointid::gui {
 namespace {
 
@@ -31,7 +33,7 @@ HeatPlot two_by_three() {
 
 TEST(HeatChart, StatesTheCellUnderTheMouse) {
   DrawnMap drawn(two_by_three());
-  QTest::mouseMove(drawn.chart.canvas(), drawn.chart.pixel_of(1, 1));
+  move_mouse(drawn.chart.canvas(), drawn.chart.pixel_of(1, 1));
   QCoreApplication::processEvents();
   EXPECT_EQ(drawn.chart.readout().toStdString(), "2: 21 Hz / 2: 20 Hz: MAC 0.9");
 }
@@ -57,14 +59,14 @@ TEST(HeatChart, CurvesOfForceLevelsBecomeRows) {
   EXPECT_THAT(map.rows, testing::ElementsAre("1 N", "10 N"));
   EXPECT_TRUE(map.log);
   DrawnMap drawn(map);
-  QTest::mouseMove(drawn.chart.canvas(), drawn.chart.pixel_of(1, 1));
+  move_mouse(drawn.chart.canvas(), drawn.chart.pixel_of(1, 1));
   QCoreApplication::processEvents();
   EXPECT_THAT(drawn.chart.readout().toStdString(), testing::AllOf(HasSubstr("10 N"), HasSubstr("2:"), HasSubstr("0.1")));
 }
 
 TEST(HeatChart, HintStandsWhereThereIsNothing) {
   DrawnMap drawn({});
-  QTest::mouseMove(drawn.chart.canvas(), QPoint(50, 50));
+  move_mouse(drawn.chart.canvas(), QPoint(50, 50));
   QTest::keyClick(drawn.chart.canvas(), Qt::Key_Right);
   EXPECT_EQ(drawn.chart.readout().toStdString(), "");
 }

@@ -15,6 +15,7 @@
 #include "gui/page/plot_menu.hpp"
 #include "gui/plot/frf_plot.hpp"
 #include "gui/project.hpp"
+#include "gui/scene/scene_edit.hpp"
 #include "gui/scene/scene_editor.hpp"
 #include "gui/solve/difference_tab.hpp"
 #include "gui/solve/solve_page.hpp"
@@ -76,7 +77,7 @@ TEST(KeptRuns, AreComparedWithNewOnes) {
   const Measured measured("A1");
   { Opened(measured.scene()).solve(); }
   Opened again(measured.scene());
-  again.project.editor()->replace_text(again.project.editor()->text() + "\n[identify]\nweighting = \"WB\"\n");
+  again.project.editor()->replace_text(with_value(again.project.editor()->text(), "identify", "weighting", "\"WB\""));
   QTest::qWait(400);
   ASSERT_TRUE(again.rests());
   again.solve();
