@@ -31,13 +31,13 @@
 namespace jointid::gui {
 namespace {
 
-/// Tabs with half the space beside their titles, so that all pages have whole titles in a small window.
+/// Tabs with a third of the space beside their titles, so that all pages have whole titles in a small window.
 class CloseTabs : public QProxyStyle {
  public:
   CloseTabs() : QProxyStyle(QStringLiteral("fusion")) {}
   int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
     const int space = QProxyStyle::pixelMetric(metric, option, widget);
-    return metric == PM_TabBarTabHSpace ? space / 2 : space;
+    return metric == PM_TabBarTabHSpace ? space / 3 : space;
   }
 };
 

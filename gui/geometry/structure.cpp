@@ -67,12 +67,17 @@ Structure structure_of(const std::vector<LoadedFile>& files, const std::vector<f
   std::map<std::int64_t, frf::Node> nodes;
   std::map<std::int64_t, frf::Dof> dofs;
   std::vector<frf::NodeLine> all = lines;
+  int part = 0;
   for (const LoadedFile& file : files) {
     for (const frf::Node& node : file.header.nodes) nodes.emplace(node.id, node);
     if (!file.error.empty()) continue;
     for (const auto* list : {&file.header.response, &file.header.reference}) {
-      for (const frf::Dof& dof : *list) dofs.emplace(frf::coordinate_key(dof), dof);
+      for (const frf::Dof& dof : *list) {
+        dofs.emplace(frf::coordinate_key(dof), dof);
+        if (!file.is_assembly) out.part.emplace(dof.node, part);
+      }
     }
+    if (!file.is_assembly) ++part;
     if (!lines.empty() || file.is_assembly) continue;
     const std::vector<frf::NodeLine> own = joined(file);
     all.insert(all.end(), own.begin(), own.end());

@@ -7,8 +7,8 @@ class QWidget;
 
 namespace jointid::gui {
 
-/// The page of docs on a widget: of itself, or of the nearest one around it that has a page. "records", or "workbench#From files to joint"
-/// with the heading.
+/// The page of docs on a widget: of itself, or of the nearest one around it that has a page. "records", or "workbench#From files
+/// to joint" with the heading.
 QString help_of(const QWidget* widget);
 
 /// Shows it in a window of the dialog that the widget is in, which stays in front of it; else of the main window.

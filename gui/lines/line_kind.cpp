@@ -11,8 +11,8 @@
 namespace jointid::gui {
 namespace {
 
-constexpr std::size_t most_lines = 500;     // of a table
-constexpr std::size_t most_elements = 40;   // in the menu
+constexpr std::size_t most_lines = 500;    // of a table
+constexpr std::size_t most_elements = 40;  // in the menu
 
 struct Lines {
   impedance::LineScene scene;
@@ -21,7 +21,8 @@ struct Lines {
 
 std::vector<PlotMenu::Named> plots_of(const impedance::IdentifiedLines& found) {
   std::vector<PlotMenu::Named> out;
-  for (const impedance::WayResult& way : found.ways) out.emplace_back(q(impedance::name(way.way)), report::line_element_plots(found, way));
+  for (const impedance::WayResult& way : found.ways)
+    out.emplace_back(q(impedance::name(way.way)), report::line_element_plots(found, way));
   if (found.freedom > 0.0) out.emplace_back(Said::tr("misfit by line"), report::line_misfit_plot(found));
   return out;
 }
@@ -34,7 +35,8 @@ std::vector<TableMenu::Named> tables_of(const impedance::IdentifiedLines& found)
   }
   for (const impedance::WayResult& way : found.ways) {
     for (std::size_t e = 0; e < std::min(most_elements, way.elements.size()); ++e) {
-      out.emplace_back(q(impedance::name(way.way) + ": " + way.elements[e].name), rows_of(report::line_table(found, way, e, most_lines)));
+      out.emplace_back(q(impedance::name(way.way) + ": " + way.elements[e].name),
+                       rows_of(report::line_table(found, way, e, most_lines)));
     }
   }
   out.emplace_back(Said::tr("remarks"), remark_rows(found.notes));
@@ -79,11 +81,16 @@ SceneKind line_kind() {
   SceneKind kind;
   kind.name = "lines";
   kind.title = Said::tr("Joint line by line");
-  kind.jobs = {{Said::tr("Z over frequency"), Said::tr("Find Z"),
-                Said::tr("Find the dynamic stiffness of the joint at every line, as `jointid solve` does"), QStringLiteral("jointid solve"), {}}};
+  kind.jobs = {{Said::tr("Z over frequency"),
+                Said::tr("Find Z"),
+                Said::tr("Find the dynamic stiffness of the joint at every line, as `jointid solve` does"),
+                QStringLiteral("jointid solve"),
+                {}}};
   kind.plots = Said::tr("Dynamic stiffness of the joint over frequency");
-  kind.plot_hint = Said::tr("This page shows the dynamic stiffness Z of the joint at every line, with 95 % bands, loss factors and laws. It needs a "
-                            "scene with [joint] lines.");
+  kind.plot_hint = Said::tr(
+      "This page shows the dynamic stiffness Z of the joint at every line, with 95 % bands, loss factors and laws. It needs a "
+      "scene with "
+      "[joint] lines.");
   kind.tables = Said::tr("Elements of Z, laws");
   kind.is_of = has_lines;
   kind.read = read_lines;

@@ -10,7 +10,8 @@ namespace {
 
 std::vector<std::string> names_of(const std::vector<double>& frequency_hz) {
   std::vector<std::string> out;
-  for (std::size_t i = 0; i < frequency_hz.size(); ++i) out.push_back(std::to_string(i + 1) + ": " + digits(frequency_hz[i], "%.5g") + " Hz");
+  for (std::size_t i = 0; i < frequency_hz.size(); ++i)
+    out.push_back(std::to_string(i + 1) + ": " + digits(frequency_hz[i], "%.5g") + " Hz");
   return out;
 }
 

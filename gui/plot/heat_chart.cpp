@@ -48,11 +48,22 @@ QCPColorGradient gradient_of(Theme theme) {
   return out;
 }
 
+/// The map's; the scale beside it has another. Null where there is none.
+QCPAxisRect* map_rect(const QCustomPlot& plot) {
+  return plot.plotLayout()->elementCount() == 0 ? nullptr : qobject_cast<QCPAxisRect*>(plot.plotLayout()->elementAt(0));
+}
+
 }  // namespace
 
 HeatPlot heat_of(const report::CurvePlot& plot, const std::string& rows) {
-  HeatPlot out{.x_label = plot.x.label, .y_label = rows, .value_label = plot.y.label, .columns = {}, .x_values = plot.x_values,
-               .rows = {}, .values = {}, .log = plot.y.log};
+  HeatPlot out{.x_label = plot.x.label,
+               .y_label = rows,
+               .value_label = plot.y.label,
+               .columns = {},
+               .x_values = plot.x_values,
+               .rows = {},
+               .values = {},
+               .log = plot.y.log};
   for (const report::Series& series : plot.series) {
     if (series.y.size() != plot.x_values.size()) continue;
     out.rows.push_back(series.name);
@@ -92,9 +103,8 @@ void HeatChart::add_controls() {
   }
   static_cast<QVBoxLayout*>(layout())->addLayout(row);
   connect(copy, &QToolButton::clicked, this, [this] { copy_plot(saveable()); });
-  connect(save, &QToolButton::clicked, this, [this] {
-    ask_and_save(this, saveable(), inputs_, plot_->objectName() + QStringLiteral(".png"));
-  });
+  connect(save, &QToolButton::clicked, this,
+          [this] { ask_and_save(this, saveable(), inputs_, plot_->objectName() + QStringLiteral(".png")); });
 }
 
 void HeatChart::draw(HeatPlot plot) {
@@ -116,8 +126,9 @@ void HeatChart::fill(QCPColorMap& map) const {
   const bool along = heat_.columns.empty();
   const int cells = along ? cells_along_x : static_cast<int>(columns);
   map.data()->setSize(cells, static_cast<int>(rows));
-  map.data()->setRange(along ? QCPRange(heat_.x_values.front(), heat_.x_values.back()) : QCPRange(0.0, static_cast<double>(columns - 1)),
-                       QCPRange(0.0, static_cast<double>(rows) - 1.0));
+  map.data()->setRange(
+      along ? QCPRange(heat_.x_values.front(), heat_.x_values.back()) : QCPRange(0.0, static_cast<double>(columns - 1)),
+      QCPRange(0.0, static_cast<double>(rows) - 1.0));
   double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
   for (int cell = 0; cell < cells; ++cell) {
     double x = 0.0, y = 0.0;
@@ -178,24 +189,28 @@ void HeatChart::show_cell(std::size_t row, std::size_t column) {
   row_ = row;
   column_ = column;
   const double value = heat_.values[row * column_count() + column];
-  const QString at = heat_.columns.empty() ? QStringLiteral("%1 %2").arg(axis_text(heat_.x_label)).arg(heat_.x_values[column], 0, 'g', 5)
-                                           : q(heat_.columns[column]);
-  readout_->setText(QStringLiteral("%1 / %2: %3 %4").arg(q(heat_.rows[row]), at, axis_text(heat_.value_label),
-                                                         std::isfinite(value) ? q(digits(value, "%.4g")) : QStringLiteral("–")));
+  const QString at = heat_.columns.empty()
+                         ? QStringLiteral("%1 %2").arg(axis_text(heat_.x_label)).arg(heat_.x_values[column], 0, 'g', 5)
+                         : q(heat_.columns[column]);
+  readout_->setText(QStringLiteral("%1 / %2: %3 %4")
+                        .arg(q(heat_.rows[row]), at, axis_text(heat_.value_label),
+                             std::isfinite(value) ? q(digits(value, "%.4g")) : QStringLiteral("–")));
 }
 
 void HeatChart::point_at(const QPoint& pixel) {
-  if (heat_.values.empty() || plot_->axisRectCount() == 0 || !plot_->axisRects().front()->rect().contains(pixel)) return;
-  const QCPAxisRect* const rect = plot_->axisRects().front();
-  const double x = rect->axis(QCPAxis::atBottom)->pixelToCoord(pixel.x()), y = rect->axis(QCPAxis::atLeft)->pixelToCoord(pixel.y());
+  const QCPAxisRect* const rect = map_rect(*plot_);
+  if (heat_.values.empty() || rect == nullptr || !rect->rect().contains(pixel)) return;
+  const double x = rect->axis(QCPAxis::atBottom)->pixelToCoord(pixel.x()),
+               y = rect->axis(QCPAxis::atLeft)->pixelToCoord(pixel.y());
   const auto place = [](double at, std::size_t count) {
     return static_cast<std::size_t>(std::clamp(std::round(at), 0.0, static_cast<double>(count - 1)));
   };
-  show_cell(place(y, heat_.rows.size()), heat_.columns.empty() ? nearest_place(heat_.x_values, x) : place(x, heat_.columns.size()));
+  show_cell(place(y, heat_.rows.size()),
+            heat_.columns.empty() ? nearest_place(heat_.x_values, x) : place(x, heat_.columns.size()));
 }
 
 QPoint HeatChart::pixel_of(std::size_t row, std::size_t column) const {
-  const QCPAxisRect* const rect = plot_->axisRects().front();
+  const QCPAxisRect* const rect = map_rect(*plot_);
   const double x = heat_.columns.empty() ? heat_.x_values[column] : static_cast<double>(column);
   return {static_cast<int>(rect->axis(QCPAxis::atBottom)->coordToPixel(x)),
           static_cast<int>(rect->axis(QCPAxis::atLeft)->coordToPixel(static_cast<double>(row)))};
@@ -245,7 +260,8 @@ std::string HeatChart::table(char separator) const {
 }
 
 Saveable HeatChart::saveable() const {
-  return {[this](const QString& ending) { return picture_of(*plot_, ending); }, [this](char separator) { return table(separator); }};
+  return {[this](const QString& ending) { return picture_of(*plot_, ending); },
+          [this](char separator) { return table(separator); }};
 }
 
 }  // namespace jointid::gui

@@ -27,8 +27,8 @@ struct Saveable {
   bool is_film = false;  ///< it moves, and has a picture "gif"
 };
 
-/// PNG, SVG or PDF by the ending of the name, or CSV; of a film GIF, too. Throws InputError (usage) for another ending, and where the disk does not
-/// take it or the file is one of `inputs`.
+/// PNG, SVG or PDF by the ending of the name, or CSV; of a film GIF, too. Throws InputError (usage) for another
+/// ending, and where the disk does not take it or the file is one of `inputs`.
 void save_plot(const QString& file, const Saveable& plot, const std::vector<std::filesystem::path>& inputs);
 
 /// Asks for the name, which is proposed, and says what went wrong.

@@ -12,7 +12,8 @@ namespace jointid::gui {
 /// "rig1.runs" beside rig1.toml.
 QString run_folder(const QString& scene_file);
 
-/// Writes the run into the folder of the scene, which is made where it is missing, and notes in it by which name. Throws InputError.
+/// Writes the run into the folder of the scene, which is made where it is missing, and notes in it by which name. Throws
+/// InputError.
 void keep_run(Solved& run, const QString& scene_file);
 
 struct KeptRuns {

@@ -80,7 +80,8 @@ void SolvePage::add_kept(std::vector<Solved> runs, const QStringList& failed) {
   }
   if (const auto shown = run_in_front()) front = runs.size() + *shown;
   runs_.insert(runs_.begin(), std::make_move_iterator(runs.begin()), std::make_move_iterator(runs.end()));
-  for (std::size_t i = 0; i < runs_.size(); ++i) runs_[i].name = std::to_string(i + 1) + ": " + ident::name(runs_[i].solution.used.method);
+  for (std::size_t i = 0; i < runs_.size(); ++i)
+    runs_[i].name = std::to_string(i + 1) + ": " + ident::name(runs_[i].solution.used.method);
   if (!runs_.empty()) list_runs(front);
   if (failed.isEmpty()) return;
   renew_status_ = false;

@@ -14,10 +14,10 @@ struct JobStep {
 
 /// How far a job is.
 struct JobShare {
-  QString stage;              ///< what it does now
-  double share = -1.0;        ///< 0 to 1; negative where it is not known
+  QString stage;        ///< what it does now
+  double share = -1.0;  ///< 0 to 1; negative where it is not known
   std::size_t number = 1, of = 1;
-  bool is_whole = false;      ///< of the whole job; else of the stage alone
+  bool is_whole = false;  ///< of the whole job; else of the stage alone
 };
 
 /// Makes shares of the whole job of those of its stages. Before a step begins, shares are those of the stage.

@@ -26,7 +26,7 @@ class Worker : public QObject {
     std::function<bool()> interrupted;
     std::function<void(const char* stage, std::size_t done, std::size_t total)> progress;
     std::function<void(Deliver)> show = {};  ///< what there is so far; a few times per second at most
-    std::function<void(const JobStep&)> begin = [](const JobStep&) {};  ///< a step of the job begins, in whose part of the whole progress is
+    std::function<void(const JobStep&)> begin = [](const JobStep&) {};  ///< a step of the job begins: progress is its own
   };
   using Work = std::function<Deliver(const Watch&)>;
 

@@ -21,7 +21,8 @@ Json answer_json(const tasks::WorthAnswer& answer) {
               {"text", answer.text},
               {"unknown", answer.unknown}};
   if (const auto& place = answer.element)
-    out["element"] = {{"band", place->band}, {"matrix", restrictions::key(place->kind)}, {"row", place->row}, {"column", place->column}};
+    out["element"] = {
+        {"band", place->band}, {"matrix", restrictions::key(place->kind)}, {"row", place->row}, {"column", place->column}};
   if (answer.frf) out["frf"] = {answer.frf->response.name(), answer.frf->reference.name()};
   return out;
 }
@@ -29,7 +30,8 @@ Json answer_json(const tasks::WorthAnswer& answer) {
 template <class Enum>
 Enum enumerator(const Json& json, Enum last) {
   const int number = json.get<int>();
-  if (number < 0 || number > static_cast<int>(last)) refuse(json.dump() + " is not understood", "it may be of a newer version of jointid");
+  if (number < 0 || number > static_cast<int>(last))
+    refuse(json.dump() + " is not understood", "it may be of a newer version of jointid");
   return static_cast<Enum>(number);
 }
 
@@ -97,7 +99,8 @@ void read_errors(const Json& json, ident::Solution& solution) {
 
 KeptRun run_of(const Json& json) {
   if (!json.is_object() || json.value("format", std::string()) != run_format) refuse_run("it is no kept run of jointid");
-  if (json.at("version").get<int>() != run_version) refuse_run("version " + json.at("version").dump() + " of kept runs is not known");
+  if (json.at("version").get<int>() != run_version)
+    refuse_run("version " + json.at("version").dump() + " of kept runs is not known");
   KeptRun out{.made = json.at("made").get<std::string>(),
               .scene = json.at("scene").get<std::string>(),
               .inputs = {},

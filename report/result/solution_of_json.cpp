@@ -19,9 +19,7 @@ restrictions::Kind matrix_kind(const std::string& key) {
 
 namespace {
 
-std::optional<double> number_if(const Json& json) {
-  return json.is_null() ? std::nullopt : std::optional(json.get<double>());
-}
+std::optional<double> number_if(const Json& json) { return json.is_null() ? std::nullopt : std::optional(json.get<double>()); }
 
 std::vector<double> numbers_of(const Json& json) {
   std::vector<double> out;
@@ -59,7 +57,8 @@ ident::Estimate estimate_of(const Json& json) {
                       .std_error = number_if(json.at("std_error")),
                       .ci95 = {},
                       .rounding = number_if(json.at("rounding"))};
-  if (const Json& interval = json.at("ci95"); !interval.is_null()) out.ci95 = {number_of(interval.at(0)), number_of(interval.at(1))};
+  if (const Json& interval = json.at("ci95"); !interval.is_null())
+    out.ci95 = {number_of(interval.at(0)), number_of(interval.at(1))};
   out.error_estimate = number_if(json.at("error_estimate"));
   out.bias = number_if(json.at("bias"));
   if (json.contains("limit") && !json.at("limit").is_null()) out.limit = json.at("limit").get<std::string>();
@@ -237,12 +236,13 @@ void read_findings(const Json& json, ident::Solution& out) {
                          each.at("probability").get<double>(), number_if(each.at("loss_factor"))});
   }
   for (const Json& each : json.value("parts", Json::array())) {
-    out.parts.push_back({each.at("files").get<std::string>(), number_of(each.at("chi_square")),
-                         number_of(each.at("degrees_of_freedom"))});
+    out.parts.push_back(
+        {each.at("files").get<std::string>(), number_of(each.at("chi_square")), number_of(each.at("degrees_of_freedom"))});
   }
   for (const Json& each : json.value("systematic", Json::array())) {
     out.systematic.push_back({each.at("name").get<std::string>(), each.at("unit").get<std::string>(), number_of(each.at("value")),
-                              number_if(each.at("std_error")), number_of(each.at("prior").at(0)), number_of(each.at("prior").at(1))});
+                              number_if(each.at("std_error")), number_of(each.at("prior").at(0)),
+                              number_of(each.at("prior").at(1))});
   }
   for (const Json& each : json.at("variances")) {
     out.variances.push_back(
@@ -260,7 +260,7 @@ ident::Solution read_solution(const Json& json) {
   out.fit = fit_of(json.at("fit"));
   for (const auto& [key, figures] : json.at("quality").items()) {
     out.quality[matrix_kind(key)] = {number_of(figures.at("rjcf")), number_of(figures.at("arvf")),
-                                 number_of(figures.at("rms_relative_error"))};
+                                     number_of(figures.at("rms_relative_error"))};
   }
   for (const auto& [phase, seconds] : ident::run_time_phases) out.runtime_s.*seconds = json.at("runtime_s").value(phase, 0.0);
   out.runtime_s.total = json.at("runtime_s").at("total").get<double>();

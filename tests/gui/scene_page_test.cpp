@@ -242,7 +242,15 @@ TEST(ScenePage, FindsZAtEveryLineAsTheCommandDoes) {
   Page page(line_kind());
   std::string text = read_file(measured.scene());
   text = text.substr(0, text.find("[joint"));
-  text += "[joint]\ndofs = [\"4:+Y\", \"4:+RZ\", \"5:+Y\", \"5:+RZ\"]\nlines = \"symmetric\"\nlaws = [\"hysteretic\"]\n\n[noise]\nmodel = \"gaussian\"\nlevel = 0.01\n";
+  text += R"([joint]
+dofs = ["4:+Y", "4:+RZ", "5:+Y", "5:+RZ"]
+lines = "symmetric"
+laws = ["hysteretic"]
+
+[noise]
+model = "gaussian"
+level = 0.01
+)";
   page.file = measured.file("lines.toml");
   EXPECT_FALSE(line_kind().is_of(read_file(measured.scene())));
   EXPECT_TRUE(line_kind().is_of(text));

@@ -39,7 +39,8 @@ TEST(SolutionOfJson, SeveralBandsAndLargeMatricesComeBack) {
   rows[3][300] = rows[300][3] = 7.0;
   solution.bands.front().matrices = {{restrictions::Kind::stiffness, rows}};
   EXPECT_EQ(twice(solution), solution_json(solution));
-  EXPECT_EQ(solution_of_json(nlohmann::ordered_json::parse(solution_json(solution))).bands.front().matrices, solution.bands.front().matrices);
+  EXPECT_EQ(solution_of_json(nlohmann::ordered_json::parse(solution_json(solution))).bands.front().matrices,
+            solution.bands.front().matrices);
 }
 
 /// With intervals, identifiability, the check of the data and the quality.
@@ -57,7 +58,10 @@ TEST(SolutionOfJson, SolutionsOfProblemsComeBack) {
 }
 
 KeptRun sample_run() {
-  KeptRun run{.made = "2026-11-30T17:31:02", .scene = "[data]\n# \"ä\"\n", .inputs = {{"a.uff", 12, -3}}, .solution = sample_likelihood(),
+  KeptRun run{.made = "2026-11-30T17:31:02",
+              .scene = "[data]\n# \"ä\"\n",
+              .inputs = {{"a.uff", 12, -3}},
+              .solution = sample_likelihood(),
               .worth = {{.question = tasks::WorthQuestion::passive,
                          .light = tasks::Light::bad,
                          .text = "no",

@@ -5,7 +5,6 @@
 #include <QBuffer>
 #include <QImageReader>
 
-
 namespace jointid::gui {
 namespace {
 

@@ -27,8 +27,14 @@ struct DrawnMap {
 };
 
 HeatPlot two_by_three() {
-  return {.x_label = "modes of b.uff", .y_label = "modes found", .value_label = "MAC", .columns = {"1: 10 Hz", "2: 20 Hz", "3: 30 Hz"},
-          .x_values = {}, .rows = {"1: 11 Hz", "2: 21 Hz"}, .values = {1.0, 0.1, 0.0, 0.2, 0.9, std::nan("")}, .from_0_to_1 = true};
+  return {.x_label = "modes of b.uff",
+          .y_label = "modes found",
+          .value_label = "MAC",
+          .columns = {"1: 10 Hz", "2: 20 Hz", "3: 30 Hz"},
+          .x_values = {},
+          .rows = {"1: 11 Hz", "2: 21 Hz"},
+          .values = {1.0, 0.1, 0.0, 0.2, 0.9, std::nan("")},
+          .from_0_to_1 = true};
 }
 
 TEST(HeatChart, StatesTheCellUnderTheMouse) {
@@ -40,7 +46,8 @@ TEST(HeatChart, StatesTheCellUnderTheMouse) {
 
 TEST(HeatChart, KeysGoFromCellToCell) {
   DrawnMap drawn(two_by_three());
-  for (const auto key : {Qt::Key_Up, Qt::Key_Up, Qt::Key_Right, Qt::Key_Right, Qt::Key_Right}) QTest::keyClick(drawn.chart.canvas(), key);
+  for (const auto key : {Qt::Key_Up, Qt::Key_Up, Qt::Key_Right, Qt::Key_Right, Qt::Key_Right})
+    QTest::keyClick(drawn.chart.canvas(), key);
   EXPECT_EQ(drawn.chart.readout().toStdString(), "2: 21 Hz / 3: 30 Hz: MAC –");
   for (const auto key : {Qt::Key_Down, Qt::Key_Left}) QTest::keyClick(drawn.chart.canvas(), key);
   EXPECT_EQ(drawn.chart.readout().toStdString(), "1: 11 Hz / 2: 20 Hz: MAC 0.1");
@@ -53,8 +60,14 @@ TEST(HeatChart, ItsNumbersAreATable) {
 }
 
 TEST(HeatChart, CurvesOfForceLevelsBecomeRows) {
-  report::CurvePlot plot{.title = "", .x = {"frequency (Hz)", false}, .y = {"|X|/force", true}, .x_values = {1.0, 2.0, 4.0},
-                         .series = {{"1 N", {1e-3, 1e-2, 1e-3}}, {"10 N", {1e-3, 1e-1, 1e-3}}}, .band = {}, .level = {}, .period = {}};
+  report::CurvePlot plot{.title = "",
+                         .x = {"frequency (Hz)", false},
+                         .y = {"|X|/force", true},
+                         .x_values = {1.0, 2.0, 4.0},
+                         .series = {{"1 N", {1e-3, 1e-2, 1e-3}}, {"10 N", {1e-3, 1e-1, 1e-3}}},
+                         .band = {},
+                         .level = {},
+                         .period = {}};
   const HeatPlot map = heat_of(plot, "force level");
   EXPECT_THAT(map.rows, testing::ElementsAre("1 N", "10 N"));
   EXPECT_TRUE(map.log);

@@ -96,9 +96,11 @@ TEST(Help, AHeadingComesToTheTop) {
 
 /// All pages that widgets name are there, and their headings.
 TEST(Help, EveryPageAndHeadingIsThere) {
-  for (const char* name : {"modal_page", "couple_page", "loading_curve_page", "response_page", "laws_page", "oscillate_page", "records_page", "lines_page",
-                           "compare_page", "study_page", "plan_page", "data_page", "geometry_page", "solve_page", "iterations", "worth",
-                           "matrix", "bounds", "scene_editor", "scene_form", "joint_assistant", "example_dialog", "variable_dialog"}) {
+  for (const char* name :
+       {"modal_page",    "couple_page", "loading_curve_page", "response_page",  "laws_page",      "oscillate_page",
+        "records_page",  "lines_page",  "compare_page",       "study_page",     "plan_page",      "data_page",
+        "geometry_page", "solve_page",  "iterations",         "worth",          "matrix",         "bounds",
+        "scene_editor",  "scene_form",  "joint_assistant",    "example_dialog", "variable_dialog"}) {
     QWidget widget;
     widget.setObjectName(QString::fromLatin1(name));
     const QString place = help_of(&widget);

@@ -45,7 +45,8 @@ QString title_of(const QWidget& widget) {
   return QString::fromLatin1(widget.metaObject()->className()) + " " + widget.objectName() + " " + widget.accessibleName();
 }
 
-/// Visible widgets that do not lie inside of the window, or inside of the widget that holds them, and buttons that cut their texts.
+/// Visible widgets that do not lie inside of the window, or inside of the widget that holds them, and buttons that cut their
+/// texts.
 QStringList outside(QWidget& window) {
   QStringList found;
   for (const QWidget* widget : window.findChildren<QWidget*>()) {

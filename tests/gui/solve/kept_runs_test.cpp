@@ -12,6 +12,7 @@
 #include <QTest>
 #include <QTimer>
 
+#include "../widgets.hpp"
 #include "gui/page/plot_menu.hpp"
 #include "gui/plot/frf_plot.hpp"
 #include "gui/project.hpp"
@@ -20,7 +21,6 @@
 #include "gui/solve/difference_tab.hpp"
 #include "gui/solve/solve_page.hpp"
 #include "gui/table/cell_table.hpp"
-#include "../widgets.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -156,7 +156,8 @@ TEST(KeptRuns, AFileThatChangedSinceIsNamed) {
   file.setFileTime(QDateTime::currentDateTime().addDays(-3), QFileDevice::FileModificationTime);
   file.close();
   Opened again(measured.scene());
-  EXPECT_THAT(again.page().status().toStdString(), HasSubstr("changed since this run: " + QFileInfo(data).fileName().toStdString()));
+  EXPECT_THAT(again.page().status().toStdString(),
+              HasSubstr("changed since this run: " + QFileInfo(data).fileName().toStdString()));
 }
 
 TEST(KeptRuns, StayReadableWithoutTheirData) {
