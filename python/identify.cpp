@@ -47,8 +47,8 @@ struct Solved {
 
 std::string page_of(Solved& solved, const ident::Control& control) {
   const std::lock_guard lock(solved.mutex);
-  tasks::SolutionDetails details = tasks::solution_details(
-      *solved.plan, solved.solution, {std::nullopt, report::most_frfs, report::worst_frfs_drawn}, control);
+  tasks::SolutionDetails details = tasks::solution_details(*solved.plan, solved.solution,
+                                                           {std::nullopt, report::most_frfs, report::worst_frfs_drawn}, control);
   details.iterations = solved.log.ended(solved.solution);
   return report::solve_report(*solved.plan, solved.solution, details);
 }

@@ -14,8 +14,8 @@ namespace jointid::frf {
 /// without a unit that would be further than 100 m apart.
 std::vector<Node> read_node_table(const std::filesystem::path& path);
 
-/// Lines to draw between the nodes of such a table: each row is joined to the nodes in its columns to, to2, to3, …, none where these are
-/// blank or 0; of a universal file read_uff_lines(). None without these columns. Throws InputError (data) as above.
+/// Lines to draw between the nodes of such a table: each row is joined to the nodes in its columns to, to2, to3, …, none where
+/// these are blank or 0; of a universal file read_uff_lines(). None without these columns. Throws InputError (data) as above.
 std::vector<NodeLine> read_node_lines(const std::filesystem::path& path);
 
 }  // namespace jointid::frf

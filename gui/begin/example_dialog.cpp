@@ -12,8 +12,8 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "gui/look/buttons.hpp"
 #include "gui/help/help_keys.hpp"
+#include "gui/look/buttons.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/paths.hpp"
 #include "gui/look/said.hpp"
@@ -31,8 +31,8 @@ ExampleDialog::ExampleDialog(QWidget* parent) : QDialog(parent) {
   list_->setHeaderLabels({tr("Name"), tr("What it is")});
   list_->setRootIsDecorated(false);
   list_->setAllColumnsShowFocus(true);
-  buttons_ = named(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel | QDialogButtonBox::Help), "example_buttons",
-                   tr("Open the example, or leave it"));
+  buttons_ = named(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel | QDialogButtonBox::Help),
+                   "example_buttons", tr("Open the example, or leave it"));
   auto* all = new QVBoxLayout(this);
   all->addWidget(filter_);
   all->addWidget(list_, 1);

@@ -98,7 +98,8 @@ namespace {
 /// Of a universal file, or of a table of positions.
 void add_lines(const ident::Path& path, bool is_table, std::vector<frf::NodeLine>& out) {
   std::error_code none;
-  if (path.empty() || !(is_table || is_universal_file(path)) || std::filesystem::file_size(path, none) > largest_file || none) return;
+  if (path.empty() || !(is_table || is_universal_file(path)) || std::filesystem::file_size(path, none) > largest_file || none)
+    return;
   try {
     const std::vector<frf::NodeLine> own = is_table ? frf::read_node_lines(path) : frf::read_uff_lines(path);
     out.insert(out.end(), own.begin(), own.end());

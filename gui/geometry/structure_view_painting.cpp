@@ -93,7 +93,8 @@ void StructureView::draw_lines(QPainter& painter, bool deflected) const {
 QColor StructureView::part_colour(const frf::Node& node) const {
   const auto found = structure_.part.find(node.id);
   const bool several = std::ranges::any_of(structure_.part, [](const auto& each) { return each.second > 0; });
-  return found == structure_.part.end() || !several ? colours(theme_of(palette())).text : curve_colour(theme_of(palette()), found->second);
+  return found == structure_.part.end() || !several ? colours(theme_of(palette())).text
+                                                    : curve_colour(theme_of(palette()), found->second);
 }
 
 std::vector<std::pair<std::int64_t, QRectF>> StructureView::name_places() const {
@@ -102,7 +103,9 @@ std::vector<std::pair<std::int64_t, QRectF>> StructureView::name_places() const 
   const auto is_free = [&out](const QRectF& place) {
     return std::ranges::none_of(out, [&](const auto& each) { return each.second.intersects(place); });
   };
-  const auto in_joint = [this](const frf::Node& node) { return std::ranges::find(joint_, node.id, &frf::Dof::node) != joint_.end(); };
+  const auto in_joint = [this](const frf::Node& node) {
+    return std::ranges::find(joint_, node.id, &frf::Dof::node) != joint_.end();
+  };
   for (const bool of_joint : {true, false}) {
     for (const frf::Node& node : structure_.nodes) {
       if (in_joint(node) != of_joint) continue;
@@ -129,7 +132,9 @@ void StructureView::draw_nodes(QPainter& painter) const {
   for (const frf::Node& node : structure_.nodes) {
     const QPointF at = camera_.project(shape_.empty() ? node.position : moved(node));
     painter.setPen(Qt::NoPen);
-    painter.setBrush(in_joint(node) ? use.error : shape_.empty() ? part_colour(node) : motion_colour(theme_of(palette()), share_of(node)));
+    painter.setBrush(in_joint(node)   ? use.error
+                     : shape_.empty() ? part_colour(node)
+                                      : motion_colour(theme_of(palette()), share_of(node)));
     painter.drawEllipse(at, in_joint(node) ? 4.0 : 2.5, in_joint(node) ? 4.0 : 2.5);
   }
   if (!names_) return;

@@ -13,7 +13,8 @@ class HelpWindow : public QDialog {
  public:
   explicit HelpWindow(QWidget* parent = nullptr);
 
-  /// "records", of docs/records.md, or "records#Windows", with that heading at the top; "workbench" where there is none of that name.
+  /// "records", of docs/records.md, or "records#Windows", with that heading at the top; "workbench" where there is none of that
+  /// name.
   void show_page(const QString& name);
   QTextBrowser* browser() const { return browser_; }
 

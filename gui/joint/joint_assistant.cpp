@@ -16,9 +16,9 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "frf/text/direction_names.hpp"
+#include "gui/help/help_keys.hpp"
 #include "gui/look/buttons.hpp"
 #include "gui/look/job_progress.hpp"
-#include "gui/help/help_keys.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/said.hpp"
 
@@ -82,8 +82,8 @@ JointAssistant::JointAssistant(std::vector<frf::FrfHeader> parts, QWidget* paren
   connect(&later_, &QTimer::timeout, this, &JointAssistant::ask_forecast);
   connect(worker_, &Worker::failed, this,
           [this](const InputError& error) { forecast_text_->setText(tr("No forecast: %1").arg(QString::fromUtf8(error.what()))); });
-  buttons_ = named(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::Help), "joint_buttons",
-                   tr("Write the joint, or leave it"));
+  buttons_ = named(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::Help),
+                   "joint_buttons", tr("Write the joint, or leave it"));
   auto* all = new QVBoxLayout(this);
   all->addWidget(hint);
   all->addWidget(list_, 1);

@@ -64,7 +64,8 @@ void JobProgress::show_share(const JobShare& share) {
   const QString counted = share.of > 1 ? tr("%1 of %2: ").arg(share.number).arg(share.of) : QString();
   setRange(0, steps);
   setValue(share.share < 0.0 ? 0 : static_cast<int>(steps * share.share));
-  setFormat(counted + said(share.stage.toUtf8().constData()) + (share.share < 0.0 ? QStringLiteral(" …") : QStringLiteral(" %p %")) +
+  setFormat(counted + said(share.stage.toUtf8().constData()) +
+            (share.share < 0.0 ? QStringLiteral(" …") : QStringLiteral(" %p %")) +
             (left ? tr(", %1 left").arg(duration_text(*left)) : QString()));
 }
 

@@ -4,8 +4,8 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
-#include <QLabel>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -108,7 +108,8 @@ QWidget* ModalPage::make_frf_tab() {
 
 QWidget* ModalPage::make_cross_tab() {
   auto* tab = named(new QWidget, "cross_mac_tab", tr("MAC with other modes"));
-  auto* choose = push_button("cross_mac_choose", tr("Compare with…"), tr("Other modes: a universal file (UFF 55) of another test or of a model"));
+  auto* choose = push_button("cross_mac_choose", tr("Compare with…"),
+                             tr("Other modes: a universal file (UFF 55) of another test or of a model"));
   cross_word_ = named(new QLabel, "cross_mac_word", tr("About the pairs of modes"));
   cross_word_->setWordWrap(true);
   cross_word_->setTextFormat(Qt::PlainText);

@@ -25,8 +25,8 @@ VariableDialog::VariableDialog(const std::vector<std::pair<QString, QStringList>
     rows->addRow(name, box);
     boxes_.emplace_back(file, box);
   }
-  auto* buttons = named(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel | QDialogButtonBox::Help), "variable_buttons",
-                        tr("Open the files, or leave them"));
+  auto* buttons = named(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel | QDialogButtonBox::Help),
+                        "variable_buttons", tr("Open the files, or leave them"));
   auto* all = new QVBoxLayout(this);
   all->addWidget(hint);
   all->addLayout(rows);

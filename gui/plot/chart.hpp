@@ -15,8 +15,9 @@ class QLabel;
 
 namespace jointid::gui {
 
-/// Points, curves or histograms as pages have them. A click on a point opens it; ← and → choose one, and Enter opens it. The mouse
-/// over a point states it. Where it may be zoomed: wheel, + and − along the x-axis, drag moves it, double click or Home show all.
+/// Points, curves or histograms as pages have them. A click on a point opens it; ← and → choose one, and Enter opens it. The
+/// mouse over a point states it. Where it may be zoomed: wheel, + and − along the x-axis, drag moves it, double click or Home
+/// show all.
 class Chart : public QWidget {
   Q_OBJECT
 

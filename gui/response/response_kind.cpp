@@ -36,7 +36,8 @@ std::vector<PlotMenu::NamedMap> maps_of(const tasks::ResponseResult& run) {
   for (const report::Choice& choice : report::level_plots(run).choices) {
     const auto* const magnitude = std::get_if<report::CurvePlot>(&choice.plots.front());
     if (magnitude == nullptr || magnitude->series.size() < least_levels) continue;
-    out.emplace_back(Said::tr("map over force levels: %1").arg(q(choice.name)), heat_of(*magnitude, Said::tr("force level").toStdString()));
+    out.emplace_back(Said::tr("map over force levels: %1").arg(q(choice.name)),
+                     heat_of(*magnitude, Said::tr("force level").toStdString()));
   }
   return out;
 }
@@ -75,7 +76,8 @@ Findings findings_of(const std::shared_ptr<const Responded>& all) {
 /// What it tells one after the other: force levels, their stability, curves, motions from rest.
 std::size_t passes_of(const tasks::ResponseScene& scene) {
   const std::size_t levels = scene.levels.size();
-  return std::max<std::size_t>(1, levels * (scene.stability ? 2 : 1) + scene.curves.size() + (scene.transient ? std::max<std::size_t>(1, levels) : 0));
+  return std::max<std::size_t>(
+      1, levels * (scene.stability ? 2 : 1) + scene.curves.size() + (scene.transient ? std::max<std::size_t>(1, levels) : 0));
 }
 
 SceneTask read_responses(const std::string& text, const std::filesystem::path& file) {

@@ -17,7 +17,7 @@
 namespace jointid::gui {
 namespace {
 
-constexpr std::size_t passes_around_iterations = 3;                 // over the lines: reading, predicting, the check of the data
+constexpr std::size_t passes_around_iterations = 3;               // over the lines: reading, predicting, the check of the data
 constexpr std::uintmax_t quick_bytes = std::uintmax_t{64} << 20;  // of files whose headers are read at once
 
 Curve curve_of(const tasks::Regenerated& all, const tasks::RegeneratedFrf& frf, bool is_measured, const std::string& name) {
@@ -72,7 +72,8 @@ report::RunInput input_as_it_is(const std::string& file) {
 Solved solve_scene(const ident::Scene& scene, const Worker::Watch& watch) {
   Solved solved;
   solved.made = QDateTime::currentDateTime().toString(Qt::ISODate).toStdString();
-  for (const std::filesystem::path& file : inputs_of(scene)) solved.inputs.push_back(input_as_it_is(std::filesystem::absolute(file).string()));
+  for (const std::filesystem::path& file : inputs_of(scene))
+    solved.inputs.push_back(input_as_it_is(std::filesystem::absolute(file).string()));
   watch.begin({1, 3, 0.0, 0.05});
   watch.progress("planning", 0, 0);
   solved.plan = ident::make_plan(scene);
@@ -121,7 +122,8 @@ Overlay regenerate_frf(const Solved& solved, const tasks::FrfEntry& entry, const
 }
 
 void add_regenerated(Overlay& overlay, const Solved& other, const tasks::FrfEntry& entry, const Worker::Watch& watch) {
-  if (other.plan == nullptr || other.solution.bands.empty() || !frf::has(tasks::regenerable_responses(*other.plan), entry.response) ||
+  if (other.plan == nullptr || other.solution.bands.empty() ||
+      !frf::has(tasks::regenerable_responses(*other.plan), entry.response) ||
       !frf::has(tasks::regenerable_references(*other.plan), entry.reference)) {
     return;
   }

@@ -1,12 +1,12 @@
 #include "gui/solve/solve_page.hpp"
 
+#include <QAction>
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QTabWidget>
-#include <QAction>
 #include <QToolButton>
 
 #include "base/text.hpp"
@@ -56,8 +56,9 @@ SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
   results_->addTab(findings_, tr("Findings"));
   results_->addTab(frf_tab_, tr("Assembly FRFs"));
   results_->addTab(run_table_, tr("Runs"));
-  iterations_menu_ = new PlotMenu("iterations", tr("Objective and unknowns over the iterations"),
-                                  tr("A method that iterates shows its objective and its unknowns here, iteration by iteration."));
+  iterations_menu_ =
+      new PlotMenu("iterations", tr("Objective and unknowns over the iterations"),
+                   tr("A method that iterates shows its objective and its unknowns here, iteration by iteration."));
   results_->addTab(iterations_menu_, tr("Iterations"));
   results_->setTabVisible(results_->indexOf(iterations_menu_), false);
   difference_tab_ = new DifferenceTab;
@@ -231,7 +232,9 @@ void SolvePage::show_status() {
   if (!current()->scene_text.empty() && current()->scene_text != text_)
     text += QLatin1Char('\n') + tr("The scene was another then: Run – Scene of this run.");
   if (const auto& changed = current()->changed; !changed.empty())
-    text += QLatin1Char('\n') + tr("Files that changed since this run: %1.").arg(q(comma_list(changed, [](const std::string& name) { return name; })));
+    text +=
+        QLatin1Char('\n') +
+        tr("Files that changed since this run: %1.").arg(q(comma_list(changed, [](const std::string& name) { return name; })));
   line_->say(text, !ident::is_usable(solution.status));
 }
 

@@ -23,8 +23,8 @@ class JointTab;
 class PlotMenu;
 class WorthRow;
 
-/// What solving a scene will do, how far it is, and what came of it. Runs are kept beside the scene, and those of earlier days are there
-/// again with it.
+/// What solving a scene will do, how far it is, and what came of it. Runs are kept beside the scene, and those of earlier days
+/// are there again with it.
 class SolvePage : public QWidget {
   Q_OBJECT
 
@@ -33,8 +33,8 @@ class SolvePage : public QWidget {
 
   /// The scene as it stands. Its plan is made at once where reading headers is quick.
   void set_scene(std::optional<ident::Scene> scene);
-  /// Where the scene is saved, and its text. With the first file that is not empty its kept runs are read; with another one, all runs are
-  /// kept there, too.
+  /// Where the scene is saved, and its text. With the first file that is not empty its kept runs are read; with another one, all
+  /// runs are kept there, too.
   void set_file(const QString& file, const std::string& text = {});
 
   void plan();

@@ -189,8 +189,9 @@ void add_iterations(const tasks::UnknownsByIteration& found, ReportPage& page) {
   if (plots.choices.empty()) return;
   page.section("Over the iterations");
   page.add(std::move(plots));
-  page.add(Text{"An unknown that still moves while the objective no longer falls is not determined by the data. --by-iteration writes all.",
-                true});
+  page.add(Text{
+      "An unknown that still moves while the objective no longer falls is not determined by the data. --by-iteration writes all.",
+      true});
 }
 
 /// What the data's own errors explain is about 1; far above it the model, or the FRF, is wrong.

@@ -264,7 +264,8 @@ TEST(StructureView, NumbersOfNodesDoNotCollide) {
   view.resize(400, 300);
   view.show();
   view.set_structure(structure);
-  view.set_joint({frf::Dof::parse("1:+X"), frf::Dof::parse("2:+X"), frf::Dof::parse("4:+X"), frf::Dof::parse("5:+X"), frf::Dof::parse("7:+X")});
+  view.set_joint({frf::Dof::parse("1:+X"), frf::Dof::parse("2:+X"), frf::Dof::parse("4:+X"), frf::Dof::parse("5:+X"),
+                  frf::Dof::parse("7:+X")});
   const auto places = view.name_places();
   for (std::size_t i = 0; i < places.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(places[i].second.intersects(places[j].second)) << places[i].first;

@@ -239,7 +239,8 @@ TEST(ModalPage, TheMouseOverAPoleStatesFrequencyDampingAndOrder) {
   move_mouse(fitting.page.chart()->canvas(), fitting.page.chart()->pixel_of(report::at_mode, 0));
   QCoreApplication::processEvents();
   const std::string said = fitting.page.chart()->readout().toStdString();
-  EXPECT_THAT(said, testing::AllOf(HasSubstr("Hz"), HasSubstr("ζ"), HasSubstr("order (pole pairs) " + std::to_string(static_cast<int>(pole.y)))));
+  EXPECT_THAT(said, testing::AllOf(HasSubstr("Hz"), HasSubstr("ζ"),
+                                   HasSubstr("order (pole pairs) " + std::to_string(static_cast<int>(pole.y)))));
   move_mouse(fitting.page.chart()->canvas(), QPoint(1, 1));
   QCoreApplication::processEvents();
   EXPECT_EQ(fitting.page.chart()->readout().toStdString(), "");

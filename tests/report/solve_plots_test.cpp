@@ -54,7 +54,8 @@ TEST(SolvePlots, ObjectiveAndUnknownsOverTheIterations) {
 TEST(SolvePlots, EightUnknownsShareAPlot) {
   tasks::UnknownsByIteration found;
   for (int u = 0; u < 50; ++u) found.names.push_back("k" + std::to_string(u));
-  for (std::size_t step = 1; step < 4; ++step) found.iterations.push_back({step, -1.0, std::vector<double>(50, static_cast<double>(step))});
+  for (std::size_t step = 1; step < 4; ++step)
+    found.iterations.push_back({step, -1.0, std::vector<double>(50, static_cast<double>(step))});
   const PlotGroup group = iteration_plots(found);
   ASSERT_EQ(group.choices.size(), 5U);
   EXPECT_EQ(group.choices[4].name, "33 to 40 of 50");

@@ -85,6 +85,24 @@ void look_at_pages(MainWindow& window, const QSize& size, const std::string& whe
   project.switch_view(false);
 }
 
+/// The walk itself finds what it is to find.
+TEST(OutsideOfWindow, IsFound) {
+  QWidget window;
+  window.setObjectName("window");
+  window.resize(200, 100);
+  QPushButton inside("yes", &window), beyond("no", &window), narrow("a rather long text", &window);
+  inside.setGeometry(5, 5, 90, 30);
+  window.show();
+  narrow.setGeometry(5, 60, 20, 30);
+  beyond.setGeometry(150, 40, 90, 30);
+  const QStringList found = outside(window);
+  EXPECT_THAT(found.join("\n").toStdString(), testing::AllOf(testing::HasSubstr("outside: "), testing::HasSubstr("narrow: ")));
+  EXPECT_EQ(found.size(), 3) << found.join("\n").toStdString();
+  beyond.move(100, 40);
+  narrow.resize(narrow.sizeHint());
+  EXPECT_TRUE(outside(window).isEmpty());
+}
+
 class Inside : public testing::TestWithParam<const char*> {};
 
 TEST_P(Inside, NoWidgetLiesOutsideOfItsWindow) {
