@@ -197,8 +197,10 @@ TEST(SolvePage, ObjectiveAndUnknownsOverTheIterationsAreDrawn) {
   SolvePage& page = opened.page();
   EXPECT_TRUE(page.results()->isTabVisible(page.results()->indexOf(page.iterations())));
   EXPECT_GT(page.iterations()->menu()->count(), 0);
+  EXPECT_THAT(report_of(page.runs().front(), {}), HasSubstr("Over the iterations"));
   Opened other(linear.scene());
   other.solve();
+  EXPECT_THAT(report_of(other.page().runs().front(), {}), testing::Not(HasSubstr("Over the iterations")));
   EXPECT_FALSE(other.page().results()->isTabVisible(other.page().results()->indexOf(other.page().iterations())));
 }
 
