@@ -165,7 +165,7 @@ void Project::add_other_pages() {
     return page;
   };
   add_later(records_page_, tr("Records"), tr("Time records"), records, [](RecordsPage&) {});
-  add_kind(lines_page_, "lines_page", tr("Lines"), line_kind);
+  add_kind(lines_page_, "lines_page", tr("Z"), line_kind);
 }
 
 /// One cursor in all plots.

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "base/stopwatch.hpp"
-#include "gui/work/whole_share.hpp"
+#include "gui/look/whole_share.hpp"
 
 class QLabel;
 class QLayout;

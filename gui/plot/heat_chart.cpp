@@ -181,7 +181,11 @@ void HeatChart::redraw() {
   scale->axis()->setLabel(heat_.log ? tr("log10 of %1").arg(axis_text(heat_.value_label)) : axis_text(heat_.value_label));
   scale->axis()->setTickLabelColor(colours(theme).text);
   scale->axis()->setLabelColor(colours(theme).text);
-  map->rescaleAxes();
+  // A cell reaches half its width beyond its place.
+  const double half = heat_.columns.empty() ? 0.0 : 0.5,
+               last = heat_.columns.empty() ? heat_.x_values.back() : static_cast<double>(column_count()) - 1.0;
+  x->setRange((heat_.columns.empty() ? heat_.x_values.front() : 0.0) - half, last + half);
+  y->setRange(-0.5, static_cast<double>(heat_.rows.size()) - 0.5);
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 

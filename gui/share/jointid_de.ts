@@ -2359,8 +2359,8 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode entfern
         <translation>%1 steht in [data] %2 der Szene.</translation>
     </message>
     <message>
-        <source>Lines</source>
-        <translation>Linien</translation>
+        <source>Z</source>
+        <translation>Z</translation>
     </message>
 </context>
 <context>

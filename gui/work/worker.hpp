@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "base/error.hpp"
-#include "gui/work/whole_share.hpp"
+#include "gui/look/whole_share.hpp"
 
 namespace jointid::gui {
 

@@ -1,5 +1,6 @@
 #include "report/result/solution_of_json.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -78,10 +79,14 @@ ident::Matrices joined_blocks(const Json& blocks, const std::vector<frf::Dof>& d
     std::vector<std::size_t> places;
     for (const frf::Dof& dof : dofs_of(block.at("dofs"))) places.push_back(frf::find_coordinate(dofs, dof));
     for (const auto& [kind, part] : matrices_of(block.at("matrices"))) {
+      const auto has_size = [&](const std::vector<double>& row) { return row.size() == places.size(); };
+      if (part.size() != places.size() || !std::ranges::all_of(part, has_size) ||
+          std::ranges::find(places, frf::npos) != places.end())
+        refuse("a block of a matrix has another size than its DOFs", "write it anew: jointid solve SCENE --json FILE");
       ident::Matrix& whole = out[kind];
       if (whole.empty()) whole.assign(dofs.size(), std::vector<double>(dofs.size(), 0.0));
       for (std::size_t i = 0; i < places.size(); ++i) {
-        for (std::size_t j = 0; j < places.size(); ++j) whole.at(places[i]).at(places[j]) = part.at(i).at(j);
+        for (std::size_t j = 0; j < places.size(); ++j) whole[places[i]][places[j]] = part[i][j];
       }
     }
   }
@@ -280,12 +285,6 @@ ident::Solution solution_of_json(const Json& json) {
                       .file = "",
                       .place = "solution",
                       .problem = std::string("it is no solution of jointid: ") + error.what(),
-                      .remedy = "write it anew: jointid solve SCENE --json FILE"});
-  } catch (const std::out_of_range&) {
-    throw InputError({.kind = ErrorKind::data,
-                      .file = "",
-                      .place = "solution",
-                      .problem = "a matrix has another size than its DOFs",
                       .remedy = "write it anew: jointid solve SCENE --json FILE"});
   }
 }

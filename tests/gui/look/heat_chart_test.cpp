@@ -39,7 +39,9 @@ HeatPlot two_by_three() {
 
 TEST(HeatChart, StatesTheCellUnderTheMouse) {
   DrawnMap drawn(two_by_three());
-  move_mouse(drawn.chart.canvas(), drawn.chart.pixel_of(1, 1));
+  const QPoint place = drawn.chart.pixel_of(1, 1);
+  ASSERT_TRUE(drawn.chart.canvas()->rect().contains(place)) << place.x() << ' ' << place.y();
+  move_mouse(drawn.chart.canvas(), place);
   QCoreApplication::processEvents();
   EXPECT_EQ(drawn.chart.readout().toStdString(), "2: 21 Hz / 2: 20 Hz: MAC 0.9");
 }

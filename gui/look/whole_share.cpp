@@ -1,4 +1,4 @@
-#include "gui/work/whole_share.hpp"
+#include "gui/look/whole_share.hpp"
 
 #include <algorithm>
 
