@@ -15,6 +15,7 @@
 #include "gui/begin/example_dialog.hpp"
 #include "gui/data/data_page.hpp"
 #include "gui/geometry/geometry_page.hpp"
+#include "gui/help/help_keys.hpp"
 #include "gui/look/dialogs.hpp"
 #include "gui/look/file_drop.hpp"
 #include "gui/look/job_progress.hpp"
@@ -59,6 +60,7 @@ bool is_scene(const QString& file) { return QFileInfo(file).suffix().compare(QSt
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   named(this, "main_window", tr("jointid workbench"));
   keep_wheel_from_fields(*this);
+  QApplication::instance()->installEventFilter(new HelpKeys(this));
   let_drop_files(*this, [this](const QStringList& files) { open(files); });
   auto* hint = named(new QLabel(tr("Drop FRF files of the substructures and of the assembly here, one file to look at, or a scene.\n\n"
                                    "Ctrl+O opens files, Ctrl+N starts an empty scene, Ctrl+Shift+O opens an example.\n"
@@ -235,13 +237,13 @@ bool MainWindow::save_as(Project& project) {
   return !file.isEmpty() && project.save_as(file);
 }
 
-/// Runs are of the session: those that took long are not lost without a word.
+/// Runs of a scene that was not saved are of the session: those that took long are not lost without a word.
 bool MainWindow::may_lose_runs(Project& project) {
   constexpr double long_s = 60.0;
   const double seconds = project.seconds_of_runs();
   if (seconds < long_s) return true;
   tabs_->setCurrentWidget(&project);
-  const QString text = tr("The runs of %1 took %2. They are lost with it; JSON… and Report… on the page Solve keep them. Close it?")
+  const QString text = tr("The runs of %1 took %2. They are lost with it. Save the scene to keep them beside it. Close it?")
                            .arg(project.title(), duration_text(seconds));
   const auto answer =
       QMessageBox::question(this, tr("Runs are lost"), text, QMessageBox::Close | QMessageBox::Cancel, QMessageBox::Cancel);
@@ -262,6 +264,7 @@ bool MainWindow::close_project(int index) {
   auto* const project = qobject_cast<Project*>(tabs_->widget(index));
   if (project == nullptr || !may_close(*project)) return false;
   QSettings().setValue(QStringLiteral("project_layout"), project->layout_state());
+  project->keep_layout();
   tabs_->removeTab(index);
   delete project;
   show_titles();
@@ -319,6 +322,7 @@ void MainWindow::keep_layout() const {
   QSettings settings;
   settings.setValue(QStringLiteral("geometry"), saveGeometry());
   settings.setValue(QStringLiteral("state"), saveState(layout_version));
+  for (int i = 0; i < tabs_->count(); ++i) qobject_cast<Project*>(tabs_->widget(i))->keep_layout();
   if (const Project* project = current()) settings.setValue(QStringLiteral("project_layout"), project->layout_state());
 }
 

@@ -14,7 +14,6 @@ class QTabWidget;
 namespace jointid::gui {
 
 struct DroppedFiles;
-class HelpWindow;
 class MessageBar;
 class Project;
 class Worker;
@@ -81,7 +80,6 @@ class MainWindow : public QMainWindow {
   QStackedWidget* stack_;
   QTabWidget* tabs_;
   Worker* worker_;
-  HelpWindow* help_ = nullptr;  ///< made when it is asked for
 };
 
 }  // namespace jointid::gui

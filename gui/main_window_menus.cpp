@@ -1,17 +1,19 @@
 #include <QActionGroup>
+#include <QApplication>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QSettings>
 #include <QTabWidget>
+#include <QWhatsThis>
 
-#include "gui/help/help_window.hpp"
+#include "gui/help/help_keys.hpp"
 #include "gui/look/language.hpp"
 #include "gui/main_window.hpp"
 #include "gui/plan/plan_page.hpp"
 #include "gui/project.hpp"
-#include "gui/records/records_page.hpp"
 #include "gui/recent_files.hpp"
+#include "gui/records/records_page.hpp"
 #include "gui/scene/scene_editor.hpp"
 #include "gui/solve/solve_page.hpp"
 #include "tasks/open/scene_templates.hpp"
@@ -112,7 +114,7 @@ void MainWindow::add_view_menu() {
   int page = 0;
   for (const QString& text : {tr("&Data"), tr("&Geometry"), tr("S&olve"), tr("&Compare"), tr("S&tudy"), tr("&Modes"),
                               tr("Cou&pling"), tr("&Loading curves"), tr("Test pl&anning"), tr("&Response"), tr("Friction la&ws"),
-                              tr("Stic&k-slip motion"), tr("Time r&ecords")}) {
+                              tr("Stic&k-slip motion"), tr("Time r&ecords"), tr("Joint l&ine by line")}) {
     const QString key = page < 9 ? QStringLiteral("Alt+%1").arg((page + 2) % 10) : QStringLiteral("Ctrl+%1").arg(page - 8);
     menu->addAction(text, QKeySequence(key), this, [this, page] { show_page(page); });
     ++page;
@@ -165,16 +167,19 @@ void MainWindow::add_run_menu() {
                   on_current(this, [](Project& project) { project.cancel(); }));
 }
 
-/// Of the page in front.
+/// Of the page in front, or of what has the focus in it.
 void MainWindow::show_help() {
-  if (help_ == nullptr) help_ = new HelpWindow(this);
   const Project* const project = current();
-  help_->show_page(help_page_of(project == nullptr ? QString() : project->pages()->currentWidget()->objectName()));
+  if (project == nullptr) return show_help_of(this);
+  QWidget* const page = project->pages()->currentWidget();
+  QWidget* const focus = QApplication::focusWidget();
+  show_help_of(focus != nullptr && page->isAncestorOf(focus) ? focus : page);
 }
 
 void MainWindow::add_help_menu() {
   QMenu* const menu = menuBar()->addMenu(tr("&Help"));
   menu->addAction(tr("&Documentation of this page"), QKeySequence(tr("F1")), this, &MainWindow::show_help);
+  menu->addAction(tr("&What's this?"), QKeySequence(tr("Shift+F1")), this, [] { QWhatsThis::enterWhatsThisMode(); });
   menu->addAction(tr("&About"), this, [this] {
     QMessageBox::about(this, tr("jointid workbench"),
                        tr("jointid workbench %1\n\nIdentifies joints from measured FRFs. Sources under BSD-3-Clause; this "

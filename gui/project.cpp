@@ -16,6 +16,7 @@
 #include "gui/geometry/geometry_page.hpp"
 #include "gui/joint/joint_assistant.hpp"
 #include "gui/laws/law_kind.hpp"
+#include "gui/lines/line_kind.hpp"
 #include "gui/loading_curve/loading_curve_page.hpp"
 #include "gui/look/message_bar.hpp"
 #include "gui/look/named.hpp"
@@ -147,6 +148,7 @@ void Project::check_other_kinds(const std::string& text) {
   tell(response_page_, response_kind().is_of(text));
   tell(laws_page_, law_kind().is_of(text));
   tell(oscillate_page_, oscillate_kind().is_of(text));
+  tell(lines_page_, line_kind().is_of(text));
 }
 
 void Project::protect_inputs(QWidget& page) const {
@@ -155,7 +157,7 @@ void Project::protect_inputs(QWidget& page) const {
 
 void Project::show_scene() {
   protect_inputs(*pages_);
-  solve_page_->set_file(file_);
+  solve_page_->set_file(file_, editor_->text());
   solve_page_->set_scene(checked_.scene);
   compare_page_.tell();
   plan_page_.tell();
@@ -188,7 +190,9 @@ void Project::fold_text() {
 
 double Project::seconds_of_runs() const {
   double seconds = 0.0;
-  for (const Solved& run : solve_page_->runs()) seconds += run.solution.runtime_s.total;
+  for (const Solved& run : solve_page_->runs()) {
+    if (run.kept.isEmpty()) seconds += run.solution.runtime_s.total;
+  }
   return seconds;
 }
 
@@ -207,7 +211,7 @@ void Project::cancel() {
   solve_page_->cancel();
   const auto cancel_made = [](const auto&... pages) { ((pages.made() != nullptr ? pages.made()->cancel() : void()), ...); };
   cancel_made(compare_page_, study_page_, modal_page_, couple_page_, loading_curve_page_, plan_page_, response_page_, laws_page_,
-              oscillate_page_, records_page_);
+              oscillate_page_, lines_page_, records_page_);
 }
 
 /// A way of a comparison becomes that of the scene, one step that can be undone, and is solved.

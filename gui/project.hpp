@@ -77,6 +77,7 @@ class Project : public QWidget {
   ScenePage* response_page() { return response_page_.get(); }
   ScenePage* laws_page() { return laws_page_.get(); }
   ScenePage* oscillate_page() { return oscillate_page_.get(); }
+  ScenePage* lines_page() { return lines_page_.get(); }
   RecordsPage* records_page() { return records_page_.get(); }
   QTabWidget* pages() const { return pages_; }
   MessageBar* messages() const { return messages_; }
@@ -89,12 +90,14 @@ class Project : public QWidget {
   void say_proposed();
   /// The pages alone, or the text beside them again.
   void fold_text();
-  /// Seconds that the solutions of the session took, which are lost with it.
+  /// Seconds that the solutions took which are kept in no file, and lost with the session.
   double seconds_of_runs() const;
   /// Stops what runs on any page.
   void cancel();
   const CheckedScene& checked() const { return checked_; }
 
+  /// What is in front, beside the scene: nothing where no run is kept there.
+  void keep_layout() const;
   QByteArray layout_state() const;
   void restore_layout(const QByteArray& state);
 
@@ -113,6 +116,7 @@ class Project : public QWidget {
   template <class Page>
   void tell_other_kind(Page& page, bool is_of_kind);
   void protect_inputs(QWidget& page) const;
+  void restore_kept_layout();
   void watch_commands(QWidget& page);
   void link_cursors();
   void check();
@@ -149,7 +153,7 @@ class Project : public QWidget {
   Later<ModalPage> modal_page_;
   Later<LoadingCurvePage> loading_curve_page_;
   Later<CouplePage> couple_page_;
-  Later<ScenePage> response_page_, laws_page_, oscillate_page_;
+  Later<ScenePage> response_page_, laws_page_, oscillate_page_, lines_page_;
   Later<RecordsPage> records_page_;
   QFileSystemWatcher watcher_;
   QString file_, folder_;

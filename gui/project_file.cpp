@@ -1,5 +1,10 @@
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSaveFile>
+#include <QTabWidget>
 #include <QTextDocument>
 
 #include "gui/look/message_bar.hpp"
@@ -8,6 +13,8 @@
 #include "gui/project.hpp"
 #include "gui/recent_files.hpp"
 #include "gui/scene/scene_editor.hpp"
+#include "gui/solve/kept_runs.hpp"
+#include "gui/solve/solve_page.hpp"
 #include "ident/scene/scene_files.hpp"
 
 namespace jointid::gui {
@@ -30,6 +37,39 @@ bool read_file(const QString& file, QString& text, QString& why) {
 }
 
 }  // namespace
+
+namespace {
+
+QString layout_file(const QString& scene) { return QDir(run_folder(scene)).filePath(QStringLiteral("layout.json")); }
+
+}  // namespace
+
+void Project::keep_layout() const {
+  if (file_.isEmpty() || !QFileInfo::exists(run_folder(file_))) return;
+  const auto run = solve_page_->run_in_front();
+  const QJsonObject layout = {{"splitter", QString::fromLatin1(layout_state().toBase64())},
+                              {"form", views_->currentIndex() == 1},
+                              {"page", pages_->currentIndex()},
+                              {"result", solve_page_->results()->currentIndex()},
+                              {"run", run ? QFileInfo(solve_page_->runs()[*run].kept).fileName() : QString()}};
+  QSaveFile out(layout_file(file_));
+  if (out.open(QIODevice::WriteOnly) && out.write(QJsonDocument(layout).toJson()) >= 0) out.commit();
+}
+
+/// What cannot be read, or is no longer there, changes nothing.
+void Project::restore_kept_layout() {
+  QFile in(layout_file(file_));
+  if (!in.open(QIODevice::ReadOnly)) return;
+  const QJsonObject layout = QJsonDocument::fromJson(in.readAll()).object();
+  if (layout.isEmpty()) return;
+  restore_layout(QByteArray::fromBase64(layout["splitter"].toString().toLatin1()));
+  views_->setCurrentIndex(layout["form"].toBool() ? 1 : 0);
+  if (const int page = layout["page"].toInt(-1); page >= 0 && page < pages_->count()) pages_->setCurrentIndex(page);
+  QTabWidget* const results = solve_page_->results();
+  if (const int result = layout["result"].toInt(-1); result >= 0 && result < results->count() && results->isTabVisible(result))
+    results->setCurrentIndex(result);
+  solve_page_->want_run(QDir(run_folder(file_)).filePath(layout["run"].toString()));
+}
 
 std::filesystem::path Project::path() const { return file_.isEmpty() ? as_path(folder_) / "scene.toml" : as_path(file_); }
 
@@ -56,6 +96,7 @@ bool Project::open(const QString& file) {
     file_.clear();
     return false;
   }
+  restore_kept_layout();
   watch();
   note_recent_file(file_);
   Q_EMIT title_changed();

@@ -11,6 +11,7 @@
 #include "gui/data/data_page.hpp"
 #include "gui/geometry/geometry_page.hpp"
 #include "gui/laws/law_kind.hpp"
+#include "gui/lines/line_kind.hpp"
 #include "gui/loading_curve/loading_curve_page.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/said.hpp"
@@ -21,6 +22,7 @@
 #include "gui/project.hpp"
 #include "gui/records/records_page.hpp"
 #include "gui/response/response_kind.hpp"
+#include "gui/scene/scene_editor.hpp"
 #include "gui/solve/solve_page.hpp"
 #include "gui/study/study_page.hpp"
 #include "tasks/joint/joint_springs.hpp"
@@ -29,13 +31,13 @@
 namespace jointid::gui {
 namespace {
 
-/// Tabs with half the space beside their titles, so that all pages have whole titles in a small window.
+/// Tabs with a third of the space beside their titles, so that all pages have whole titles in a small window.
 class CloseTabs : public QProxyStyle {
  public:
   CloseTabs() : QProxyStyle(QStringLiteral("fusion")) {}
   int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
     const int space = QProxyStyle::pixelMetric(metric, option, widget);
-    return metric == PM_TabBarTabHSpace ? space / 2 : space;
+    return metric == PM_TabBarTabHSpace ? space / 3 : space;
   }
 };
 
@@ -66,7 +68,12 @@ void Project::add_pages() {
   connect(geometry_page_, &GeometryPage::edit_wanted, this, &Project::edit);
   connect(solve_page_, &SolvePage::run_shown, this, [this](std::size_t run) {
     const Solved& shown = solve_page_->runs()[run];
+    if (shown.plan == nullptr) return geometry_page_->set_springs({});
     geometry_page_->set_springs(tasks::joint_springs(shown.plan->restriction, shown.solution));
+  });
+  connect(solve_page_, &SolvePage::text_wanted, this, [this](const std::string& text) {
+    editor_->replace_text(text);
+    check();
   });
   connect(data_page_, &DataPage::files_opened, this, &Project::offer_dofs);
 }
@@ -158,6 +165,7 @@ void Project::add_other_pages() {
     return page;
   };
   add_later(records_page_, tr("Records"), tr("Time records"), records, [](RecordsPage&) {});
+  add_kind(lines_page_, "lines_page", tr("Z"), line_kind);
 }
 
 /// One cursor in all plots.

@@ -41,13 +41,15 @@ namespace {
 struct Solved {
   std::unique_ptr<ident::Plan> plan;
   ident::Solution solution;
+  tasks::IterationLog log{};
   std::mutex mutex{};
 };
 
 std::string page_of(Solved& solved, const ident::Control& control) {
   const std::lock_guard lock(solved.mutex);
-  const tasks::SolutionDetails details = tasks::solution_details(
-      *solved.plan, solved.solution, {std::nullopt, report::most_frfs, report::worst_frfs_drawn}, control);
+  tasks::SolutionDetails details = tasks::solution_details(*solved.plan, solved.solution,
+                                                           {std::nullopt, report::most_frfs, report::worst_frfs_drawn}, control);
+  details.iterations = solved.log.ended(solved.solution);
   return report::solve_report(*solved.plan, solved.solution, details);
 }
 
@@ -126,10 +128,11 @@ Outcome solve(const SceneText& text, const ident::Control& control, SoFar& so_fa
   auto plan = ident::make_plan(ident::parse_scene(text.text, text.file));
   ident::Control judging = control;
   judging.judgement = ident::Judgement::data;
-  judging.so_far = [&so_far, title = plan->scene.title](const ident::Solution& best) {
+  const auto solved = std::make_shared<Solved>();
+  judging.so_far = [&so_far, &log = solved->log, title = plan->scene.title](const ident::Solution& best) {
+    log.note(best);
     so_far.put([kept = best, title] { return interrupted_outcome(kept, title); });
   };
-  const auto solved = std::make_shared<Solved>();
   solved->solution = ident::solve(*plan, judging);
   solved->plan = std::move(plan);
   const ident::Solution& found = solved->solution;

@@ -140,23 +140,30 @@ UnknownsByIteration unknowns_by_iteration(ident::Plan& plan, const ident::Contro
                       "method \"" + ident::name(plan.scene.identify.method) + "\" does not iterate",
                       "follow its lines by --by-line, or take method = \"likelihood\" or \"newton\""});
   }
-  UnknownsByIteration out;
+  IterationLog log;
   ident::Control watched = control;
   watched.detail = ident::Detail::estimates;
   watched.judgement = ident::Judgement::none;
-  watched.so_far = [&](const ident::Solution& best) {
-    const std::size_t last = out.iterations.empty() ? 0 : out.iterations.back().iteration;
-    if (best.status != ident::Status::not_converged || best.fit.iterations <= last) return;  // the end is the solution's
-    out.iterations.push_back({best.fit.iterations, best.fit.objective, values_of(best)});
-  };
-  const ident::Solution solution = ident::solve(plan, watched);
+  watched.so_far = [&](const ident::Solution& best) { log.note(best); };
+  return log.ended(ident::solve(plan, watched));
+}
+
+void IterationLog::note(const ident::Solution& best) {
+  const std::size_t last = steps_.empty() ? 0 : steps_.back().iteration;
+  if (best.status != ident::Status::not_converged || best.fit.iterations <= last) return;  // the end is the solution's
+  steps_.push_back({best.fit.iterations, best.fit.objective, values_of(best)});
+}
+
+UnknownsByIteration IterationLog::ended(const ident::Solution& solution) const {
+  UnknownsByIteration out;
   for (const auto& unknown : solution.unknowns) out.names.push_back(unknown.name);
-  if (out.iterations.empty()) return out;
-  IterationUnknowns end = out.iterations.back();
+  if (steps_.empty()) return out;
+  out.iterations = steps_;
+  IterationUnknowns end = steps_.back();
   ++end.iteration;
   end.objective.reset();
   end.values = values_of(solution);
-  if (end.values != out.iterations.back().values) out.iterations.push_back(std::move(end));
+  if (end.values != steps_.back().values) out.iterations.push_back(std::move(end));
   return out;
 }
 

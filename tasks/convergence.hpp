@@ -49,4 +49,16 @@ struct UnknownsByIteration {
 /// while the objective no longer does is not determined. Throws InputError (usage) for methods that do not iterate.
 UnknownsByIteration unknowns_by_iteration(ident::Plan& plan, const ident::Control& control = {});
 
+/// The same of a solution that is made anyway: gives each Control::so_far to note(), and the solution to ended().
+class IterationLog {
+ public:
+  /// Steps of the iteration; what methods hand out at their end is no step.
+  void note(const ident::Solution& best);
+  /// With the solution as the last; no step of methods that do not iterate.
+  UnknownsByIteration ended(const ident::Solution& solution) const;
+
+ private:
+  std::vector<IterationUnknowns> steps_;
+};
+
 }  // namespace jointid::tasks

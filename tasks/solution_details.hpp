@@ -18,6 +18,7 @@ struct SolutionDetails {
   Regenerated regenerated;             ///< the synthesised FRFs to draw, receptances, m/N
   bool all_used = true;                ///< all lines of them were used in the identification
   std::vector<LineQuality> quality{};  ///< figures of merit over the number of lines; empty if the scene has no truth
+  UnknownsByIteration iterations{};    ///< of IterationLog, to be set by who solved; empty of methods that do not iterate
 };
 
 /// Reads the assembly FRFs of a solved plan and synthesises them from the substructures and the identified joint. If the scene

@@ -65,7 +65,7 @@ std::size_t own_threads(const SolveArguments& arguments, const ident::Team& team
 }
 
 ident::Solution solve_watched(const SolveArguments& arguments, ident::Plan& plan, ident::Team& team, EstimateKept& kept,
-                              std::ostream& out) {
+                              tasks::IterationLog& log, std::ostream& out) {
   SoFar<ident::Solution> best;
   Progress progress;
   const bool leads = team.rank() == 0;
@@ -78,6 +78,7 @@ ident::Solution solve_watched(const SolveArguments& arguments, ident::Plan& plan
     control.so_far = [&](const ident::Solution& solution) {
       best.put(solution);
       kept.put(solution);
+      log.note(solution);
     };
   }
   if (team.size() > 1) control.shares = ident::LineShares(team);
@@ -87,10 +88,12 @@ ident::Solution solve_watched(const SolveArguments& arguments, ident::Plan& plan
 }
 
 void write_report(const std::string& target, const ident::Plan& plan, const ident::Solution& solution,
-                  const std::optional<tasks::FrfEntry>& entry, const report::Display& display, std::ostream& out) {
+                  const std::optional<tasks::FrfEntry>& entry, const tasks::IterationLog& log, const report::Display& display,
+                  std::ostream& out) {
   Progress progress;
-  const tasks::SolutionDetails details =
+  tasks::SolutionDetails details =
       tasks::solution_details(plan, solution, {entry, report::most_frfs, report::worst_frfs_drawn}, progress.control());
+  details.iterations = log.ended(solution);
   write_target(target, report::solve_report(plan, solution, details, display), out);
 }
 
@@ -212,7 +215,8 @@ ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
     if (arguments.plot) entry = plotted_entry(*arguments.plot, *plan);
     display_of(arguments);
   });
-  const ident::Solution solution = solve_watched(arguments, *plan, *team, *kept, out);
+  tasks::IterationLog log;
+  const ident::Solution solution = solve_watched(arguments, *plan, *team, *kept, log, out);
   if (team->rank() > 0) return ExitCode::done;
   write_numbers(arguments, solution, scene.title, out);
   const report::Display display = arguments.plot || arguments.report ? display_of(arguments, *plan) : report::Display();
@@ -220,7 +224,7 @@ ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
   if (has_text && entry && !solution.bands.empty()) plot(*entry, *plan, solution, display, out);
   if (arguments.by_line) write_by_line(*arguments.by_line, *plan, out);
   if (arguments.by_iteration) write_by_iteration(*arguments.by_iteration, *plan, out);
-  if (arguments.report) write_report(*arguments.report, *plan, solution, entry, display, out);
+  if (arguments.report) write_report(*arguments.report, *plan, solution, entry, log, display, out);
   kept->remove();
   return tell_status(arguments.scene.string(), solution.status, solution.message);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <set>
 #include <string>
@@ -86,11 +87,35 @@ std::vector<Node> nodes_of(const Columns& table) {
   return out;
 }
 
+/// "to", "to2", "to3" …
+bool names_end(std::string name) {
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return name.starts_with("to") && std::ranges::all_of(name.substr(2), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+std::vector<NodeLine> lines_of(const Columns& table) {
+  const NumberColumn& ids = column_of(table, {"node", "id", "point", "nr", "knoten"});
+  std::vector<NodeLine> out;
+  for (const NumberColumn& column : table.columns) {
+    if (!names_end(column.name)) continue;
+    for (std::size_t i = 0; i < std::min(column.values.size(), ids.values.size()); ++i) {
+      if (!std::isfinite(column.values[i]) || column.values[i] == 0.0) continue;
+      out.push_back({node_of(table, ids, i), node_of(table, column, i)});
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<Node> read_node_table(const std::filesystem::path& path) {
   require_regular_file(path);
   return is_universal_file(path) ? read_uff_nodes(path) : nodes_of(read_columns(path));
+}
+
+std::vector<NodeLine> read_node_lines(const std::filesystem::path& path) {
+  require_regular_file(path);
+  return is_universal_file(path) ? read_uff_lines(path) : lines_of(read_columns(path));
 }
 
 }  // namespace jointid::frf

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "frf/set/frf_set.hpp"
+#include "frf/uff/uff_lines.hpp"
 
 namespace jointid::frf {
 
@@ -12,5 +13,9 @@ namespace jointid::frf {
 /// missing, a unit that is no length, numbers of nodes that are not whole or come twice, positions that are not finite, and numbers
 /// without a unit that would be further than 100 m apart.
 std::vector<Node> read_node_table(const std::filesystem::path& path);
+
+/// Lines to draw between the nodes of such a table: each row is joined to the nodes in its columns to, to2, to3, …, none where
+/// these are blank or 0; of a universal file read_uff_lines(). None without these columns. Throws InputError (data) as above.
+std::vector<NodeLine> read_node_lines(const std::filesystem::path& path);
 
 }  // namespace jointid::frf

@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "gui/help/help_keys.hpp"
 #include "gui/look/buttons.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/paths.hpp"
@@ -30,8 +31,8 @@ ExampleDialog::ExampleDialog(QWidget* parent) : QDialog(parent) {
   list_->setHeaderLabels({tr("Name"), tr("What it is")});
   list_->setRootIsDecorated(false);
   list_->setAllColumnsShowFocus(true);
-  buttons_ = named(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel), "example_buttons",
-                   tr("Open the example, or leave it"));
+  buttons_ = named(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel | QDialogButtonBox::Help),
+                   "example_buttons", tr("Open the example, or leave it"));
   auto* all = new QVBoxLayout(this);
   all->addWidget(filter_);
   all->addWidget(list_, 1);
@@ -44,6 +45,7 @@ ExampleDialog::ExampleDialog(QWidget* parent) : QDialog(parent) {
   connect(folder_, &QLineEdit::textChanged, this, &ExampleDialog::show_state);
   connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(buttons_, &QDialogButtonBox::helpRequested, this, [this] { show_help_of(this); });
   resize(760, 520);
   show_state();
 }

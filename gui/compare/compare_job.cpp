@@ -7,6 +7,7 @@ namespace jointid::gui {
 
 study::Comparison run_comparison(const ComparisonWish& wish, const Worker::Watch& watch,
                                  const std::function<void(const study::Comparison&)>& so_far) {
+  watch.begin({});
   study::TrialOptions options{.trials = wish.trials, .seed = wish.seed};
   options.interrupted = watch.interrupted;
   options.progress = [&](std::size_t done, std::size_t total) { watch.progress("trials", done, total); };

@@ -37,9 +37,9 @@ std::vector<frf::Dof> references_of(const std::vector<LoadedFile>& files) {
   return out;
 }
 
-Saveable saveable(const StructureView& view) {
-  return {[&view](const QString& ending) { return view.picture(ending); },
-          [&view](char separator) { return view.table(separator); }};
+Saveable saveable(StructureView& view) {
+  return {[&view](const QString& ending) { return ending == QLatin1String("gif") ? view.film() : view.picture(ending); },
+          [&view](char separator) { return view.table(separator); }, view.moves()};
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ QLayout* GeometryPage::make_foot() {
   auto* side = push_button("geometry_side", tr("Side"), tr("Look along x: y to the right, z up (S)"));
   auto* top = push_button("geometry_top", tr("Top"), tr("Look down: x to the right, y up (T)"));
   auto* copy = push_button("geometry_copy", tr("Copy"), tr("Copy the nodes for a spreadsheet, and the picture"));
-  auto* save = push_button("geometry_save", tr("Save…"), tr("Save as PNG, SVG, PDF or CSV"));
+  auto* save = push_button("geometry_save", tr("Save…"), tr("Save as PNG, SVG, PDF or CSV; a motion as a film (GIF), too"));
   auto* row = new QHBoxLayout;
   row->addWidget(status_, 1);
   for (QPushButton* each : {front, side, top, copy, save}) row->addWidget(each);

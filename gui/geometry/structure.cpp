@@ -8,6 +8,7 @@
 #include "base/control.hpp"
 #include "base/error.hpp"
 #include "frf/file/file_head.hpp"
+#include "frf/file/node_table.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -67,12 +68,17 @@ Structure structure_of(const std::vector<LoadedFile>& files, const std::vector<f
   std::map<std::int64_t, frf::Node> nodes;
   std::map<std::int64_t, frf::Dof> dofs;
   std::vector<frf::NodeLine> all = lines;
+  int part = 0;
   for (const LoadedFile& file : files) {
     for (const frf::Node& node : file.header.nodes) nodes.emplace(node.id, node);
     if (!file.error.empty()) continue;
     for (const auto* list : {&file.header.response, &file.header.reference}) {
-      for (const frf::Dof& dof : *list) dofs.emplace(frf::coordinate_key(dof), dof);
+      for (const frf::Dof& dof : *list) {
+        dofs.emplace(frf::coordinate_key(dof), dof);
+        if (!file.is_assembly) out.part.emplace(dof.node, part);
+      }
     }
+    if (!file.is_assembly) ++part;
     if (!lines.empty() || file.is_assembly) continue;
     const std::vector<frf::NodeLine> own = joined(file);
     all.insert(all.end(), own.begin(), own.end());
@@ -88,21 +94,30 @@ Structure structure_of(const std::vector<LoadedFile>& files, const std::vector<f
   return out;
 }
 
+namespace {
+
+/// Of a universal file, or of a table of positions.
+void add_lines(const ident::Path& path, bool is_table, std::vector<frf::NodeLine>& out) {
+  std::error_code none;
+  if (path.empty() || !(is_table || frf::is_universal_file(path)) || std::filesystem::file_size(path, none) > largest_file || none)
+    return;
+  try {
+    const std::vector<frf::NodeLine> own = is_table ? frf::read_node_lines(path) : frf::read_uff_lines(path);
+    out.insert(out.end(), own.begin(), own.end());
+  } catch (const InputError&) {
+    return;  // the data page says what is wrong with the file
+  }
+}
+
+}  // namespace
+
 std::vector<frf::NodeLine> drawn_lines(const ident::DataSection& data, const std::function<bool()>& interrupted) {
   std::vector<frf::NodeLine> out;
   for (const auto* list : {&data.substructures, &data.assembly}) {
     for (const ident::DataFile& file : *list) {
-      for (const ident::Path& path : {file.path, file.nodes.value_or(ident::Path())}) {
-        stop_if(interrupted);
-        std::error_code none;
-        if (path.empty() || !frf::is_universal_file(path) || std::filesystem::file_size(path, none) > largest_file || none) continue;
-        try {
-          const std::vector<frf::NodeLine> own = frf::read_uff_lines(path);
-          out.insert(out.end(), own.begin(), own.end());
-        } catch (const InputError&) {
-          continue;  // the data page says what is wrong with the file
-        }
-      }
+      stop_if(interrupted);
+      add_lines(file.path, false, out);
+      add_lines(file.nodes.value_or(ident::Path()), true, out);
     }
   }
   return out;

@@ -15,6 +15,7 @@ struct Structure {
   std::vector<frf::NodeLine> lines;  ///< between nodes that are there
   std::vector<frf::Dof> dofs;        ///< of nodes that are there, each coordinate once, ascending
   std::vector<frf::Dof> unplaced;    ///< of nodes without a position, or whose directions the files do not tell
+  std::map<std::int64_t, int> part{};  ///< of a node with DOFs, from 0 in the order of the substructures
 };
 
 /// Files without positions add their DOFs only, those without FRFs their nodes. `lines`: as the files draw them; where none does, the

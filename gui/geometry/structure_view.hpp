@@ -38,9 +38,16 @@ class StructureView : public QWidget {
 
   /// As it stands, PNG, SVG or PDF.
   QByteArray picture(const QString& ending) const;
+  /// One period of the motion, as it stands, as a GIF.
+  QByteArray film();
+  bool moves() const { return !shape_.empty(); }
   /// Nodes with their positions in m and, where they move, the complex displacement of the shape.
   std::string table(char separator) const;
 
+  /// Where the numbers of nodes are drawn, none over another: those of the joint are all there, others where there is room.
+  std::vector<std::pair<std::int64_t, QRectF>> name_places() const;
+  /// Of the part that a node belongs to, where there are several.
+  QColor part_colour(const frf::Node& node) const;
   /// Where the tip of the arrow of a DOF is drawn.
   QPointF tip_of(const frf::Dof& dof) const;
   QSize sizeHint() const override { return {500, 400}; }

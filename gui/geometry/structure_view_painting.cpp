@@ -1,11 +1,14 @@
+#include <QImage>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/text.hpp"
 #include "gui/geometry/structure_view.hpp"
 #include "gui/look/said.hpp"
 #include "gui/look/theme.hpp"
+#include "gui/plot/animated_gif.hpp"
 #include "gui/plot/picture.hpp"
 
 namespace jointid::gui {
@@ -80,10 +83,45 @@ void StructureView::draw_scale(QPainter& painter) const {
 void StructureView::draw_lines(QPainter& painter, bool deflected) const {
   for (const frf::NodeLine& line : structure_.lines) {
     const frf::Node &from = structure_.nodes[place_.at(line[0])], &to = structure_.nodes[place_.at(line[1])];
+    if (!deflected && shape_.empty()) painter.setPen(QPen(part_colour(from), 1.5));
     if (deflected) painter.setPen(QPen(motion_colour(theme_of(palette()), (share_of(from) + share_of(to)) / 2.0), 2.5));
     painter.drawLine(camera_.project(deflected ? moved(from) : from.position),
                      camera_.project(deflected ? moved(to) : to.position));
   }
+}
+
+QColor StructureView::part_colour(const frf::Node& node) const {
+  const auto found = structure_.part.find(node.id);
+  const bool several = std::ranges::any_of(structure_.part, [](const auto& each) { return each.second > 0; });
+  return found == structure_.part.end() || !several ? colours(theme_of(palette())).text
+                                                    : curve_colour(theme_of(palette()), found->second);
+}
+
+std::vector<std::pair<std::int64_t, QRectF>> StructureView::name_places() const {
+  const QFontMetricsF metrics(font());
+  std::vector<std::pair<std::int64_t, QRectF>> out;
+  const auto is_free = [&out](const QRectF& place) {
+    return std::ranges::none_of(out, [&](const auto& each) { return each.second.intersects(place); });
+  };
+  const auto in_joint = [this](const frf::Node& node) {
+    return std::ranges::find(joint_, node.id, &frf::Dof::node) != joint_.end();
+  };
+  for (const bool of_joint : {true, false}) {
+    for (const frf::Node& node : structure_.nodes) {
+      if (in_joint(node) != of_joint) continue;
+      const QSizeF size = metrics.size(0, QString::number(node.id));
+      const QPointF at = camera_.project(node.position);
+      QRectF place(at + QPointF(5.0, 2.0), size);
+      const QPointF left(-size.width() - 10.0, 0.0), up(0.0, -size.height() - 4.0);
+      const QRectF first = place;
+      for (const QPointF& by : {left, up, left + up}) {
+        if (!is_free(place)) place = first.translated(by);
+      }
+      while (of_joint && !is_free(place)) place.translate(0.0, size.height());
+      if (is_free(place)) out.emplace_back(node.id, place);
+    }
+  }
+  return out;
 }
 
 void StructureView::draw_nodes(QPainter& painter) const {
@@ -94,12 +132,14 @@ void StructureView::draw_nodes(QPainter& painter) const {
   for (const frf::Node& node : structure_.nodes) {
     const QPointF at = camera_.project(shape_.empty() ? node.position : moved(node));
     painter.setPen(Qt::NoPen);
-    painter.setBrush(in_joint(node) ? use.error : shape_.empty() ? use.text : motion_colour(theme_of(palette()), share_of(node)));
+    painter.setBrush(in_joint(node)   ? use.error
+                     : shape_.empty() ? part_colour(node)
+                                      : motion_colour(theme_of(palette()), share_of(node)));
     painter.drawEllipse(at, in_joint(node) ? 4.0 : 2.5, in_joint(node) ? 4.0 : 2.5);
-    if (!names_) continue;
-    painter.setPen(use.weak_text);
-    painter.drawText(camera_.project(node.position) + QPointF(5.0, 14.0), QString::number(node.id));
   }
+  if (!names_) return;
+  painter.setPen(use.weak_text);
+  for (const auto& [node, place] : name_places()) painter.drawText(place, Qt::AlignCenter, QString::number(node));
 }
 
 void StructureView::draw_arrows(QPainter& painter) const {
@@ -158,6 +198,23 @@ void StructureView::paintEvent(QPaintEvent* event) {
   painter.setPen(QPen(palette().color(QPalette::Highlight), 1));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(rect().adjusted(0, 0, -1, -1));
+}
+
+QByteArray StructureView::film() {
+  constexpr int pictures = 36, milliseconds = 40;
+  const double before = phase_;
+  std::vector<QImage> all;
+  for (int i = 0; i < pictures; ++i) {
+    phase_ = 2.0 * std::numbers::pi * i / pictures;
+    QImage image(size(), QImage::Format_RGB32);
+    image.fill(colours(theme_of(palette())).background);
+    QPainter painter(&image);
+    paint(painter);
+    painter.end();
+    all.push_back(std::move(image));
+  }
+  phase_ = before;
+  return animated_gif(all, milliseconds);
 }
 
 QByteArray StructureView::picture(const QString& ending) const {

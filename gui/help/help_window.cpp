@@ -4,9 +4,9 @@
 #include <QFile>
 #include <QHBoxLayout>
 #include <QPushButton>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QVBoxLayout>
-#include <map>
 
 #include "gui/look/buttons.hpp"
 #include "gui/look/named.hpp"
@@ -38,25 +38,25 @@ HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent) {
 }
 
 void HelpWindow::show_page(const QString& name) {
-  const bool is_there = QFile::exists(QStringLiteral(":/docs/%1.md").arg(name));
-  browser_->setSource(QUrl(QStringLiteral("qrc:/docs/%1.md").arg(is_there ? name : QStringLiteral("workbench"))),
+  const QString page = name.section(QLatin1Char('#'), 0, 0), heading = name.section(QLatin1Char('#'), 1);
+  const bool is_there = QFile::exists(QStringLiteral(":/docs/%1.md").arg(page));
+  browser_->setSource(QUrl(QStringLiteral("qrc:/docs/%1.md").arg(is_there ? page : QStringLiteral("workbench"))),
                       QTextDocument::MarkdownResource);
   show();
   raise();
+  if (!heading.isEmpty()) go_to_heading(heading);
 }
 
-QString help_page_of(const QString& widget) {
-  static const std::map<QString, QString> pages = {{QStringLiteral("modal_page"), QStringLiteral("modal-models")},
-                                                   {QStringLiteral("couple_page"), QStringLiteral("coupling")},
-                                                   {QStringLiteral("loading_curve_page"), QStringLiteral("loading-curves")},
-                                                   {QStringLiteral("response_page"), QStringLiteral("response")},
-                                                   {QStringLiteral("laws_page"), QStringLiteral("friction-from-vibration")},
-                                                   {QStringLiteral("oscillate_page"), QStringLiteral("oscillations")},
-                                                   {QStringLiteral("records_page"), QStringLiteral("records")},
-                                                   {QStringLiteral("compare_page"), QStringLiteral("choosing-a-method")},
-                                                   {QStringLiteral("scene_editor"), QStringLiteral("scene")}};
-  const auto found = pages.find(widget);
-  return found == pages.end() ? QStringLiteral("workbench") : found->second;
+/// Pages in Markdown have no anchors: the heading is looked for by its words.
+void HelpWindow::go_to_heading(const QString& heading) {
+  for (QTextBlock block = browser_->document()->begin(); block.isValid(); block = block.next()) {
+    if (block.blockFormat().headingLevel() == 0 || block.text().compare(heading, Qt::CaseInsensitive) != 0) continue;
+    QTextCursor end(browser_->document());
+    end.movePosition(QTextCursor::End);
+    browser_->setTextCursor(end);  // so that the heading comes to the top
+    browser_->setTextCursor(QTextCursor(block));
+    return browser_->ensureCursorVisible();
+  }
 }
 
 }  // namespace jointid::gui

@@ -13,15 +13,15 @@ class HelpWindow : public QDialog {
  public:
   explicit HelpWindow(QWidget* parent = nullptr);
 
-  /// "records", of docs/records.md; "workbench" where there is none of that name.
+  /// "records", of docs/records.md, or "records#Windows", with that heading at the top; "workbench" where there is none of that
+  /// name.
   void show_page(const QString& name);
   QTextBrowser* browser() const { return browser_; }
 
  private:
+  void go_to_heading(const QString& heading);
+
   QTextBrowser* browser_;
 };
-
-/// The page of docs on a tab of a project, by the name of its widget: "records" of "records_page".
-QString help_page_of(const QString& widget);
 
 }  // namespace jointid::gui

@@ -16,6 +16,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "frf/text/direction_names.hpp"
+#include "gui/help/help_keys.hpp"
 #include "gui/look/buttons.hpp"
 #include "gui/look/job_progress.hpp"
 #include "gui/look/named.hpp"
@@ -81,8 +82,8 @@ JointAssistant::JointAssistant(std::vector<frf::FrfHeader> parts, QWidget* paren
   connect(&later_, &QTimer::timeout, this, &JointAssistant::ask_forecast);
   connect(worker_, &Worker::failed, this,
           [this](const InputError& error) { forecast_text_->setText(tr("No forecast: %1").arg(QString::fromUtf8(error.what()))); });
-  buttons_ = named(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel), "joint_buttons",
-                   tr("Write the joint, or leave it"));
+  buttons_ = named(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::Help),
+                   "joint_buttons", tr("Write the joint, or leave it"));
   auto* all = new QVBoxLayout(this);
   all->addWidget(hint);
   all->addWidget(list_, 1);
@@ -97,6 +98,7 @@ JointAssistant::JointAssistant(std::vector<frf::FrfHeader> parts, QWidget* paren
   connect(list_, &QTreeWidget::itemChanged, this, &JointAssistant::show_counts);
   connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(buttons_, &QDialogButtonBox::helpRequested, this, [this] { show_help_of(this); });
   show_counts();
   resize(520, 520);
   list_->setFocus();

@@ -59,17 +59,20 @@ JobProgress::JobProgress(const char* name, QWidget* parent) : QProgressBar(paren
   hide();
 }
 
-void JobProgress::show_stage(const QString& stage, double share) {
-  const auto left = left_.note(stage, share, seconds_since(begun_));
-  setRange(0, share < 0.0 ? 0 : steps);
-  setValue(share < 0.0 ? 0 : static_cast<int>(steps * share));
-  setFormat(said(stage.toUtf8().constData()) + QStringLiteral(" %p %") +
+void JobProgress::show_share(const JobShare& share) {
+  const auto left = left_.note(share.is_whole ? QString() : share.stage, share.share, seconds_since(begun_));
+  const QString counted = share.of > 1 ? tr("%1 of %2: ").arg(share.number).arg(share.of) : QString();
+  setRange(0, steps);
+  setValue(share.share < 0.0 ? 0 : static_cast<int>(steps * share.share));
+  setFormat(counted + said(share.stage.toUtf8().constData()) +
+            (share.share < 0.0 ? QStringLiteral(" …") : QStringLiteral(" %p %")) +
             (left ? tr(", %1 left").arg(duration_text(*left)) : QString()));
 }
 
 void JobProgress::set_busy(bool busy) {
   left_ = {};
-  setRange(0, 0);
+  setRange(0, 0);  // until it is known what runs
+  setFormat({});
   setVisible(busy);
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/stopwatch.hpp"
+#include "gui/look/whole_share.hpp"
 
 class QLabel;
 class QLayout;
@@ -24,14 +25,14 @@ class TimeLeft {
 /// "5 s", "3 min", "2.5 h".
 QString duration_text(double seconds);
 
-/// A bar with stage, share and time left; hidden while nothing runs.
+/// A bar with step, stage, share and time left; hidden while nothing runs.
 class JobProgress : public QProgressBar {
   Q_OBJECT
 
  public:
   explicit JobProgress(const char* name, QWidget* parent = nullptr);
 
-  void show_stage(const QString& stage, double share);
+  void show_share(const JobShare& share);
   void set_busy(bool busy);
 
  private:

@@ -10,6 +10,8 @@
 namespace jointid::gui {
 namespace {
 
+constexpr std::size_t stages_of_a_fit = 5;
+
 std::string exact(double value) { return digits(value, "%.17g"); }
 
 std::string list_text(const char* option, const std::vector<frf::Dof>& dofs) {
@@ -61,10 +63,12 @@ std::vector<ModalStructure> structures_of(const ident::DataSection& data) {
 ModalFound run_modal_job(const ModalWish& wish, const Worker::Watch& watch) {
   ModalFound found{wish.loaded, nullptr};
   if (!found.loaded) {
+    watch.begin({1, 2, 0.0, 0.3});
     watch.progress("reading", 0, 0);
     found.loaded = std::make_shared<const frf::FrfSet>(tasks::load_structure(wish.structure.files));
     stop_if(watch.interrupted);
   }
+  watch.begin({2, 2, wish.loaded ? 0.0 : 0.3, 1.0, stages_of_a_fit});
   modalfit::FitOptions options = wish.options;
   options.interrupted = watch.interrupted;
   options.progress = [&watch](const char* stage) { watch.progress(stage, 0, 0); };

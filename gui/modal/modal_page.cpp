@@ -5,6 +5,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -19,6 +20,7 @@
 #include "gui/page/job_line.hpp"
 #include "gui/plot/chart.hpp"
 #include "gui/plot/frf_plot.hpp"
+#include "gui/plot/heat_chart.hpp"
 #include "gui/table/cell_table.hpp"
 #include "report/modalfit/modal_text.hpp"
 #include "report/modalfit/stabilisation.hpp"
@@ -84,6 +86,7 @@ QWidget* ModalPage::make_results() {
   results_->addTab(make_frf_tab(), tr("FRFs"));
   results_->addTab(modes_, tr("Modes"));
   results_->addTab(mac_, tr("MAC"));
+  results_->addTab(make_cross_tab(), tr("Other modes"));
   results_->addTab(errors_, tr("Errors"));
   return results_;
 }
@@ -100,6 +103,27 @@ QWidget* ModalPage::make_frf_tab() {
   column->setContentsMargins(0, 4, 0, 0);
   column->addLayout(row_of({response_, reference_}, {}));
   column->addWidget(plot_, 1);
+  return tab;
+}
+
+QWidget* ModalPage::make_cross_tab() {
+  auto* tab = named(new QWidget, "cross_mac_tab", tr("MAC with other modes"));
+  auto* choose = push_button("cross_mac_choose", tr("Compare with…"),
+                             tr("Other modes: a universal file (UFF 55) of another test or of a model"));
+  cross_word_ = named(new QLabel, "cross_mac_word", tr("About the pairs of modes"));
+  cross_word_->setWordWrap(true);
+  cross_word_->setTextFormat(Qt::PlainText);
+  cross_mac_ = new HeatChart("cross_mac", tr("MAC of the modes found with other modes"),
+                             tr("Compare with… draws the MAC of the modes found with those of a file."));
+  auto* column = new QVBoxLayout(tab);
+  column->setContentsMargins(0, 4, 0, 0);
+  column->addLayout(row_of({choose}, {}));
+  column->addWidget(cross_word_);
+  column->addWidget(cross_mac_, 1);
+  connect(choose, &QPushButton::clicked, this, [this] {
+    const QStringList files = choose_files_to_open(this);
+    if (!files.isEmpty()) compare_with(files.front());
+  });
   return tab;
 }
 
@@ -200,6 +224,7 @@ void ModalPage::show_run() {
   fill_dofs(*response_, run_->fit.response);
   fill_dofs(*reference_, run_->fit.reference);
   show_frf();
+  show_cross_mac();
   QString text = tr("%n mode(s); %1", nullptr, static_cast<int>(run_->fit.modes_inside()))
                      .arg(q(report::synthesis_text(run_->symmetric ? run_->of_model : run_->of_fit)));
   for (const std::string& note : report::notes(*run_)) text += "\n" + q(note);

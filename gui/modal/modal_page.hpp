@@ -7,6 +7,7 @@
 #include "gui/modal/picked_poles.hpp"
 
 class QCheckBox;
+class QLabel;
 class QComboBox;
 class QDoubleSpinBox;
 class QPushButton;
@@ -17,6 +18,7 @@ namespace jointid::gui {
 class CellTable;
 class Chart;
 class FrfPlot;
+class HeatChart;
 class JobLine;
 
 /// Modes behind the FRFs of a part or of the assembly: a stabilisation diagram whose poles are taken and left by click, the FRFs
@@ -42,6 +44,9 @@ class ModalPage : public QWidget {
   FrfPlot* plot() const { return plot_; }
   CellTable* modes() const { return modes_; }
   CellTable* mac() const { return mac_; }
+  HeatChart* cross_mac() const { return cross_mac_; }
+  /// The modes that are found beside those of a universal file.
+  void compare_with(const QString& file);
   QTabWidget* results() const { return results_; }
   /// "jointid modalfit 'part.uff' --range 10:500 --poles 51.5:0.001".
   QString command_line() const;
@@ -62,6 +67,8 @@ class ModalPage : public QWidget {
   QWidget* make_top();
   QWidget* make_results();
   QWidget* make_frf_tab();
+  QWidget* make_cross_tab();
+  void show_cross_mac();
   void connect_all();
   modalfit::FitOptions options() const;
   void add_job(const modalfit::FitOptions& options);
@@ -84,6 +91,9 @@ class ModalPage : public QWidget {
   QTabWidget* results_;
   FrfPlot* plot_;
   CellTable *modes_, *mac_, *errors_;
+  HeatChart* cross_mac_;
+  QLabel* cross_word_;
+  QString other_modes_;  ///< the file of the other set
   std::vector<ModalStructure> structures_;
   std::shared_ptr<const frf::FrfSet> loaded_;
   std::shared_ptr<const tasks::ModalRun> run_, sought_;  ///< shown; by the search, whose diagram stays

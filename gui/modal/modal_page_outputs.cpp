@@ -1,9 +1,12 @@
+#include <QLabel>
+
 #include "gui/look/output.hpp"
 #include "gui/look/paths.hpp"
+#include "gui/modal/cross_mac.hpp"
 #include "gui/modal/modal_page.hpp"
 #include "gui/page/job_line.hpp"
 
-/// What leaves the page: command line and files.
+/// What leaves the page, and what it is compared with: command line and files.
 namespace jointid::gui {
 
 QString ModalPage::command_line() const {
@@ -21,6 +24,25 @@ void ModalPage::write(const QString& file, const std::function<void(const std::f
     line_->say(tr("Written to %1.").arg(file));
   } catch (const InputError& error) {
     line_->say(QString::fromUtf8(error.what()), true);
+  }
+}
+
+void ModalPage::compare_with(const QString& file) {
+  if (!run_) return line_->say(tr("No modes are found yet."), true);
+  other_modes_ = file;
+  show_cross_mac();
+}
+
+/// Again with every pick.
+void ModalPage::show_cross_mac() {
+  if (other_modes_.isEmpty() || !run_) return;
+  try {
+    CrossMac found = gui::cross_mac(*run_, as_path(other_modes_));
+    cross_mac_->draw(std::move(found.map));
+    cross_word_->setText(found.said);
+  } catch (const InputError& error) {
+    cross_mac_->draw({});
+    cross_word_->setText(QString::fromUtf8(error.what()));
   }
 }
 

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "gui/help/help_keys.hpp"
 #include "gui/look/named.hpp"
 
 namespace jointid::gui {
@@ -24,8 +25,8 @@ VariableDialog::VariableDialog(const std::vector<std::pair<QString, QStringList>
     rows->addRow(name, box);
     boxes_.emplace_back(file, box);
   }
-  auto* buttons = named(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel), "variable_buttons",
-                        tr("Open the files, or leave them"));
+  auto* buttons = named(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel | QDialogButtonBox::Help),
+                        "variable_buttons", tr("Open the files, or leave them"));
   auto* all = new QVBoxLayout(this);
   all->addWidget(hint);
   all->addLayout(rows);
@@ -33,6 +34,7 @@ VariableDialog::VariableDialog(const std::vector<std::pair<QString, QStringList>
   all->addWidget(buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(buttons, &QDialogButtonBox::helpRequested, this, [this] { show_help_of(this); });
   resize(460, 160);
 }
 

@@ -60,7 +60,7 @@ void FindingsPage::ask(std::function<Findings(const Worker::Watch&)> find) {
       found_ = found;
       line_->say(found->said, found->is_bad);
       outputs_->offer(found->outputs);
-      plots_->show_groups(found->plots);
+      plots_->show_groups(found->plots, found->maps);
       tables_->show_tables(found->tables);
       show_buttons();
     };

@@ -25,6 +25,7 @@ struct Findings {
   QString said;
   bool is_bad = false;
   std::vector<PlotMenu::Named> plots;
+  std::vector<PlotMenu::NamedMap> maps{};
   std::vector<TableMenu::Named> tables;
   Outputs outputs;
   std::function<void(const std::filesystem::path&)> write_frfs{};  ///< by the ending of the name; empty where it made none

@@ -30,7 +30,7 @@ JobLine::JobLine(const std::string& name, const QString& accessible_name, const 
     cancel_->setEnabled(busy);
     Q_EMIT busy_changed(busy);
   });
-  connect(worker_, &Worker::progressed, progress_, &JobProgress::show_stage);
+  connect(worker_, &Worker::progressed, progress_, &JobProgress::show_share);
 }
 
 void JobLine::say(const QString& text, bool bad) {

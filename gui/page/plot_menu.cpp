@@ -1,6 +1,7 @@
 #include "gui/page/plot_menu.hpp"
 
 #include <QComboBox>
+#include <QStackedWidget>
 #include <QStringList>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -48,12 +49,16 @@ PlotMenu::PlotMenu(const char* name, const QString& accessible_name, const QStri
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addLayout(row_of({menu_}, {}));
-  column->addWidget(chart_, 1);
+  map_ = new HeatChart((std::string(name) + "_map").c_str(), accessible_name, hint);
+  drawn_ = named(new QStackedWidget, (std::string(name) + "_drawn").c_str(), accessible_name);
+  drawn_->addWidget(chart_);
+  drawn_->addWidget(map_);
+  column->addWidget(drawn_, 1);
   connect(menu_, &QComboBox::currentIndexChanged, this, &PlotMenu::show_choice);
   show_choice();
 }
 
-void PlotMenu::show_groups(const std::vector<Named>& groups) {
+void PlotMenu::show_groups(const std::vector<Named>& groups, const std::vector<NamedMap>& maps) {
   const QString before = menu_->currentText();
   const QSignalBlocker quiet(menu_);
   menu_->clear();
@@ -66,6 +71,10 @@ void PlotMenu::show_groups(const std::vector<Named>& groups) {
       }
     }
   }
+  for (const auto& [name, map] : maps) {
+    menu_->addItem(name);
+    choices_.emplace_back(map);
+  }
   menu_->setCurrentIndex(choices_.empty() ? -1 : std::max(0, menu_->findText(before)));
   show_choice();
 }
@@ -73,8 +82,17 @@ void PlotMenu::show_groups(const std::vector<Named>& groups) {
 void PlotMenu::show_choice() {
   const int chosen = menu_->currentIndex();
   menu_->setVisible(menu_->count() > 0);
-  if (chosen < 0) return chart_->clear();
-  std::visit([this](const auto& drawing) { chart_->draw(drawing); }, choices_[static_cast<std::size_t>(chosen)]);
+  const Drawing* const choice = chosen < 0 ? nullptr : &choices_[static_cast<std::size_t>(chosen)];
+  const auto* const map = choice == nullptr ? nullptr : std::get_if<HeatPlot>(choice);
+  drawn_->setCurrentIndex(map != nullptr ? 1 : 0);
+  if (choice == nullptr) return chart_->clear();
+  const auto draw = [this](const auto& drawing) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(drawing)>, HeatPlot>)
+      map_->draw(drawing);
+    else
+      chart_->draw(drawing);
+  };
+  std::visit(draw, *choice);
 }
 
 }  // namespace jointid::gui

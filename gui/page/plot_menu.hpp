@@ -4,9 +4,11 @@
 #include <variant>
 #include <vector>
 
+#include "gui/plot/heat_chart.hpp"
 #include "report/page/contents.hpp"
 
 class QComboBox;
+class QStackedWidget;
 
 namespace jointid::gui {
 
@@ -22,16 +24,20 @@ class PlotMenu : public QWidget {
 
   /// A group and how it is called in the menu; the choice that is shown stays, if it is still there.
   using Named = std::pair<QString, report::PlotGroup>;
-  void show_groups(const std::vector<Named>& groups);
-  using Drawing = std::variant<std::vector<report::CurvePlot>, std::vector<report::HistogramPlot>, report::ScatterPlot>;
+  using NamedMap = std::pair<QString, HeatPlot>;
+  void show_groups(const std::vector<Named>& groups, const std::vector<NamedMap>& maps = {});
+  using Drawing = std::variant<std::vector<report::CurvePlot>, std::vector<report::HistogramPlot>, report::ScatterPlot, HeatPlot>;
   QComboBox* menu() const { return menu_; }
   Chart* chart() const { return chart_; }
+  HeatChart* map() const { return map_; }
 
  private:
   void show_choice();
 
   QComboBox* menu_;
+  QStackedWidget* drawn_;
   Chart* chart_;
+  HeatChart* map_;
   std::vector<Drawing> choices_;
 };
 

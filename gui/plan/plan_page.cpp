@@ -50,7 +50,7 @@ PlanPage::PlanPage(QWidget* parent) : QWidget(parent) {
     cancel_->setEnabled(busy);
     predict_->setEnabled(!busy && scene_.has_value());
   });
-  connect(worker_, &Worker::progressed, progress_, &JobProgress::show_stage);
+  connect(worker_, &Worker::progressed, progress_, &JobProgress::show_share);
   set_scene({});
 }
 

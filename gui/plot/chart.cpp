@@ -35,6 +35,7 @@ Chart::Chart(const char* name, const QString& accessible_name, const QString& hi
   plot_->setFocusPolicy(Qt::StrongFocus);
   plot_->setMinimumSize(least_width_px, least_height_px);
   plot_->setAutoAddPlottableToLegend(false);
+  plot_->setMouseTracking(true);
   plot_->installEventFilter(this);
   readout_ = named(new QLabel, "chart_readout", tr("The chosen point"));
   readout_->setTextFormat(Qt::PlainText);
@@ -179,6 +180,7 @@ bool Chart::eventFilter(QObject* watched, QEvent* event) {
   if (watched != plot_) return QWidget::eventFilter(watched, event);
   if (event->type() == QEvent::Resize && !histograms_.empty()) redraw();
   if (event->type() == QEvent::KeyPress) return press(static_cast<QKeyEvent*>(event)->key());
+  if (event->type() == QEvent::MouseMove) hover(static_cast<QMouseEvent*>(event)->position().toPoint());
   if (event->type() == QEvent::Wheel) zoomed_ = may_zoom_;
   if (event->type() == QEvent::MouseButtonDblClick && may_zoom_) show_all();
   if (event->type() != QEvent::MouseButtonPress && event->type() != QEvent::MouseButtonRelease) return false;

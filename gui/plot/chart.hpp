@@ -15,8 +15,9 @@ class QLabel;
 
 namespace jointid::gui {
 
-/// Points, curves or histograms as pages have them. A click on a point opens it; ← and → choose one, and Enter opens it. Where it may
-/// be zoomed: wheel, + and − along the x-axis, drag moves it, double click or Home show all.
+/// Points, curves or histograms as pages have them. A click on a point opens it; ← and → choose one, and Enter opens it. The
+/// mouse over a point states it. Where it may be zoomed: wheel, + and − along the x-axis, drag moves it, double click or Home
+/// show all.
 class Chart : public QWidget {
   Q_OBJECT
 
@@ -65,6 +66,9 @@ class Chart : public QWidget {
   bool release(const QPoint& at);
   void show_all();
   bool click(const QPoint& at);
+  void hover(const QPoint& at);
+  std::optional<std::pair<std::size_t, std::size_t>> nearest(const QPoint& at) const;
+  QString point_text(const std::pair<std::size_t, std::size_t>& place) const;
   std::vector<Place> places() const;
   const report::Point& point_at(const Place& place) const;
 

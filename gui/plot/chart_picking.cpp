@@ -6,6 +6,7 @@
 
 #include "gui/plot/chart.hpp"
 #include "gui/plot/chart_drawing.hpp"
+#include "gui/plot/panel_drawing.hpp"
 
 /// Points chosen by mouse and keys.
 namespace jointid::gui {
@@ -18,12 +19,28 @@ constexpr double nearest_px = 14.0;
 void Chart::ring() {
   if (!chosen_) return;
   draw_ring(*plot_, point_at(*chosen_), theme_of(palette()));
-  const report::Point& point = point_at(*chosen_);
-  readout_->setText(QStringLiteral("%1: %2 %3, %4 %5")
-                        .arg(QString::fromStdString(point.label), QString::fromStdString(scatter_.x.label))
-                        .arg(point.x, 0, 'g', 4)
-                        .arg(QString::fromStdString(scatter_.y.label))
-                        .arg(point.y, 0, 'g', 4));
+  readout_->setText(point_text(*chosen_));
+}
+
+QString Chart::point_text(const Place& place) const {
+  const report::Point& point = point_at(place);
+  return QStringLiteral("%1: %2 %3, %4 %5")
+      .arg(QString::fromStdString(point.label), axis_text(scatter_.x.label))
+      .arg(point.x, 0, 'g', 4)
+      .arg(axis_text(scatter_.y.label))
+      .arg(point.y, 0, 'g', 4);
+}
+
+/// What is chosen comes back where the mouse is over no point.
+void Chart::hover(const QPoint& at) {
+  if (scatter_.groups.empty()) return;
+  const std::optional<Place> over = nearest(at);
+  if (over)
+    readout_->setText(point_text(*over));
+  else if (chosen_)
+    readout_->setText(point_text(*chosen_));
+  else
+    readout_->clear();
 }
 
 void Chart::choose(std::size_t group, std::size_t point) {
@@ -53,16 +70,21 @@ std::vector<Chart::Place> Chart::places() const {
   return all;
 }
 
-bool Chart::click(const QPoint& at) {
-  double nearest = nearest_px;
+std::optional<Chart::Place> Chart::nearest(const QPoint& at) const {
+  double least = nearest_px;
   std::optional<Place> found;
   for (const Place& place : places()) {
     const QPoint off = pixel_of(place.first, place.second) - at;
     const double distance = std::hypot(off.x(), off.y());
-    if (distance > nearest) continue;
-    nearest = distance;
+    if (distance > least) continue;
+    least = distance;
     found = place;
   }
+  return found;
+}
+
+bool Chart::click(const QPoint& at) {
+  const std::optional<Place> found = nearest(at);
   if (!found) return false;
   choose(found->first, found->second);
   Q_EMIT chosen(found->first, found->second);

@@ -78,7 +78,7 @@ QByteArray picture_of(const QSize& size, const std::function<void(QPainter&)>& p
 void save_plot(const QString& file, const Saveable& plot, const std::vector<std::filesystem::path>& inputs) {
   const QString ending = QFileInfo(file).suffix().toLower();
   if (ending == QLatin1String("csv")) return write_output(file, plot.table(','), inputs);
-  if (!QStringList({"png", "svg", "pdf"}).contains(ending)) {
+  if (!QStringList({"png", "svg", "pdf"}).contains(ending) && !(plot.is_film && ending == QLatin1String("gif"))) {
     throw InputError({ErrorKind::usage, file.toStdString(), "", "the name has no ending of a picture or table",
                       "end it with .png, .svg, .pdf or .csv"});
   }
@@ -87,7 +87,8 @@ void save_plot(const QString& file, const Saveable& plot, const std::vector<std:
 }
 
 void ask_and_save(QWidget* parent, const Saveable& plot, const std::vector<std::filesystem::path>& inputs, const QString& proposed) {
-  const QString filter = Said::tr("Pictures and tables (*.png *.svg *.pdf *.csv)");
+  const QString filter = plot.is_film ? Said::tr("Pictures, tables and films (*.png *.svg *.pdf *.csv *.gif)")
+                                      : Said::tr("Pictures and tables (*.png *.svg *.pdf *.csv)");
   const QString file = choose_file_to_save(parent, Said::tr("Save the plot"), proposed, filter, QStringLiteral("png"));
   if (file.isEmpty()) return;
   try {

@@ -24,10 +24,11 @@ QByteArray picture_of(const QSize& size, const std::function<void(QPainter&)>& p
 struct Saveable {
   std::function<QByteArray(const QString& ending)> picture;
   std::function<std::string(char separator)> table;
+  bool is_film = false;  ///< it moves, and has a picture "gif"
 };
 
-/// PNG, SVG or PDF by the ending of the name, or CSV. Throws InputError (usage) for another ending, and where the disk does not
-/// take it or the file is one of `inputs`.
+/// PNG, SVG or PDF by the ending of the name, or CSV; of a film GIF, too. Throws InputError (usage) for another
+/// ending, and where the disk does not take it or the file is one of `inputs`.
 void save_plot(const QString& file, const Saveable& plot, const std::vector<std::filesystem::path>& inputs);
 
 /// Asks for the name, which is proposed, and says what went wrong.

@@ -1,5 +1,7 @@
 #include "gui/response/response_kind.hpp"
 
+#include <algorithm>
+
 #include "gui/look/said.hpp"
 #include "gui/work/control_of.hpp"
 #include "report/response/response_page.hpp"
@@ -27,6 +29,19 @@ std::vector<PlotMenu::Named> plots_of(const tasks::ResponseResult& run) {
           {Said::tr("motion"), report::transient_plots(run)}};
 }
 
+/// |X|/force over frequency and force level, of three levels or more.
+std::vector<PlotMenu::NamedMap> maps_of(const tasks::ResponseResult& run) {
+  constexpr std::size_t least_levels = 3;
+  std::vector<PlotMenu::NamedMap> out;
+  for (const report::Choice& choice : report::level_plots(run).choices) {
+    const auto* const magnitude = std::get_if<report::CurvePlot>(&choice.plots.front());
+    if (magnitude == nullptr || magnitude->series.size() < least_levels) continue;
+    out.emplace_back(Said::tr("map over force levels: %1").arg(q(choice.name)),
+                     heat_of(*magnitude, Said::tr("force level").toStdString()));
+  }
+  return out;
+}
+
 std::vector<TableMenu::Named> tables_of(const tasks::ResponseScene& scene, const tasks::ResponseResult& run) {
   std::vector<TableMenu::Named> out;
   std::size_t points = 0;
@@ -50,6 +65,7 @@ Findings findings_of(const std::shared_ptr<const Responded>& all) {
   out.said =
       out.is_bad ? Said::tr("Some results are missing. Tables and plots leave them out.") : Said::tr("All results were found.");
   out.plots = plots_of(all->run);
+  out.maps = maps_of(all->run);
   out.tables = tables_of(all->scene, all->run);
   out.outputs = {{"html", [all] { return report::response_report(all->scene, all->run); }},
                  {"json", [all] { return report::response_json(all->scene, all->run); }},
@@ -57,11 +73,19 @@ Findings findings_of(const std::shared_ptr<const Responded>& all) {
   return out;
 }
 
+/// What it tells one after the other: force levels, their stability, curves, motions from rest.
+std::size_t passes_of(const tasks::ResponseScene& scene) {
+  const std::size_t levels = scene.levels.size();
+  return std::max<std::size_t>(
+      1, levels * (scene.stability ? 2 : 1) + scene.curves.size() + (scene.transient ? std::max<std::size_t>(1, levels) : 0));
+}
+
 SceneTask read_responses(const std::string& text, const std::filesystem::path& file) {
   const tasks::ResponseScene scene = tasks::parse_response_scene(text, file);
   SceneTask task;
   for (const ident::NamedFile& named : tasks::files_of(scene)) task.inputs.push_back(named.path);
   const auto run = [scene](const Worker::Watch& watch, std::size_t) {
+    watch.begin({1, 1, 0.0, 1.0, passes_of(scene)});
     return findings_of(std::make_shared<const Responded>(Responded{scene, tasks::run_response(scene, control_of(watch))}));
   };
   task.run = {run};

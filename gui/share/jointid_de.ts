@@ -759,10 +759,6 @@ Fügestelle: %1</translation>
         <translation>Speichern …</translation>
     </message>
     <message>
-        <source>Save as PNG, SVG, PDF or CSV</source>
-        <translation>Als PNG, SVG, PDF oder CSV speichern</translation>
-    </message>
-    <message>
         <source>Front</source>
         <translation>Vorn</translation>
     </message>
@@ -785,6 +781,37 @@ Fügestelle: %1</translation>
     <message>
         <source>Look down: x to the right, y up (T)</source>
         <translation>Blick nach unten: x nach rechts, y nach oben (T)</translation>
+    </message>
+    <message>
+        <source>Save as PNG, SVG, PDF or CSV; a motion as a film (GIF), too</source>
+        <translation>Als PNG, SVG, PDF oder CSV speichern; eine Bewegung auch als Film (GIF)</translation>
+    </message>
+</context>
+<context>
+    <name>HeatChart</name>
+    <message>
+        <source>The value under the mouse</source>
+        <translation>Der Wert unter der Maus</translation>
+    </message>
+    <message>
+        <source>Copy the numbers for a spreadsheet, and the picture</source>
+        <translation>Zahlen für eine Tabellenkalkulation und das Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Save as PNG, SVG, PDF or CSV</source>
+        <translation>Als PNG, SVG, PDF oder CSV speichern</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>log10 of %1</source>
+        <translation>log10 von %1</translation>
     </message>
 </context>
 <context>
@@ -842,6 +869,10 @@ Fügestelle: %1</translation>
     <message>
         <source>%1 min %2 s</source>
         <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>%1 of %2: </source>
+        <translation>%1 von %2: </translation>
     </message>
 </context>
 <context>
@@ -1553,10 +1584,6 @@ Datei – Neu aus Vorlage hat Szenen zum Ausfüllen.</translation>
         <translation>Läufe gehen verloren</translation>
     </message>
     <message>
-        <source>The runs of %1 took %2. They are lost with it; JSON… and Report… on the page Solve keep them. Close it?</source>
-        <translation>Die Läufe von %1 brauchten %2. Sie gehen mit ihr verloren; JSON… und Bericht… auf der Seite Lösen bewahren sie. Schließen?</translation>
-    </message>
-    <message>
         <source>Open &amp;example…</source>
         <translation>&amp;Beispiel öffnen…</translation>
     </message>
@@ -1607,6 +1634,22 @@ Datei – Neu aus Vorlage hat Szenen zum Ausfüllen.</translation>
     <message>
         <source>F1</source>
         <translation>F1</translation>
+    </message>
+    <message>
+        <source>The runs of %1 took %2. They are lost with it. Save the scene to keep them beside it. Close it?</source>
+        <translation>Die Läufe von %1 dauerten %2. Sie gehen mit ihr verloren. Speichern der Szene bewahrt sie neben ihr auf. Schließen?</translation>
+    </message>
+    <message>
+        <source>&amp;What&apos;s this?</source>
+        <translation>&amp;Was ist das?</translation>
+    </message>
+    <message>
+        <source>Shift+F1</source>
+        <translation>Shift+F1</translation>
+    </message>
+    <message>
+        <source>Joint l&amp;ine by line</source>
+        <translation>Fügestelle L&amp;inie für Linie</translation>
     </message>
 </context>
 <context>
@@ -1832,6 +1875,34 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode entfern
     <message>
         <source>Written to %1.</source>
         <translation>Geschrieben nach %1.</translation>
+    </message>
+    <message>
+        <source>Other modes</source>
+        <translation>Andere Moden</translation>
+    </message>
+    <message>
+        <source>MAC with other modes</source>
+        <translation>MAC mit anderen Moden</translation>
+    </message>
+    <message>
+        <source>Compare with…</source>
+        <translation>Vergleichen mit…</translation>
+    </message>
+    <message>
+        <source>Other modes: a universal file (UFF 55) of another test or of a model</source>
+        <translation>Andere Moden: eine Universal-Datei (UFF 55) eines anderen Versuchs oder eines Modells</translation>
+    </message>
+    <message>
+        <source>About the pairs of modes</source>
+        <translation>Zu den Paaren der Moden</translation>
+    </message>
+    <message>
+        <source>MAC of the modes found with other modes</source>
+        <translation>MAC der gefundenen mit anderen Moden</translation>
+    </message>
+    <message>
+        <source>Compare with… draws the MAC of the modes found with those of a file.</source>
+        <translation>Vergleichen mit… zeichnet den MAC der gefundenen Moden mit denen einer Datei.</translation>
     </message>
 </context>
 <context>
@@ -2286,6 +2357,10 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode entfern
     <message>
         <source>%1 is in [data] %2 of the scene.</source>
         <translation>%1 steht in [data] %2 der Szene.</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
     </message>
 </context>
 <context>
@@ -4126,16 +4201,64 @@ Eine Auswertung und die Kanäle wählen, dann ausführen.</translation>
         <translation>innerhalb der Intervalle</translation>
     </message>
     <message>
-        <source>FRAC</source>
-        <translation type="unfinished"></translation>
+        <source>modes of %1</source>
+        <translation>Moden von %1</translation>
     </message>
     <message>
-        <source>LAC, mean</source>
-        <translation type="unfinished"></translation>
+        <source>modes found</source>
+        <translation>gefundene Moden</translation>
     </message>
     <message>
-        <source>model of the same structure that the check compares: bracket.toml</source>
-        <translation type="unfinished"></translation>
+        <source>%1 of %2 modes have a partner with a MAC of one half at least, over %3 DOFs that both sets have.</source>
+        <translation>%1 von %2 Moden haben einen Partner mit einem MAC von mindestens 0,5, über %3 Freiheitsgrade, die beide haben.</translation>
+    </message>
+    <message>
+        <source>map over force levels: %1</source>
+        <translation>Karte über Kraftniveaus: %1</translation>
+    </message>
+    <message>
+        <source>force level</source>
+        <translation>Kraftniveau</translation>
+    </message>
+    <message>
+        <source>misfit by line</source>
+        <translation>Misfit je Linie</translation>
+    </message>
+    <message>
+        <source>parameters of the best law</source>
+        <translation>Parameter des besten Gesetzes</translation>
+    </message>
+    <message>
+        <source>Joint line by line</source>
+        <translation>Fügestelle Linie für Linie</translation>
+    </message>
+    <message>
+        <source>Z over frequency</source>
+        <translation>Z über der Frequenz</translation>
+    </message>
+    <message>
+        <source>Find Z</source>
+        <translation>Z finden</translation>
+    </message>
+    <message>
+        <source>Find the dynamic stiffness of the joint at every line, as `jointid solve` does</source>
+        <translation>Die dynamische Steifigkeit der Fügestelle an jeder Linie finden, wie `jointid solve`</translation>
+    </message>
+    <message>
+        <source>Dynamic stiffness of the joint over frequency</source>
+        <translation>Dynamische Steifigkeit der Fügestelle über der Frequenz</translation>
+    </message>
+    <message>
+        <source>This page shows the dynamic stiffness Z of the joint at every line, with 95 % bands, loss factors and laws. It needs a scene with [joint] lines.</source>
+        <translation>Diese Seite zeigt die dynamische Steifigkeit Z der Fügestelle an jeder Linie, mit 95-%-Bändern, Verlustfaktoren und Gesetzen. Sie braucht eine Szene mit [joint] lines.</translation>
+    </message>
+    <message>
+        <source>Elements of Z, laws</source>
+        <translation>Elemente von Z, Gesetze</translation>
+    </message>
+    <message>
+        <source>Pictures, tables and films (*.png *.svg *.pdf *.csv *.gif)</source>
+        <translation>Bilder, Tabellen und Filme (*.png *.svg *.pdf *.csv *.gif)</translation>
     </message>
 </context>
 <context>
@@ -4290,10 +4413,6 @@ Eine Auswertung und die Kanäle wählen, dann ausführen.</translation>
         <translation>Anhalten und die bisher besten Werte behalten (Umschalt+F5)</translation>
     </message>
     <message>
-        <source>Solutions of this session</source>
-        <translation>Lösungen dieser Sitzung</translation>
-    </message>
-    <message>
         <source>Copy as command</source>
         <translation>Als Befehl kopieren</translation>
     </message>
@@ -4414,6 +4533,86 @@ FRF-Fehler des Zusammenbaus %1 dB</translation>
     <message>
         <source>Differences</source>
         <translation>Unterschiede</translation>
+    </message>
+    <message>
+        <source>Objective and unknowns over the iterations</source>
+        <translation>Zielfunktion und Unbekannte über den Iterationen</translation>
+    </message>
+    <message>
+        <source>A method that iterates shows its objective and its unknowns here, iteration by iteration.</source>
+        <translation>Ein iterierendes Verfahren zeigt hier Zielfunktion und Unbekannte, Iteration für Iteration.</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>Iterationen</translation>
+    </message>
+    <message>
+        <source>Solutions of this scene, the newest last</source>
+        <translation>Lösungen dieser Szene, die neueste zuletzt</translation>
+    </message>
+    <message>
+        <source>The run is not kept: %1</source>
+        <translation>Der Lauf wird nicht aufbewahrt: %1</translation>
+    </message>
+    <message>
+        <source>The scene was another then: Run – Scene of this run.</source>
+        <translation>Die Szene war damals eine andere: Lauf – Szene dieses Laufs.</translation>
+    </message>
+    <message>
+        <source>Files that changed since this run: %1.</source>
+        <translation>Seit diesem Lauf geänderte Dateien: %1.</translation>
+    </message>
+    <message>
+        <source>unknowns</source>
+        <translation>Unbekannte</translation>
+    </message>
+    <message>
+        <source>The report needs the FRFs of this run, and they cannot be read.</source>
+        <translation>Der Bericht braucht die FRFs dieses Laufs, und diese sind nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>The run in front</source>
+        <translation>Der Lauf, der zu sehen ist</translation>
+    </message>
+    <message>
+        <source>The scene of this run; remove it</source>
+        <translation>Die Szene dieses Laufs; ihn entfernen</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Lauf</translation>
+    </message>
+    <message>
+        <source>&amp;Scene of this run</source>
+        <translation>&amp;Szene dieses Laufs</translation>
+    </message>
+    <message>
+        <source>&amp;Remove this run…</source>
+        <translation>Diesen Lauf &amp;entfernen…</translation>
+    </message>
+    <message>
+        <source>Some kept runs cannot be read. %1</source>
+        <translation>Einige aufbewahrte Läufe sind nicht lesbar. %1</translation>
+    </message>
+    <message>
+        <source>The FRFs of this run are not drawn: %1</source>
+        <translation>Die FRFs dieses Laufs werden nicht gezeichnet: %1</translation>
+    </message>
+    <message>
+        <source>Remove a run</source>
+        <translation>Einen Lauf entfernen</translation>
+    </message>
+    <message>
+        <source>Remove run %1 and its file?</source>
+        <translation>Lauf %1 und seine Datei entfernen?</translation>
+    </message>
+    <message>
+        <source>%1 cannot be removed.</source>
+        <translation>%1 lässt sich nicht entfernen.</translation>
+    </message>
+    <message>
+        <source>There is no run.</source>
+        <translation>Es gibt keinen Lauf.</translation>
     </message>
 </context>
 <context>

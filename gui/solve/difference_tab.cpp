@@ -66,6 +66,12 @@ void DifferenceTab::show_run(const std::vector<Solved>& runs, std::size_t front)
   offer();
 }
 
+void DifferenceTab::clear() {
+  front_.clear();
+  own_.clear();
+  offer();
+}
+
 void DifferenceTab::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   offer();

@@ -27,6 +27,9 @@ class DifferenceTab : public QWidget {
   void set_elsewhere(std::function<Others()> elsewhere);
   void show_run(const std::vector<Solved>& runs, std::size_t front);
 
+  /// No run.
+  void clear();
+
   QComboBox* others() const { return other_; }
   CellTable* table() const { return table_; }
 

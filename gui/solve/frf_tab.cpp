@@ -11,8 +11,22 @@
 #include "gui/look/named.hpp"
 #include "gui/page/dof_box.hpp"
 #include "gui/plot/frf_plot.hpp"
+#include "gui/solve/kept_runs.hpp"
 
 namespace jointid::gui {
+namespace {
+
+/// A kept run whose files are gone stays without a plan.
+Solved with_plan(Solved run) {
+  try {
+    if (run.plan == nullptr && !run.scene_text.empty()) make_plan_of(run);
+  } catch (const InputError&) {
+    run.plan = nullptr;
+  }
+  return run;
+}
+
+}  // namespace
 
 FrfTab::FrfTab(Worker& worker, QWidget* parent) : QWidget(parent), worker_(worker) {
   response_ = named(new QComboBox, "asm_response", tr("Response"));
@@ -46,10 +60,22 @@ void FrfTab::show_next(int step) {
 void FrfTab::show_runs(const std::vector<Solved>& runs, std::size_t front) {
   runs_ = runs;
   front_ = front;
+  if (runs_[front_].plan == nullptr) return clear();
   fill_dofs(*response_, tasks::regenerable_responses(*runs_[front_].plan));
   fill_dofs(*reference_, tasks::regenerable_references(*runs_[front_].plan));
   plot_->set_marked(outlying_hz(runs_[front_]));
   show_frf();
+}
+
+/// Of a kept run, until its plan is made.
+void FrfTab::clear() {
+  runs_.clear();
+  ++wanted_;
+  response_->clear();
+  reference_->clear();
+  error_db_->clear();
+  plot_->set_marked({});
+  plot_->set_curves({});
 }
 
 void FrfTab::show_error(const tasks::FrfEntry& entry) {
@@ -71,7 +97,7 @@ void FrfTab::show_frf() {
   const std::size_t number = ++wanted_;
   worker_.add([this, front = runs_[front_], others, entry, number](const Worker::Watch& watch) -> Worker::Deliver {
     Overlay overlay = regenerate_frf(front, entry, watch);
-    for (const Solved& other : others) add_regenerated(overlay, other, entry, watch);
+    for (const Solved& other : others) add_regenerated(overlay, with_plan(other), entry, watch);
     return [this, number, overlay] {
       if (number == wanted_) show_overlay(overlay);
     };

@@ -23,6 +23,8 @@ class FrfTab : public QWidget {
 
   /// The run in front, and with it all of the session.
   void show_runs(const std::vector<Solved>& runs, std::size_t front);
+  /// No run.
+  void clear();
   /// That FRF, and its error line by line.
   void show_error(const tasks::FrfEntry& entry);
   FrfPlot* plot() const { return plot_; }

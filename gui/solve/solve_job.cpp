@@ -1,5 +1,6 @@
 #include "gui/solve/solve_job.hpp"
 
+#include <QDateTime>
 #include <algorithm>
 #include <cmath>
 
@@ -16,6 +17,7 @@
 namespace jointid::gui {
 namespace {
 
+constexpr std::size_t passes_around_iterations = 3;               // over the lines: reading, predicting, the check of the data
 constexpr std::uintmax_t quick_bytes = std::uintmax_t{64} << 20;  // of files whose headers are read at once
 
 Curve curve_of(const tasks::Regenerated& all, const tasks::RegeneratedFrf& frf, bool is_measured, const std::string& name) {
@@ -57,23 +59,45 @@ std::vector<std::filesystem::path> inputs_of(const std::optional<ident::Scene>& 
   return inputs;
 }
 
+report::RunInput input_as_it_is(const std::string& file) {
+  report::RunInput out{file};
+  std::error_code none;
+  const std::uintmax_t bytes = std::filesystem::file_size(file, none);
+  if (!none) out.bytes = bytes;
+  const auto time = std::filesystem::last_write_time(file, none);
+  if (!none) out.modified = time.time_since_epoch().count();
+  return out;
+}
+
 Solved solve_scene(const ident::Scene& scene, const Worker::Watch& watch) {
   Solved solved;
+  solved.made = QDateTime::currentDateTime().toString(Qt::ISODate).toStdString();
+  for (const std::filesystem::path& file : inputs_of(scene))
+    solved.inputs.push_back(input_as_it_is(std::filesystem::absolute(file).string()));
+  watch.begin({1, 3, 0.0, 0.05});
   watch.progress("planning", 0, 0);
   solved.plan = ident::make_plan(scene);
   stop_if(watch.interrupted);
+  watch.begin({2, 3, 0.05, 0.85, passes_around_iterations + solved.plan->cost.iteration.expected});
   std::optional<ident::Solution> best;
   ident::Control control = control_of(watch);
   control.judgement = ident::Judgement::data;
-  control.so_far = [&](const ident::Solution& solution) { best = solution; };
+  tasks::IterationLog log;
+  control.so_far = [&](const ident::Solution& solution) {
+    best = solution;
+    log.note(solution);
+  };
   try {
     solved.solution = ident::solve(*solved.plan, control);
   } catch (const Interrupted&) {
     if (!best) throw;
     tasks::mark_interrupted(*best);
     solved.solution = std::move(*best);
+    solved.iterations = log.ended(solved.solution);
     return solved;
   }
+  solved.iterations = log.ended(solved.solution);
+  watch.begin({3, 3, 0.85, 1.0, 2});
   try {
     solved.worth = tasks::worth(*solved.plan, solved.solution, control_of(watch));
   } catch (const Interrupted&) {
@@ -98,7 +122,8 @@ Overlay regenerate_frf(const Solved& solved, const tasks::FrfEntry& entry, const
 }
 
 void add_regenerated(Overlay& overlay, const Solved& other, const tasks::FrfEntry& entry, const Worker::Watch& watch) {
-  if (other.solution.bands.empty() || !frf::has(tasks::regenerable_responses(*other.plan), entry.response) ||
+  if (other.plan == nullptr || other.solution.bands.empty() ||
+      !frf::has(tasks::regenerable_responses(*other.plan), entry.response) ||
       !frf::has(tasks::regenerable_references(*other.plan), entry.reference)) {
     return;
   }
@@ -108,7 +133,7 @@ void add_regenerated(Overlay& overlay, const Solved& other, const tasks::FrfEntr
 
 std::vector<double> outlying_hz(const Solved& solved) {
   const auto& chi_square = solved.solution.fit.chi_square;
-  if (!chi_square || chi_square->by_line.size() != solved.plan->lines.size()) return {};
+  if (!chi_square || solved.plan == nullptr || chi_square->by_line.size() != solved.plan->lines.size()) return {};
   const std::vector<double>& by_line = chi_square->by_line;
   std::vector<std::size_t> lines;
   for (std::size_t i = 0; i < by_line.size(); ++i) {
@@ -124,8 +149,10 @@ std::vector<double> outlying_hz(const Solved& solved) {
 
 std::string report_of(const Solved& solved, const Worker::Watch& watch) {
   const tasks::DetailChoice choice{std::nullopt, report::most_frfs, report::worst_frfs_drawn};
-  return report::solve_report(*solved.plan, solved.solution,
-                              tasks::solution_details(*solved.plan, solved.solution, choice, control_of(watch)));
+  watch.begin({1, 1, 0.0, 1.0, solved.solution.quality.empty() ? std::size_t{2} : std::size_t{3}});
+  tasks::SolutionDetails details = tasks::solution_details(*solved.plan, solved.solution, choice, control_of(watch));
+  details.iterations = solved.iterations;
+  return report::solve_report(*solved.plan, solved.solution, details);
 }
 
 }  // namespace jointid::gui

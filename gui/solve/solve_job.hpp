@@ -9,6 +9,7 @@
 #include "gui/work/worker.hpp"
 #include "ident/plan/plan.hpp"
 #include "ident/result/solution.hpp"
+#include "report/result/kept_run.hpp"
 #include "tasks/bound_report.hpp"
 #include "tasks/regenerate.hpp"
 #include "tasks/worth.hpp"
@@ -17,11 +18,21 @@ namespace jointid::gui {
 
 /// A solution, with the plan that it came from: both belong to the thread that solves.
 struct Solved {
-  std::shared_ptr<ident::Plan> plan;
+  std::shared_ptr<ident::Plan> plan;  ///< none of a kept run before it is asked for
   ident::Solution solution;
   std::string name;  ///< "2: likelihood"
   std::vector<tasks::WorthAnswer> worth{};  ///< none of a run that was interrupted
+  tasks::UnknownsByIteration iterations{};  ///< of methods that iterate
+  std::string made{};                       ///< "2026-11-30T17:31:02"
+  std::string scene_text{};                 ///< empty where the text is not known
+  std::filesystem::path scene_file{};       ///< paths of the text are relative to its folder
+  std::vector<report::RunInput> inputs{};   ///< as they were read
+  std::vector<std::string> changed{};       ///< inputs that are not as they were, of a kept run
+  QString kept{};                           ///< the file in which it is kept; empty: in none
 };
+
+/// Size and time of a file; zeros where there is none.
+report::RunInput input_as_it_is(const std::string& file);
 
 /// Whether a plan needs headers only, of files that are not large.
 bool is_quick_to_plan(const ident::Scene& scene);

@@ -1,12 +1,13 @@
 #include "gui/solve/solve_page.hpp"
 
+#include <QAction>
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QTabWidget>
-#include <QTime>
+#include <QToolButton>
 
 #include "base/text.hpp"
 #include "gui/look/buttons.hpp"
@@ -14,17 +15,21 @@
 #include "gui/look/named.hpp"
 #include "gui/look/output.hpp"
 #include "gui/look/paths.hpp"
+#include "gui/look/said.hpp"
 #include "gui/page/job_line.hpp"
+#include "gui/page/plot_menu.hpp"
 #include "gui/plot/frf_plot.hpp"
 #include "gui/solve/difference_tab.hpp"
 #include "gui/solve/frf_tab.hpp"
 #include "gui/solve/joint_tab.hpp"
+#include "gui/solve/kept_runs.hpp"
 #include "gui/solve/run_tables.hpp"
 #include "gui/solve/solution_tables.hpp"
 #include "gui/solve/spring_table.hpp"
 #include "gui/solve/worth_row.hpp"
 #include "gui/table/cell_table.hpp"
 #include "ident/identify.hpp"
+#include "report/page/solve_plots.hpp"
 #include "tasks/joint/joint_layout.hpp"
 
 namespace jointid::gui {
@@ -51,6 +56,11 @@ SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
   results_->addTab(findings_, tr("Findings"));
   results_->addTab(frf_tab_, tr("Assembly FRFs"));
   results_->addTab(run_table_, tr("Runs"));
+  iterations_menu_ =
+      new PlotMenu("iterations", tr("Objective and unknowns over the iterations"),
+                   tr("A method that iterates shows its objective and its unknowns here, iteration by iteration."));
+  results_->addTab(iterations_menu_, tr("Iterations"));
+  results_->setTabVisible(results_->indexOf(iterations_menu_), false);
   difference_tab_ = new DifferenceTab;
   results_->addTab(difference_tab_, tr("Differences"));
   auto* all = new QVBoxLayout(this);
@@ -72,7 +82,7 @@ QWidget* SolvePage::make_top() {
   solve_ = push_button("solve", tr("Solve"), tr("Identify the joint (F5)"));
   auto* bound_button =
       push_button("bound", tr("Bounds"), tr("The smallest standard errors that the data allow, and the effect of other data"));
-  run_choice_ = named(new QComboBox, "runs", tr("Runs"), tr("Solutions of this session"));
+  run_choice_ = named(new QComboBox, "runs", tr("Runs"), tr("Solutions of this scene, the newest last"));
   run_choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   auto* command = push_button("copy_command", tr("Copy as command"), tr("Copy the command line with the same solution"));
   auto* table = push_button("save_table", tr("Table…"), tr("Save the visible table as CSV"));
@@ -81,7 +91,7 @@ QWidget* SolvePage::make_top() {
   auto* rows = new QGridLayout(top);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->addLayout(row_of({solve_, bound_button, line_->cancel_button()}, {command}), 0, 0);
-  rows->addLayout(row_of({run_choice_}, {table, page, json}), 1, 0);
+  rows->addLayout(row_of({run_choice_, make_run_menu()}, {table, page, json}), 1, 0);
   connect(solve_, &QPushButton::clicked, this, &SolvePage::solve);
   connect(bound_button, &QPushButton::clicked, this, &SolvePage::bound);
   connect(run_choice_, &QComboBox::activated, this, &SolvePage::show_run);
@@ -176,11 +186,20 @@ void SolvePage::solve() {
   if (!scene_ || is_doubtful()) return;
   renew_status_ = false;
   line_->say(tr("Solving …"));
-  line_->worker().add([this, scene = *scene_](const Worker::Watch& watch) -> Worker::Deliver {
+  line_->worker().add([this, scene = *scene_, text = text_, file = file_](const Worker::Watch& watch) -> Worker::Deliver {
     Solved solved = solve_scene(scene, watch);
-    return [this, solved, rows = plan_rows(*solved.plan)] {
+    solved.scene_text = text;
+    solved.scene_file = as_path(file);
+    QString lost;
+    try {
+      if (!file.isEmpty() && !text.empty()) keep_run(solved, file);
+    } catch (const InputError& error) {
+      lost = QString::fromUtf8(error.what());
+    }
+    return [this, solved, lost, rows = plan_rows(*solved.plan)] {
       plan_->show_rows(rows);
       add_run(solved);
+      if (!lost.isEmpty()) line_->say(status() + QLatin1Char('\n') + tr("The run is not kept: %1").arg(lost));
     };
   });
 }
@@ -193,16 +212,11 @@ const Solved* SolvePage::current() const {
 }
 
 void SolvePage::add_run(Solved solved) {
-  solved.name = std::to_string(runs_.size() + 1) + ": " + ident::name(solved.solution.used.method);
+  const std::size_t number = runs_.empty() ? 1 : std::stoul(runs_.back().name) + 1;
+  solved.name = std::to_string(number) + ": " + ident::name(solved.solution.used.method);
   runs_.push_back(std::move(solved));
-  const ident::Solution& solution = runs_.back().solution;
-  run_choice_->addItem(tr("%1, %2, %3")
-                           .arg(QString::fromStdString(runs_.back().name),
-                                QString::fromStdString(ident::name(solution.status)).replace('_', ' '),
-                                QTime::currentTime().toString(QStringLiteral("HH:mm"))));
-  run_choice_->setCurrentIndex(run_choice_->count() - 1);
   if (results_->currentIndex() < 2) results_->setCurrentWidget(unknowns_);
-  show_run(run_choice_->count() - 1);
+  list_runs(runs_.size() - 1);
   Q_EMIT this->solved();
 }
 
@@ -215,12 +229,25 @@ void SolvePage::show_status() {
     text += tr("\nassembly FRF error %1 dB").arg(QString::fromStdString(digits(*solution.fit.asm_frf_error, "%.3g")));
   }
   text += tr("; %1 s").arg(QString::fromStdString(digits(solution.runtime_s.total)));
+  if (!current()->scene_text.empty() && current()->scene_text != text_)
+    text += QLatin1Char('\n') + tr("The scene was another then: Run – Scene of this run.");
+  if (const auto& changed = current()->changed; !changed.empty())
+    text +=
+        QLatin1Char('\n') +
+        tr("Files that changed since this run: %1.").arg(q(comma_list(changed, [](const std::string& name) { return name; })));
   line_->say(text, !ident::is_usable(solution.status));
 }
 
 void SolvePage::show_run(int run) {
   show_status();
-  const ident::Solution& solution = runs_[static_cast<std::size_t>(run)].solution;
+  const Solved& solved = runs_[static_cast<std::size_t>(run)];
+  const ident::Solution& solution = solved.solution;
+  if (solved.plan == nullptr && !solved.scene_text.empty()) ask_for_plan(static_cast<std::size_t>(run));
+  scene_of_run_->setEnabled(!solved.scene_text.empty());
+  remove_run_->setEnabled(true);
+  const report::PlotGroup iterations = report::iteration_plots(solved.iterations);
+  results_->setTabVisible(results_->indexOf(iterations_menu_), !iterations.choices.empty());
+  iterations_menu_->show_groups({{tr("unknowns"), iterations}});
   worth_->show_answers(runs_[static_cast<std::size_t>(run)].worth);
   unknowns_->show_rows(unknown_rows(solution));
   const CellRows springs = spring_rows(solution);
@@ -288,6 +315,7 @@ void SolvePage::save_report() {
 void SolvePage::write_report(const QString& file) {
   const Solved* const run = current();
   if (run == nullptr) return;
+  if (run->plan == nullptr) return line_->say(tr("The report needs the FRFs of this run, and they cannot be read."), true);
   line_->worker().add([this, file, solved = *run, inputs = inputs_of(scene_)](const Worker::Watch& watch) -> Worker::Deliver {
     write_output(file, report_of(solved, watch), inputs);
     return [this, file] { line_->say(tr("The report is written to %1.").arg(file)); };

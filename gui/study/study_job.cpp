@@ -73,9 +73,11 @@ std::vector<HistogramSet> LiveTrials::histograms() const {
 StudyShown run_study_job(const StudyWish& wish, const Worker::Watch& watch,
                          const std::function<void(const StudyShown&)>& so_far) {
   const study::StudyOptions options = options_of(wish);
+  watch.begin({1, 2, 0.0, 0.05});
   watch.progress("reading", 0, 0);
   const auto data = study::load_trial_data(wish.scene);
   stop_if(watch.interrupted);
+  watch.begin({2, 2, 0.05, 1.0});
   LiveTrials live(data->unknowns);
   auto shown_at = Clock::now();
   study::StudyControl control;

@@ -68,16 +68,21 @@ void Worker::run(const std::stop_token& stop) {
 void Worker::do_one(const Work& work, std::size_t ticket, const std::stop_token& stop) {
   std::mutex last_mutex;  // progress comes from several threads
   auto last = Clock::time_point();
+  WholeShare whole;
   Watch watch;
   watch.interrupted = [this, ticket, stop] { return stop.stop_requested() || generation_ != ticket; };
   watch.progress = [&](const char* stage, std::size_t done, std::size_t total) {
     const std::scoped_lock lock(last_mutex);
+    const double part = total > 0 ? static_cast<double>(done) / static_cast<double>(total) : -1.0;
+    const JobShare share = whole.note(QString::fromUtf8(stage), part);
     if (seconds_since(last) < seconds_between_signs) return;
     last = Clock::now();
-    const double share = total > 0 ? static_cast<double>(done) / static_cast<double>(total) : -1.0;
-    const auto name = QString::fromUtf8(stage);
     QMetaObject::invokeMethod(
-        this, [this, name, share] { Q_EMIT progressed(name, share); }, Qt::QueuedConnection);
+        this, [this, share] { Q_EMIT progressed(share); }, Qt::QueuedConnection);
+  };
+  watch.begin = [&](const JobStep& step) {
+    const std::scoped_lock lock(last_mutex);
+    whole.begin(step);
   };
   watch.show = [this](Deliver deliver) { QMetaObject::invokeMethod(this, std::move(deliver), Qt::QueuedConnection); };
   try {

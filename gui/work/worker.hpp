@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "base/error.hpp"
+#include "gui/look/whole_share.hpp"
 
 namespace jointid::gui {
 
@@ -25,6 +26,7 @@ class Worker : public QObject {
     std::function<bool()> interrupted;
     std::function<void(const char* stage, std::size_t done, std::size_t total)> progress;
     std::function<void(Deliver)> show = {};  ///< what there is so far; a few times per second at most
+    std::function<void(const JobStep&)> begin = [](const JobStep&) {};  ///< a step of the job begins: progress is its own
   };
   using Work = std::function<Deliver(const Watch&)>;
 
@@ -38,7 +40,7 @@ class Worker : public QObject {
   bool is_busy() const { return waiting_ > 0; }
 
  Q_SIGNALS:
-  void progressed(const QString& stage, double share);  ///< 0 to 1; negative where it is not known
+  void progressed(const jointid::gui::JobShare& share);
   void failed(const jointid::InputError& error);
   void cancelled();
   void busy_changed(bool busy);

@@ -80,7 +80,9 @@ CurvePlot part_plot(const IdentifiedLines& found, const WayResult& way, std::siz
   return plot;
 }
 
-PlotGroup element_plots(const IdentifiedLines& found, const WayResult& way) {
+}  // namespace
+
+PlotGroup line_element_plots(const IdentifiedLines& found, const WayResult& way) {
   PlotGroup out{.menu = "element", .choices = {}};
   for (std::size_t e = 0; e < std::min(most_frfs, way.elements.size()); ++e) {
     const auto t = static_cast<Eigen::Index>(e);
@@ -93,15 +95,13 @@ PlotGroup element_plots(const IdentifiedLines& found, const WayResult& way) {
   return out;
 }
 
-PlotGroup misfit_plot(const IdentifiedLines& found) {
+PlotGroup line_misfit_plot(const IdentifiedLines& found) {
   CurvePlot plot = plot_over(found, "χ² over degrees of freedom", "χ²/f");
   plot.level = 1.0;
   const auto ratio = [](const LineValue& line) { return line.freedom > 0.0 ? line.chi_square / line.freedom : nan; };
   plot.series.push_back({"likelihood", over_lines(found.likelihood, ratio)});
   return {.menu = "", .choices = {{"", {std::move(plot)}}}};
 }
-
-}  // namespace
 
 std::string line_page(const impedance::LineScene& scene, const IdentifiedLines& found) {
   ReportPage page(scene.scene.title.empty() ? "Dynamic stiffness of the joint" : scene.scene.title, "jointid solve");
@@ -113,7 +113,7 @@ std::string line_page(const impedance::LineScene& scene, const IdentifiedLines& 
   for (const std::string& note : found.notes) page.add(Text{note, true});
   for (const WayResult& way : found.ways) {
     page.section("Z by way " + impedance::name(way.way));
-    page.add(element_plots(found, way));
+    page.add(line_element_plots(found, way));
   }
   if (!found.laws.empty()) {
     page.section("Laws");
@@ -121,7 +121,7 @@ std::string line_page(const impedance::LineScene& scene, const IdentifiedLines& 
   }
   if (found.freedom > 0.0) {
     page.section("Misfit");
-    page.add(misfit_plot(found));
+    page.add(line_misfit_plot(found));
   }
   page.add(Text{"Bands are 95 % intervals of single lines; each covers on its own.", true});
   return page.html();

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "impedance/identify_lines.hpp"
+#include "report/page/contents.hpp"
 #include "report/text/table.hpp"
 
 namespace jointid::report {
@@ -24,6 +25,12 @@ std::string line_json(const impedance::LineScene& scene, const impedance::Identi
 
 /// A line for each way, element and frequency: "way,element,unit,frequency_hz,re,im,std_error_re,std_error_im,…".
 std::string line_csv(const impedance::IdentifiedLines& found);
+
+/// Elements of a way over frequency with their 95 % bands, laws and splines over them, and loss factors; a choice for each
+/// element.
+PlotGroup line_element_plots(const impedance::IdentifiedLines& found, const impedance::WayResult& way);
+/// χ²/f of the likelihood, line by line.
+PlotGroup line_misfit_plot(const impedance::IdentifiedLines& found);
 
 /// HTML page: the elements over frequency with their 95 % bands, loss factors, χ²/f.
 std::string line_page(const impedance::LineScene& scene, const impedance::IdentifiedLines& found);

@@ -80,6 +80,28 @@ Choice choice(const tasks::RegeneratedFrf& frf, const Values& frequency_hz, std:
   return out;
 }
 
+constexpr std::size_t series_of_choice = 8, most_choices = 5;
+
+/// Of unknowns that are not zero at the end; those with the largest excursion first.
+std::vector<Series> relative_unknowns(const tasks::UnknownsByIteration& found) {
+  std::vector<std::pair<double, Series>> moved;
+  const Values& end = found.iterations.back().values;
+  for (std::size_t u = 0; u < found.names.size(); ++u) {
+    if (!std::isfinite(end[u]) || end[u] == 0.0) continue;
+    Series series{found.names[u], {}, Style::line};
+    double most = 0.0;
+    for (const tasks::IterationUnknowns& step : found.iterations) {
+      series.y.push_back(step.values[u] / end[u]);
+      most = std::fmax(most, std::abs(series.y.back() - 1.0));
+    }
+    moved.emplace_back(most, std::move(series));
+  }
+  std::ranges::stable_sort(moved, std::greater{}, &std::pair<double, Series>::first);
+  std::vector<Series> out;
+  for (auto& [most, series] : moved) out.push_back(std::move(series));
+  return out;
+}
+
 }  // namespace
 
 PlotGroup frf_overlay(const tasks::Regenerated& receptances, std::optional<std::array<double, 2>> used_hz, std::size_t most,
@@ -114,6 +136,35 @@ PlotGroup quality_plots(const std::vector<tasks::LineQuality>& lines) {
     plot.series = {{"RJCF", std::move(rjcf), Style::line}, {"ARVF", std::move(arvf), Style::line}};
     plot.level = 1.0;
     group.choices.push_back({restrictions::key(last.first), {plot}});
+  }
+  return group;
+}
+
+PlotGroup iteration_plots(const tasks::UnknownsByIteration& found) {
+  PlotGroup group{"unknowns", {}};
+  if (found.iterations.size() < 2) return group;
+  CurvePlot objective, unknowns;
+  objective.title = "Objective";
+  objective.x = unknowns.x = {"iteration", false};
+  Values sums;
+  for (const tasks::IterationUnknowns& step : found.iterations) {
+    objective.x_values.push_back(static_cast<double>(step.iteration));
+    sums.push_back(step.objective.value_or(missing));
+  }
+  objective.y = {"objective", std::ranges::all_of(sums, [](double sum) { return !(sum <= 0.0); })};
+  const bool has_objective = has_any(sums);
+  objective.series = {{"objective", std::move(sums), Style::line}};
+  unknowns.title = "Unknowns over those of the solution";
+  unknowns.y = {"value / value of the solution", false};
+  unknowns.x_values = objective.x_values;
+  unknowns.level = 1.0;
+  std::vector<Series> all = relative_unknowns(found);
+  for (std::size_t first = 0; first < std::min(all.size(), most_choices * series_of_choice); first += series_of_choice) {
+    const std::size_t last = std::min(all.size(), first + series_of_choice);
+    unknowns.series.assign(all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(last));
+    Choice one{fmt::format("{} to {} of {}", first + 1, last, all.size()), {unknowns}};
+    if (has_objective) one.plots.insert(one.plots.begin(), objective);
+    group.choices.push_back(std::move(one));
   }
   return group;
 }

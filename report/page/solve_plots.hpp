@@ -17,4 +17,8 @@ PlotGroup frf_overlay(const tasks::Regenerated& receptances, std::optional<std::
 /// RJCF and ARVF of each matrix against the number of lines (docs/formulas.md §6).
 PlotGroup quality_plots(const std::vector<tasks::LineQuality>& lines);
 
+/// The objective of an iterative method, and its unknowns over those of the solution, both over the iterations: a choice for
+/// every eight unknowns, those that moved most first, at most five choices. None of less than two steps.
+PlotGroup iteration_plots(const tasks::UnknownsByIteration& found);
+
 }  // namespace jointid::report

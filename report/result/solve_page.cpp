@@ -183,6 +183,17 @@ void add_quality(const ident::Solution& solution, const tasks::SolutionDetails& 
   page.add(quality_plots(details.quality));
 }
 
+/// An unknown that still moves while the objective no longer falls is not determined.
+void add_iterations(const tasks::UnknownsByIteration& found, ReportPage& page) {
+  PlotGroup plots = iteration_plots(found);
+  if (plots.choices.empty()) return;
+  page.section("Over the iterations");
+  page.add(std::move(plots));
+  page.add(Text{
+      "An unknown that still moves while the objective no longer falls is not determined by the data. --by-iteration writes all.",
+      true});
+}
+
 /// What the data's own errors explain is about 1; far above it the model, or the FRF, is wrong.
 void add_noise_map(const tasks::EntryErrors& errors, ReportPage& page) {
   if (errors.rms_noise.empty()) return;
@@ -234,7 +245,7 @@ void add_worst(const tasks::EntryErrors& errors, const PlotGroup& overlay, Repor
 }
 
 void add_frfs(const tasks::SolutionDetails& details, const PlotGroup& overlay, ReportPage& page) {
-  const auto& [errors, regenerated, all_used, quality] = details;
+  const auto& [errors, regenerated, all_used, quality, iterations] = details;
   if (overlay.choices.empty()) return;
   page.section("Assembly: measured, and synthesised from the identified joint");
   page.add(overlay);
@@ -277,6 +288,7 @@ std::string solve_report(const ident::Plan& plan, const ident::Solution& solutio
   add_identifiability(solution, page);
   add_matrices(plan, shown, display, page);
   add_quality(solution, details, page);
+  add_iterations(details.iterations, page);
   add_frfs(details, overlay, page);
   add_plan(plan, page);
   return page.html();

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QImage>
+#include <QImageReader>
 #include <QListWidget>
 #include <QMouseEvent>
 #include <QSignalSpy>
@@ -244,7 +245,46 @@ TEST(GeometryPage, SavesPicturesAndNodes) {
   ASSERT_NE(at, std::string::npos);
   EXPECT_THAT(csv.substr(at + 1, csv.find('\n', at + 1) - at),
               HasSubstr("," + digits(shape[1].real(), "%.17g") + "," + digits(shape[1].imag(), "%.17g")));
+  seen.page.save(folder.filePath("a.gif"));
+  QImageReader film(folder.filePath("a.gif"));
+  EXPECT_EQ(film.imageCount(), 36);
+  const QImage first = film.read(), second = film.read();
+  EXPECT_EQ(first.size(), seen.page.view()->size());
+  EXPECT_NE(first, second);
+  seen.move();
+  EXPECT_THROW(seen.page.save(folder.filePath("b.gif")), InputError) << "what is at rest is no film";
   EXPECT_THROW(seen.page.save(seen.measured.files().front()), InputError);
+}
+
+TEST(StructureView, NumbersOfNodesDoNotCollide) {
+  Structure structure;
+  for (std::int64_t id = 1; id <= 12; ++id) structure.nodes.push_back({id, {0.001 * static_cast<double>(id % 3), 0.0, 0.0}});
+  structure.nodes.push_back({13, {1.0, 1.0, 0.0}});
+  StructureView view;
+  view.resize(400, 300);
+  view.show();
+  view.set_structure(structure);
+  view.set_joint({frf::Dof::parse("1:+X"), frf::Dof::parse("2:+X"), frf::Dof::parse("4:+X"), frf::Dof::parse("5:+X"),
+                  frf::Dof::parse("7:+X")});
+  const auto places = view.name_places();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(places[i].second.intersects(places[j].second)) << places[i].first;
+  }
+  for (const std::int64_t node : {1, 2, 4, 5, 7, 13})
+    EXPECT_TRUE(std::ranges::any_of(places, [&](const auto& each) { return each.first == node; })) << node;
+}
+
+TEST(StructureView, PartsHaveColours) {
+  Structure structure;
+  structure.nodes = {{1, {0.0, 0.0, 0.0}}, {2, {1.0, 0.0, 0.0}}, {3, {2.0, 0.0, 0.0}}};
+  structure.part = {{1, 0}, {2, 1}};
+  StructureView view;
+  view.set_structure(structure);
+  EXPECT_NE(view.part_colour(structure.nodes[0]), view.part_colour(structure.nodes[1]));
+  EXPECT_EQ(view.part_colour(structure.nodes[2]), colours(theme_of(view.palette())).text);
+  structure.part = {{1, 0}};
+  view.set_structure(structure);
+  EXPECT_EQ(view.part_colour(structure.nodes[0]), colours(theme_of(view.palette())).text) << "one part has no colour";
 }
 
 TEST(StructureView, WithoutPositionsItSaysSo) {

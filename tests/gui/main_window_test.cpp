@@ -15,8 +15,8 @@
 #include <QSet>
 #include <QTabWidget>
 #include <QTemporaryDir>
-#include <QTextBrowser>
 #include <QTest>
+#include <QTextBrowser>
 #include <QTimer>
 #include <cstdio>
 #include <ctime>
@@ -24,6 +24,7 @@
 #include <tuple>
 
 #include "base/stopwatch.hpp"
+#include "gui/begin/example_dialog.hpp"
 #include "gui/compare/compare_page.hpp"
 #include "gui/data/data_page.hpp"
 #include "gui/help/help_window.hpp"
@@ -339,6 +340,16 @@ TEST(MainWindow, F1OpensThePageOfTheDocumentation) {
   EXPECT_THAT(help->browser()->toPlainText().toStdString(), testing::HasSubstr("jointid frf"));
   help->show_page("no such page");
   EXPECT_THAT(help->browser()->toPlainText().toStdString(), testing::HasSubstr("The workbench"));
+}
+
+TEST(MainWindow, AKeyOpensTheExamples) {
+  Shown shown;
+  QTest::keyClick(&shown.window, Qt::Key_O, Qt::ControlModifier | Qt::ShiftModifier);
+  auto* const dialog = shown.window.findChild<ExampleDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_TRUE(dialog->isVisible());
+  QTest::keyClick(dialog, Qt::Key_Escape);
+  EXPECT_FALSE(dialog->isVisible());
 }
 
 TEST(MainWindow, OneKeyFoldsTheText) {

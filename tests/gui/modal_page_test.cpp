@@ -15,6 +15,7 @@
 #include "gui/look/paths.hpp"
 #include "gui/plot/chart.hpp"
 #include "gui/plot/frf_plot.hpp"
+#include "gui/plot/heat_chart.hpp"
 #include "gui/table/cell_table.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "report/modalfit/stabilisation.hpp"
@@ -227,6 +228,42 @@ TEST(PickedPoles, AreUndoneAndRedone) {
   EXPECT_FALSE(picked.now());
   picked.pick({{2.0, 0.1}});
   EXPECT_FALSE(picked.can_redo());
+}
+
+TEST(ModalPage, TheMouseOverAPoleStatesFrequencyDampingAndOrder) {
+  Fitting fitting;
+  ASSERT_TRUE(fitting.find());
+  QCoreApplication::processEvents();
+  const report::ScatterPlot& plot = fitting.page.chart()->scatter();
+  const report::Point& pole = plot.groups[report::at_mode].points.front();
+  move_mouse(fitting.page.chart()->canvas(), fitting.page.chart()->pixel_of(report::at_mode, 0));
+  QCoreApplication::processEvents();
+  const std::string said = fitting.page.chart()->readout().toStdString();
+  EXPECT_THAT(said, testing::AllOf(HasSubstr("Hz"), HasSubstr("ζ"),
+                                   HasSubstr("order (pole pairs) " + std::to_string(static_cast<int>(pole.y)))));
+  move_mouse(fitting.page.chart()->canvas(), QPoint(1, 1));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(fitting.page.chart()->readout().toStdString(), "");
+}
+
+TEST(ModalPage, ModesAreComparedWithThoseOfAFile) {
+  Fitting fitting;
+  QTemporaryDir folder;
+  const QString file = folder.filePath("shapes.uff");
+  fitting.page.compare_with(file);
+  EXPECT_THAT(fitting.page.status().toStdString(), HasSubstr("No modes are found yet"));
+  ASSERT_TRUE(fitting.find());
+  fitting.page.write_shapes(file);
+  fitting.page.compare_with(file);
+  const HeatPlot& map = fitting.page.cross_mac()->plot();
+  ASSERT_EQ(map.rows.size(), fitting.modes());
+  ASSERT_EQ(map.columns.size(), fitting.modes());
+  for (std::size_t mode = 0; mode < fitting.modes(); ++mode) EXPECT_NEAR(map.values[mode * fitting.modes() + mode], 1.0, 1e-9);
+  fitting.click_mode(0);  // leaves it
+  ASSERT_TRUE(fitting.rests());
+  EXPECT_EQ(fitting.page.cross_mac()->plot().rows.size(), map.columns.size() - 1);
+  fitting.page.compare_with(folder.filePath("nothing.uff"));
+  EXPECT_TRUE(fitting.page.cross_mac()->plot().values.empty());
 }
 
 }  // namespace

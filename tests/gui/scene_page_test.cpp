@@ -13,10 +13,12 @@
 
 #include "command_files.hpp"
 #include "gui/laws/law_kind.hpp"
+#include "gui/lines/line_kind.hpp"
 #include "gui/look/paths.hpp"
 #include "gui/main_window.hpp"
 #include "gui/oscillate/oscillate_kind.hpp"
 #include "gui/plot/chart.hpp"
+#include "gui/plot/heat_chart.hpp"
 #include "gui/project.hpp"
 #include "gui/response/response_kind.hpp"
 #include "widgets.hpp"
@@ -232,6 +234,56 @@ TEST(ScenePage, IdentifiesLawsAsTheCommandDoes) {
   process.start(JOINTID_COMMAND, {"solve", measured.scene(), "--csv", theirs});
   ASSERT_TRUE(process.waitForFinished(120000));
   EXPECT_EQ(read_file(mine), read_file(theirs));
+}
+
+/// Z at every line of two beams and a joint: the files are those of the command.
+TEST(ScenePage, FindsZAtEveryLineAsTheCommandDoes) {
+  const Measured measured("A1");
+  Page page(line_kind());
+  std::string text = read_file(measured.scene());
+  text = text.substr(0, text.find("[joint"));
+  text += R"([joint]
+dofs = ["4:+Y", "4:+RZ", "5:+Y", "5:+RZ"]
+lines = "symmetric"
+laws = ["hysteretic"]
+
+[noise]
+model = "gaussian"
+level = 0.01
+)";
+  page.file = measured.file("lines.toml");
+  EXPECT_FALSE(line_kind().is_of(read_file(measured.scene())));
+  EXPECT_TRUE(line_kind().is_of(text));
+  const auto wrong = page.set(text);
+  ASSERT_FALSE(wrong) << wrong->problem << '\n' << text;
+  ASSERT_TRUE(page.run()) << page.page.status().toStdString();
+  EXPECT_GE(page.page.plots()->menu()->count(), 2);
+  EXPECT_EQ(page.page.plots()->chart()->curve_plots().size(), 3U);
+  EXPECT_GE(page.page.tables()->menu()->count(), 3);
+  const QString mine = measured.file("mine.csv"), theirs = measured.file("theirs.csv");
+  page.page.write(mine, "csv");
+  QProcess process;
+  process.start(JOINTID_COMMAND, {"solve", page.file, "--csv", theirs});
+  ASSERT_TRUE(process.waitForFinished(120000));
+  EXPECT_NE(read_file(mine), "");
+  EXPECT_EQ(read_file(mine), read_file(theirs));
+}
+
+TEST(ScenePage, ThreeForceLevelsAndMoreAreAMap) {
+  Page page(response_kind());
+  std::string text = sliding;
+  ASSERT_FALSE(page.set(text.replace(text.find("[1.0, 3.0]"), 10, "[1.0, 2.0, 3.0]")));
+  ASSERT_TRUE(page.run()) << page.page.status().toStdString();
+  QComboBox& menu = *page.page.plots()->menu();
+  const int map = menu.findText("map over force levels", Qt::MatchStartsWith);
+  ASSERT_GE(map, 0);
+  menu.setCurrentIndex(map);
+  const HeatPlot& drawn = page.page.plots()->map()->plot();
+  EXPECT_EQ(drawn.rows.size(), 3U);
+  EXPECT_EQ(drawn.values.size(), 3U * drawn.x_values.size());
+  EXPECT_TRUE(page.page.plots()->map()->isVisible());
+  menu.setCurrentIndex(0);
+  EXPECT_FALSE(page.page.plots()->map()->isVisible());
 }
 
 /// What the levels will tell, and simulated tests, as `plan --bound` and `study` say it.

@@ -2,9 +2,11 @@
 
 #include <QAccessible>
 #include <QAccessibleInterface>
+#include <QApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QMouseEvent>
 
 #include "gui/look/paths.hpp"
 #include "problems/case/coupling_problem.hpp"
@@ -22,6 +24,11 @@ QStringList without_accessible_name(QWidget& window) {
     found << QString::fromLatin1(widget->metaObject()->className()) + " " + widget->objectName();
   }
   return found;
+}
+
+void move_mouse(QWidget* widget, const QPoint& to) {
+  QMouseEvent event(QEvent::MouseMove, to, widget->mapToGlobal(to), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+  QApplication::sendEvent(widget, &event);
 }
 
 void write_file(const QString& file, const std::string& text) {

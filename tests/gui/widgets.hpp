@@ -16,6 +16,9 @@ Widget* find(QWidget& below, const char* name) {
 /// Class and name of every visible widget that takes the focus and has nothing to tell a screen reader.
 QStringList without_accessible_name(QWidget& window);
 
+/// Over a place, sent to the widget itself: QTest::mouseMove needs the pointer of a real screen.
+void move_mouse(QWidget* widget, const QPoint& to);
+
 void write_file(const QString& file, const std::string& text);
 std::string read_file(const QString& file);
 

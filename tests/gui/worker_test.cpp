@@ -54,14 +54,17 @@ TEST(Worker, TellsErrorsAndGoesOn) {
 
 TEST(Worker, TellsProgress) {
   Worker worker;
-  QSignalSpy progressed(&worker, &Worker::progressed);
+  std::vector<JobShare> told;
+  QObject::connect(&worker, &Worker::progressed, [&](const JobShare& share) { told.push_back(share); });
   worker.add([](const Watch& watch) -> Deliver {
     watch.progress("reading", 1, 4);
     return {};
   });
   ASSERT_TRUE(ends(worker));
-  ASSERT_EQ(progressed.count(), 1);
-  EXPECT_EQ(progressed.front().at(1).toDouble(), 0.25);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told.front().stage.toStdString(), "reading");
+  EXPECT_EQ(told.front().share, 0.25);
+  EXPECT_FALSE(told.front().is_whole);
 }
 
 TEST(Worker, CancelsAtAnyMoment) {

@@ -34,6 +34,35 @@ TEST(SolvePlots, MagnitudeAndPhaseOfBoth) {
   EXPECT_THAT(phase.series[1].y, ElementsAre(90.0, 180.0));
 }
 
+TEST(SolvePlots, ObjectiveAndUnknownsOverTheIterations) {
+  const tasks::UnknownsByIteration found{{"K(1,1)", "D(1,1)", "k0"},
+                                         {{1, 40.0, {5.0, 1.0, 3.0}}, {3, 4.0, {8.0, 8.0, 2.0}}, {4, {}, {10.0, 4.0, 0.0}}}};
+  const PlotGroup group = iteration_plots(found);
+  ASSERT_EQ(group.choices.size(), 1U);
+  EXPECT_EQ(group.choices[0].name, "1 to 2 of 2") << "what is 0 at the end has no ratio";
+  const auto& objective = std::get<CurvePlot>(group.choices[0].plots[0]);
+  const auto& unknowns = std::get<CurvePlot>(group.choices[0].plots[1]);
+  EXPECT_THAT(objective.x_values, ElementsAre(1.0, 3.0, 4.0));
+  EXPECT_TRUE(objective.y.log);
+  EXPECT_THAT(objective.series[0].y, ElementsAre(40.0, 4.0, testing::IsNan()));
+  EXPECT_EQ(unknowns.series[0].name, "D(1,1)") << "it moved most";
+  EXPECT_THAT(unknowns.series[0].y, ElementsAre(0.25, 2.0, 1.0));
+  EXPECT_THAT(unknowns.series[1].y, ElementsAre(0.5, 0.8, 1.0));
+  EXPECT_TRUE(iteration_plots({}).choices.empty());
+}
+
+TEST(SolvePlots, EightUnknownsShareAPlot) {
+  tasks::UnknownsByIteration found;
+  for (int u = 0; u < 50; ++u) found.names.push_back("k" + std::to_string(u));
+  for (std::size_t step = 1; step < 4; ++step)
+    found.iterations.push_back({step, -1.0, std::vector<double>(50, static_cast<double>(step))});
+  const PlotGroup group = iteration_plots(found);
+  ASSERT_EQ(group.choices.size(), 5U);
+  EXPECT_EQ(group.choices[4].name, "33 to 40 of 50");
+  EXPECT_EQ(std::get<CurvePlot>(group.choices[4].plots[1]).series.size(), 8U);
+  EXPECT_FALSE(std::get<CurvePlot>(group.choices[0].plots[0]).y.log);
+}
+
 TEST(SolvePlots, WhatIsNotThereIsLeftOut) {
   const tasks::Regenerated data = {{10.0}, {frf("1:+Y", "2:+Y", {nan}, {1.0}), frf("1:+Y", "1:+Y", {1.0}, {Complex(nan, nan)})}};
   const PlotGroup group = frf_overlay(data, {}, 100);

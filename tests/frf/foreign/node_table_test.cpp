@@ -43,6 +43,15 @@ TEST_F(NodeTable, OfAUniversalFileIsDataset2411) {
   EXPECT_THAT(nodes[0].position, ElementsAre(0.9, 0.0, -0.025));
 }
 
+TEST_F(NodeTable, ColumnsToAreLines) {
+  const auto lines = [&](const std::string& text) { return read_node_lines(write_file("lines.csv", text)); };
+  EXPECT_THAT(lines("node,x [mm],y [mm],z [mm],to,To2\n4,900,0,0,11,12\n11,0,0,0,,4\n12,0,1,0,0,\n"),
+              ElementsAre(NodeLine{4, 11}, NodeLine{4, 12}, NodeLine{11, 4}));
+  EXPECT_TRUE(lines("node,x,y,z,torque\n4,1,0,0,11\n").empty());
+  EXPECT_THAT(message_of([&] { lines("node,x,y,z,to\n4,1,0,0,1.5\n"); }), HasSubstr("no whole number"));
+  EXPECT_EQ(read("node,x,y,z,to\n4,1,0,0,11\n").size(), 1U) << "positions are as without lines";
+}
+
 TEST_F(NodeTable, WhatIsNoneIsRefused) {
   EXPECT_THAT(error("a,x,y,z\n4,1,0,0\n"), HasSubstr("has no column node; the columns are a, x, y, z; give titles node, x [mm]"));
   EXPECT_THAT(error("node,x,y\n4,1,0\n"), HasSubstr("has no column z"));
