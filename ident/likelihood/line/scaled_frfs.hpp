@@ -17,7 +17,7 @@ class ScaledFrfs {
     Complex value;            ///< the FRF now, less what it is as described
     double size = 1.0;        ///< over what it is as described
     double share = 1.0;       ///< of the variance of the element
-    std::vector<std::pair<std::size_t, Complex>> rates;  ///< ∂value/∂φ by unknowns
+    std::vector<std::pair<std::size_t, Complex>> rates{};  ///< ∂value/∂φ by unknowns
   };
 
   virtual ~ScaledFrfs() = default;
