@@ -89,6 +89,18 @@ bool Reduction::add_shift(double omega) {
   return false;
 }
 
+bool Reduction::extend(double omega, double error, Eigen::Index most_vectors) {
+  constexpr double least_gain = 0.1;
+  while (basis_->prefers_powers() && !powers_are_spent_ && basis_->size() + at(inputs_.size()) <= most_vectors) {
+    basis_->add_power();
+    if (!find_modes()) return false;
+    const double left = errors(omega).cwiseAbs().maxCoeff();
+    powers_are_spent_ = left > least_gain * error;
+    if (left <= aim_ || left < least_gain * error) return true;
+  }
+  return basis_->size() + 2 * at(inputs_.size()) <= most_vectors && add_shift(omega) && find_modes();
+}
+
 std::vector<double> Reduction::test_lines(double low, double high) const {
   std::vector<double> out;
   for (std::size_t i = 0; i < grid_lines; ++i)
@@ -130,7 +142,7 @@ bool Reduction::cover(double low, double high, Eigen::Index most_vectors) {
       worst = omega;
     }
     if (worst < 0.0) break;
-    if (basis_->size() + 2 * at(inputs_.size()) > most_vectors || !add_shift(worst) || !find_modes()) return false;
+    if (!extend(worst, largest, most_vectors)) return false;
     if (errors(worst).cwiseAbs().maxCoeff() < 0.3 * largest) continue;
     at_rounding_.push_back(worst);
     aim_ = std::max({aim_, accepted, std::min(largest, rounding)});

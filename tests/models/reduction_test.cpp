@@ -60,7 +60,8 @@ StructureMatrices random_structure(Draw& draw) {
   if (draw.coin()) out.loss_factor = draw.between(0.0, 0.05);
   if (draw.coin()) out.hysteretic_damping = draw.between(0.0, 0.02) * out.stiffness;
   if (draw.coin()) {
-    out.viscous_damping = draw.between(0.0, 20.0) * out.mass + draw.between(0.0, 1e-6) * out.stiffness;
+    const double of_mass = draw.between(0.0, 20.0), of_stiffness = draw.between(0.0, 1e-6);  // in this order with every compiler
+    out.viscous_damping = of_mass * out.mass + of_stiffness * out.stiffness;
   } else if (draw.coin()) {
     out.viscous_damping = diagonal(n, some(draw, static_cast<std::size_t>(n), 5), 1e-5 * k);
     if (draw.coin()) out.viscous_damping += 5.0 * out.mass;
