@@ -90,13 +90,13 @@ bool Reduction::add_shift(double omega) {
 }
 
 bool Reduction::extend(double omega, double error, Eigen::Index most_vectors) {
-  constexpr double least_gain = 0.1;
-  while (basis_->prefers_powers() && !powers_are_spent_ && basis_->size() + at(inputs_.size()) <= most_vectors) {
+  constexpr double least_gain = 0.5;
+  if (basis_->prefers_powers() && !powers_are_spent_ && basis_->size() + at(inputs_.size()) <= most_vectors) {
     basis_->add_power();
     if (!find_modes()) return false;
     const double left = errors(omega).cwiseAbs().maxCoeff();
     powers_are_spent_ = left > least_gain * error;
-    if (left <= aim_ || left < least_gain * error) return true;
+    if (!powers_are_spent_ || left <= accepted) return true;  // what is as small as that is rounding
   }
   return basis_->size() + 2 * at(inputs_.size()) <= most_vectors && add_shift(omega) && find_modes();
 }
@@ -132,6 +132,7 @@ bool Reduction::cover(double low, double high, Eigen::Index most_vectors) {
     return std::ranges::any_of(at_rounding_, [&](double each) { return std::abs(each - omega) <= near; });
   };
   std::map<double, double> error;
+  powers_are_spent_ = false;
   for (;;) {
     error.clear();
     for (const double omega : test_lines(low, high)) error[omega] = errors(omega).cwiseAbs().maxCoeff();

@@ -45,8 +45,10 @@ bool SparseFactors::factorize(const Eigen::SparseMatrix<Complex>& z) {
 
 Eigen::MatrixXcd SparseFactors::solve(const Eigen::MatrixXcd& b) const { return lu_->factors.solve(b); }
 
+bool has_cholmod() { return is_there(cholmod_module); }
+
 std::unique_ptr<PositiveFactors> positive_factors(Eigen::Index rows) {
-  if (rows >= least_supernodal && is_there(cholmod_module)) return interface_of<CholmodModule>(cholmod_module).supernodal();
+  if (rows >= least_supernodal && has_cholmod()) return interface_of<CholmodModule>(cholmod_module).supernodal();
   return std::make_unique<EigenFactors>();
 }
 

@@ -49,6 +49,9 @@ class CholmodModule {
   virtual std::unique_ptr<PositiveFactors> supernodal() = 0;
 };
 
+/// Whether module `cholmod` is there.
+bool has_cholmod();
+
 /// For matrices of so many rows: large ones by CHOLMOD where its module is there, others by Eigen.
 std::unique_ptr<PositiveFactors> positive_factors(Eigen::Index rows);
 

@@ -20,6 +20,9 @@ struct PartOfLine {
   std::vector<Frf> elements;
 };
 
+/// A scale that a step of the fit asks for: from e⁻¹ to e. Steps that go beyond are refused by their cost, and must be possible to try.
+double within_reach(double logarithm) { return std::isfinite(logarithm) ? std::clamp(logarithm, -1.0, 1.0) : 0.0; }
+
 class ScaledLine final : public ScaledFrfs {
  public:
   ScaledLine(double frequency_hz, std::vector<PartOfLine> parts) : frequency_hz_(frequency_hz), parts_(std::move(parts)) {
@@ -40,7 +43,7 @@ class ScaledLine final : public ScaledFrfs {
       const double z = phi.empty() ? 0.0 : part.deviation[s] * phi[part.scales[s].unknown];
       (part.scales[s].is_mass ? mass : stiffness) += z;
     }
-    const ScaledPart::Values now = part.frfs->at(frequency_hz_, stiffness, mass);
+    const ScaledPart::Values now = part.frfs->at(frequency_hz_, within_reach(stiffness), within_reach(mass));
     for (const PartOfLine::Frf& frf : part.elements) {
       const auto r = static_cast<Eigen::Index>(frf.row), c = static_cast<Eigen::Index>(frf.column);
       Change change{.element = frf.element, .value = now.h(r, c) - described(r, c), .share = frf.share};
