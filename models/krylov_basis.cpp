@@ -102,7 +102,8 @@ void KrylovBasis::append(Eigen::MatrixXd block) {
   if (size_ > first) reduce_from(first);
 }
 
-/// What is new of a vector of length 1, of which `left` was there before the projections. It is at right angles to the first vectors.
+/// What is new of a vector of length 1, of which `left` was there before the projections. It is at right angles to the first
+/// vectors.
 void KrylovBasis::take(Eigen::VectorXd vector, double left, Eigen::Index first) {
   constexpr int most_passes = 4;
   Eigen::Index from = first;

@@ -54,9 +54,9 @@ class KrylovBasis {
   const Sparse &stiffness_, &mass_;
   std::vector<std::size_t> inputs_;
   double sigma_;
-  std::unique_ptr<PositiveFactors> positive_;  ///< of G
-  std::unique_ptr<Factors> factors_;           ///< of the last shift
-  Eigen::MatrixXd power_;                      ///< G⁻¹MV of the vectors that were added last
+  std::unique_ptr<PositiveFactors> positive_;                           ///< of G
+  std::unique_ptr<Factors> factors_;                                    ///< of the last shift
+  Eigen::MatrixXd power_;                                               ///< G⁻¹MV of the vectors that were added last
   Eigen::MatrixXd basis_, reduced_stiffness_, reduced_mass_, reached_;  ///< with room to grow; `size_` columns count
   Eigen::Index size_ = 0;
 };

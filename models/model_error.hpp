@@ -9,7 +9,7 @@ namespace jointid::models {
 /// likewise; losses and damping ratios are those of the model. One z for all lines of a band.
 struct ModelError {
   struct Band {
-    double deviation = 0.0;  ///< σ > 0
+    double deviation = 0.0;                                                  ///< σ > 0
     double low_hz = 0.0, high_hz = std::numeric_limits<double>::infinity();  ///< low ≤ f < high
 
     bool has(double frequency_hz) const { return frequency_hz >= low_hz && frequency_hz < high_hz; }

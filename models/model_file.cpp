@@ -78,7 +78,8 @@ class ModelFile {
       const scene::Table band = each.table({"range", "error"});
       const scene::Item range = band.require("range");
       const auto [low, high] = range.interval();
-      if (low < end) range.fail("the band begins below the end of the one before", "give bands in ascending order, without overlap");
+      if (low < end)
+        range.fail("the band begins below the end of the one before", "give bands in ascending order, without overlap");
       end = high;
       add({.deviation = read_deviation(band.require("error")), .low_hz = low, .high_hz = high});
     }
@@ -98,8 +99,8 @@ class ModelFile {
   }
 
   NamedModel read_matrices() {
-    const scene::Table table = root_.table({"mass", "stiffness", "viscous_damping", "hysteretic_damping", "loss_factor", "dofs", "keep",
-                                            "noise", "stiffness_error", "mass_error"});
+    const scene::Table table = root_.table({"mass", "stiffness", "viscous_damping", "hysteretic_damping", "loss_factor", "dofs",
+                                            "keep", "noise", "stiffness_error", "mass_error"});
     for (const char* key : {"mass", "stiffness"}) table.require(key);
     LabelledStructure read = read_structure(table, folder());
     StructureMatrices& matrices = read.matrices;
@@ -110,7 +111,8 @@ class ModelFile {
   }
 
   NamedModel read_modes() {
-    const scene::Table table = root_.table({"modes", "damping_ratio", "loss_factor", "keep", "noise", "stiffness_error", "mass_error"});
+    const scene::Table table =
+        root_.table({"modes", "damping_ratio", "loss_factor", "keep", "noise", "stiffness_error", "mass_error"});
     UffModes read = read_uff_modes(read_file_variable(table.require("modes"), folder()).file);
     NamedCoordinates all{read.dofs, {}};
     for (std::size_t i = 0; i < read.dofs.size(); ++i) all.coordinates.push_back(i);
@@ -119,9 +121,8 @@ class ModelFile {
   }
 
   NamedModel read_arrays() {
-    const scene::Table table =
-        root_.table({"shapes", "frequencies", "modal_masses", "residual_flexibility", "damping_ratio", "loss_factor", "dofs", "keep",
-                     "noise", "stiffness_error", "mass_error"});
+    const scene::Table table = root_.table({"shapes", "frequencies", "modal_masses", "residual_flexibility", "damping_ratio",
+                                            "loss_factor", "dofs", "keep", "noise", "stiffness_error", "mass_error"});
     FileVariable masses;
     if (const auto item = table.find("modal_masses")) masses = read_file_variable(*item, folder());
     Modes modes = read_mode_arrays(read_file_variable(table.require("shapes"), folder()),

@@ -19,7 +19,8 @@ std::vector<std::filesystem::path> files_of_model(const std::filesystem::path& f
 /// files that do not hold what they should.
 NamedModel read_model(const std::filesystem::path& file);
 
-/// What a description states of its error, without a look at the files that it names. Throws InputError (usage) for bands that overlap.
+/// What a description states of its error, without a look at the files that it names. Throws InputError (usage) for bands that
+/// overlap.
 ModelError error_of_model(const std::filesystem::path& file);
 
 /// The same as FRFs at the given lines.

@@ -26,7 +26,6 @@ class EigenFactors final : public PositiveFactors {
 
 }  // namespace
 
-
 struct SparseFactors::Lu {
   Eigen::SparseLU<Eigen::SparseMatrix<Complex>> factors;
   bool ordered = false;

@@ -119,8 +119,8 @@ void tell_details(const Plan& plan, const Fitted& all, const Widened& widest, co
   if (all.tried) tell_gains(suspect_gains(*all.tried, all.found.fit.theta.size()), out);
 }
 
-void judge(const Plan& plan, const Fitted& all, const LikelihoodFit& fit, const Widened& widest, const Eigen::MatrixXd& information,
-           const Control& control, Solution& out) {
+void judge(const Plan& plan, const Fitted& all, const LikelihoodFit& fit, const Widened& widest,
+           const Eigen::MatrixXd& information, const Control& control, Solution& out) {
   const Stopwatch watch(out.runtime_s.check);
   if (all.without) tell_common_gain(*all.without, out);
   tell_model_errors(plan, all.found.fit, information, out);

@@ -5,8 +5,8 @@
 
 #include "base/error.hpp"
 #include "frf/noise/repeats.hpp"
-#include "models/model_file.hpp"
 #include "ident/plan/scene_source.hpp"
+#include "models/model_file.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -71,7 +71,8 @@ TEST_F(ModelErrors, AreReadWholeOrByBands) {
   EXPECT_EQ(whole.stiffness[0].deviation, 0.02);
   EXPECT_TRUE(whole.stiffness[0].has(1e6));
   EXPECT_TRUE(whole.mass.empty());
-  const models::ModelError bands = error_of("mass_error = [{ range = [0, 500], error = 0.01 }, { range = [500, 800], error = 0.03 }]\n");
+  const models::ModelError bands =
+      error_of("mass_error = [{ range = [0, 500], error = 0.01 }, { range = [500, 800], error = 0.03 }]\n");
   ASSERT_EQ(bands.mass.size(), 2u);
   EXPECT_TRUE(bands.mass[0].has(499.9) && !bands.mass[0].has(500.0) && bands.mass[1].has(500.0));
   EXPECT_FALSE(error_of("").any());

@@ -103,7 +103,8 @@ TEST(Reduction, IsWithinItsBoundOfTheFactorisationOnFortyRandomStructures) {
 }
 
 TEST(PositiveFactors, OfBothLibrariesSolveAlike) {
-  const StructureMatrices matrices = problems::solid_matrices({2e11, 0.3, 7800.0}, {.size = {0.3, 0.2, 0.1}, .elements = {5, 4, 3}});
+  const StructureMatrices matrices =
+      problems::solid_matrices({2e11, 0.3, 7800.0}, {.size = {0.3, 0.2, 0.1}, .elements = {5, 4, 3}});
   const Eigen::SparseMatrix<double> positive = matrices.stiffness + 1e6 * matrices.mass;
   const Eigen::MatrixXd right = Eigen::MatrixXd::Identity(positive.rows(), 5);
   ASSERT_TRUE(has_cholmod()) << "module cholmod is built where SuiteSparse is";
@@ -122,7 +123,8 @@ TEST(PositiveFactors, OfBothLibrariesSolveAlike) {
 
 /// Positive definite factors are far cheaper there: no other is needed.
 TEST(Reduction, OfLargeStructuresTakesPowersInPlaceOfShifts) {
-  StructureMatrices matrices = problems::solid_matrices({2.1e11, 0.3, 7800.0}, {.size = {0.5, 0.25, 0.25}, .elements = {9, 9, 3}});
+  StructureMatrices matrices =
+      problems::solid_matrices({2.1e11, 0.3, 7800.0}, {.size = {0.5, 0.25, 0.25}, .elements = {9, 9, 3}});
   matrices.loss_factor = 0.005;
   ASSERT_GE(matrices.mass.rows(), 1000);
   const Indices asked = {0, 100, 433, 900};

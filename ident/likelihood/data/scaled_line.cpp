@@ -20,7 +20,8 @@ struct PartOfLine {
   std::vector<Frf> elements;
 };
 
-/// A scale that a step of the fit asks for: from e⁻¹ to e. Steps that go beyond are refused by their cost, and must be possible to try.
+/// A scale that a step of the fit asks for: from e⁻¹ to e. Steps that go beyond are refused by their cost, and must be possible
+/// to try.
 double within_reach(double logarithm) { return std::isfinite(logarithm) ? std::clamp(logarithm, -1.0, 1.0) : 0.0; }
 
 class ScaledLine final : public ScaledFrfs {
@@ -37,7 +38,8 @@ class ScaledLine final : public ScaledFrfs {
   }
 
  private:
-  void add(const PartOfLine& part, const Eigen::MatrixXcd& described, std::span<const double> phi, std::vector<Change>& out) const {
+  void add(const PartOfLine& part, const Eigen::MatrixXcd& described, std::span<const double> phi,
+           std::vector<Change>& out) const {
     double stiffness = 0.0, mass = 0.0;
     for (std::size_t s = 0; s < part.scales.size(); ++s) {
       const double z = phi.empty() ? 0.0 : part.deviation[s] * phi[part.scales[s].unknown];
@@ -66,7 +68,8 @@ double both_parts(Complex variance) { return variance.real() + variance.imag(); 
 
 }  // namespace
 
-ScaledParts::ScaledParts(const Scene& scene, const SystematicPlan& plan, const frf::FrfSystem& substructures, const Dofs& coordinates)
+ScaledParts::ScaledParts(const Scene& scene, const SystematicPlan& plan, const frf::FrfSystem& substructures,
+                         const Dofs& coordinates)
     : unknowns_(plan.unknowns()) {
   for (std::size_t file = 0; file < substructures.source_count(); ++file) {
     if (plan.scales(file).empty()) continue;
@@ -96,7 +99,8 @@ void ScaledParts::open(double low_hz, double high_hz) {
   }
 }
 
-std::shared_ptr<const ScaledFrfs> ScaledParts::line(double frequency_hz, const LineLayout& layout, const BothMeasured& measured) const {
+std::shared_ptr<const ScaledFrfs> ScaledParts::line(double frequency_hz, const LineLayout& layout,
+                                                    const BothMeasured& measured) const {
   std::vector<PartOfLine> parts;
   for (const Part& each : parts_) {
     PartOfLine part{.frfs = each.frfs, .scales = {}, .deviation = {}, .elements = {}};

@@ -10,8 +10,8 @@
 
 namespace jointid::ident {
 
-/// FRFs of a part that is a model, with other stiffness and mass: K, D and residual flexibility go with e^s, M with e^m, and C with
-/// the root of both, so that loss factors and damping ratios stay. Then H(ω; s, m) = e^−s H(ω e^((m − s)/2)), exactly.
+/// FRFs of a part that is a model, with other stiffness and mass: K, D and residual flexibility go with e^s, M with e^m, and C
+/// with the root of both, so that loss factors and damping ratios stay. Then H(ω; s, m) = e^−s H(ω e^((m − s)/2)), exactly.
 class ScaledPart {
  public:
   struct Range {

@@ -80,8 +80,8 @@ std::string scale_name(const std::string& what, const DataFile& model, const mod
 bool are_errors_unknown(const DataSection& data) {
   const auto is_unknown = [](const GainPrior& prior) { return prior.gain > 0.0 || prior.delay > 0.0 || prior.angle > 0.0; };
   const auto is_uncertain = [](const DataFile& file) { return error_of(file).any(); };
-  return !data.masses.empty() || std::ranges::any_of(data.gains, is_unknown) || std::ranges::any_of(data.substructures, is_uncertain) ||
-         std::ranges::any_of(data.assembly, is_uncertain);
+  return !data.masses.empty() || std::ranges::any_of(data.gains, is_unknown) ||
+         std::ranges::any_of(data.substructures, is_uncertain) || std::ranges::any_of(data.assembly, is_uncertain);
 }
 
 SystematicPlan SystematicPlan::of(const Scene& scene, const frf::FrfSystem& substructures, const frf::FrfSystem& assembly) {
@@ -93,7 +93,8 @@ SystematicPlan SystematicPlan::of(const Scene& scene, const frf::FrfSystem& subs
   }
   for (const GainPrior& prior : scene.data.gains) plan.add_gains(scene, prior, substructures, assembly);
   for (const MassPrior& prior : scene.data.masses) plan.add_masses(scene, prior, substructures, assembly);
-  for (std::size_t part = 0; part < scene.data.substructures.size(); ++part) plan.add_scales(scene.data.substructures[part], part);
+  for (std::size_t part = 0; part < scene.data.substructures.size(); ++part)
+    plan.add_scales(scene.data.substructures[part], part);
   for (const DataFile& file : scene.data.assembly) {
     if (!error_of(file).any()) continue;
     fail(scene, "[data] assembly", file.path.filename().string() + " states an error of the model, which only a part may have",

@@ -34,15 +34,16 @@ struct ScaleUnknown {
   models::ModelError::Band band;
 };
 
-/// Whether [[data.gains]] and [[data.masses]] leave anything open (gain = 0 says that calibration is exact), or a model states an error.
+/// Whether [[data.gains]] and [[data.masses]] leave anything open (gain = 0 says that calibration is exact), or a model states an
+/// error.
 bool are_errors_unknown(const DataSection& data);
 
 /// Which FRFs have which systematic errors.
 class SystematicPlan {
  public:
-  /// Those of [[data.gains]] and [[data.masses]], and of parts that are models with an error. Throws InputError for DOFs that no file
-  /// has in that role, for a sensor that two tables name, for masses whose driving point is not in their file, and for a model with an
-  /// error in the assembly.
+  /// Those of [[data.gains]] and [[data.masses]], and of parts that are models with an error. Throws InputError for DOFs that no
+  /// file has in that role, for a sensor that two tables name, for masses whose driving point is not in their file, and for a
+  /// model with an error in the assembly.
   static SystematicPlan of(const Scene& scene, const frf::FrfSystem& substructures, const frf::FrfSystem& assembly);
 
   /// An unknown of some roles; its number.

@@ -47,7 +47,9 @@ bool is_scale(const NamedSystematic& each) { return each.unknown.kind == Systema
 
 std::string sentence(const CalibrationShare& share, const std::vector<NamedSystematic>& systematic) {
   const bool of_models = std::ranges::any_of(systematic, is_scale), of_sensors = !std::ranges::all_of(systematic, is_scale);
-  const std::string what = !of_models ? "calibration costs" : of_sensors ? "calibration and errors of models cost" : "the model's error costs";
+  const std::string what = !of_models   ? "calibration costs"
+                           : of_sensors ? "calibration and errors of models cost"
+                                        : "the model's error costs";
   std::string text = percent(share.all) + " of the variance of " + share.unknown + " is what " + what;
   for (std::size_t i = 0; i < share.largest.size(); ++i) {
     text += (i == 0 ? ": " : ", ") + percent(share.largest[i].second) + " the " + share.largest[i].first;

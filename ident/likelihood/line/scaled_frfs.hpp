@@ -13,10 +13,10 @@ class ScaledFrfs {
  public:
   /// Of an FRF in the value of an element.
   struct Change {
-    std::size_t element = 0;  ///< of a line, in the order x, y, a, b, d; ascending
-    Complex value;            ///< the FRF now, less what it is as described
-    double size = 1.0;        ///< over what it is as described
-    double share = 1.0;       ///< of the variance of the element
+    std::size_t element = 0;                               ///< of a line, in the order x, y, a, b, d; ascending
+    Complex value;                                         ///< the FRF now, less what it is as described
+    double size = 1.0;                                     ///< over what it is as described
+    double share = 1.0;                                    ///< of the variance of the element
     std::vector<std::pair<std::size_t, Complex>> rates{};  ///< ∂value/∂φ by unknowns
   };
 
