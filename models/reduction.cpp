@@ -91,8 +91,10 @@ bool Reduction::add_shift(double omega) {
 
 bool Reduction::extend(double omega, double error, Eigen::Index most_vectors) {
   constexpr double least_gain = 0.5;
-  if (basis_->prefers_powers() && !powers_are_spent_ && basis_->size() + at(inputs_.size()) <= most_vectors) {
-    basis_->add_power();
+  constexpr std::size_t vectors_at_once = 32;  // few inputs need several powers to reach a resonance
+  const std::size_t powers = 1 + vectors_at_once / inputs_.size();
+  if (basis_->prefers_powers() && !powers_are_spent_ && basis_->size() + at(powers * inputs_.size()) <= most_vectors) {
+    for (std::size_t i = 0; i < powers; ++i) basis_->add_power();
     if (!find_modes()) return false;
     const double left = errors(omega).cwiseAbs().maxCoeff();
     powers_are_spent_ = left > least_gain * error;
