@@ -50,7 +50,7 @@ Choice wish(const Scene& scene, const frf::FrfSystem& substructures, const frf::
     }
   }
   if (!identify.priors.empty() || identify.bootstrap > 0) return {Method::likelihood, "the scene has priors or a bootstrap"};
-  if (are_errors_unknown(scene.data)) return {Method::likelihood, "the scene has gains or masses with priors"};
+  if (are_errors_unknown(scene.data)) return {Method::likelihood, "the scene has gains, masses or errors of models with priors"};
   if (!identify.start.empty() || identify.starts > 0) return {Method::likelihood, "the scene gives a start"};
   if (scene.data.regenerate.any()) return {Method::one, "errors of synthesised FRFs are not independent", false};
   if (!knows_variances(scene, substructures) || !knows_variances(scene, assembly)) {

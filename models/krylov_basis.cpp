@@ -1,6 +1,7 @@
 #include "models/krylov_basis.hpp"
 
 #include <Eigen/SparseCholesky>
+#include <algorithm>
 #include <utility>
 
 #include "base/eigen.hpp"
@@ -42,7 +43,7 @@ KrylovBasis::KrylovBasis(const Sparse& stiffness, const Sparse& mass, const std:
       mass_(mass),
       inputs_(inputs),
       sigma_(sigma),
-      positive_(std::make_unique<Factors>()),
+      positive_(positive_factors(stiffness.rows())),
       factors_(std::make_unique<Factors>()) {
   make_room(8 * at(inputs_.size()));
 }
@@ -50,26 +51,32 @@ KrylovBasis::KrylovBasis(const Sparse& stiffness, const Sparse& mass, const std:
 KrylovBasis::~KrylovBasis() = default;
 
 bool KrylovBasis::begin() {
-  const Sparse shifted = stiffness_ + sigma_ * mass_;
-  return positive_->factorize(shifted) && (positive_->ldlt.vectorD().array() > 0.0).all() &&
-         add(*positive_, shifted, Eigen::MatrixXd::Identity(at(inputs_.size()), at(inputs_.size())));
+  if (!positive_->factorize(stiffness_ + sigma_ * mass_)) return false;
+  append(positive_->solve(forces(Eigen::MatrixXd::Identity(at(inputs_.size()), at(inputs_.size())))));
+  add_power();
+  return true;
 }
+
+void KrylovBasis::add_power() { append(std::move(power_)); }
 
 bool KrylovBasis::add(double shift, const Eigen::MatrixXd& combinations) {
   const Sparse shifted = stiffness_ - shift * mass_;
-  return factors_->factorize(shifted) && add(*factors_, shifted, combinations);
+  if (!factors_->factorize(shifted)) return false;
+  Eigen::MatrixXd x = forces(combinations);
+  if (!factors_->solve(shifted, x)) return false;
+  Eigen::MatrixXd derivative = mass_ * x;
+  if (!factors_->solve(shifted, derivative)) return false;
+  Eigen::MatrixXd both(x.rows(), 2 * x.cols());
+  both << x, derivative;
+  append(std::move(both));
+  return true;
 }
 
-bool KrylovBasis::add(const Factors& factors, const Sparse& shifted, const Eigen::MatrixXd& combinations) {
-  Eigen::MatrixXd x = Eigen::MatrixXd::Zero(shifted.rows(), combinations.cols());
-  for (std::size_t j = 0; j < inputs_.size(); ++j) x.row(at(inputs_[j])) = combinations.row(at(j));
-  if (!factors.solve(shifted, x)) return false;
-  Eigen::MatrixXd derivative = mass_ * x;
-  if (!factors.solve(shifted, derivative)) return false;
-  for (const Eigen::MatrixXd* block : {&x, &derivative}) {
-    for (Eigen::Index j = 0; j < block->cols(); ++j) append(block->col(j));
-  }
-  return true;
+/// Unit forces at the inputs, combined.
+Eigen::MatrixXd KrylovBasis::forces(const Eigen::MatrixXd& combinations) const {
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(stiffness_.rows(), combinations.cols());
+  for (std::size_t j = 0; j < inputs_.size(); ++j) out.row(at(inputs_[j])) = combinations.row(at(j));
+  return out;
 }
 
 void KrylovBasis::make_room(Eigen::Index columns) {
@@ -77,31 +84,54 @@ void KrylovBasis::make_room(Eigen::Index columns) {
   for (Eigen::MatrixXd* reduced : {&reduced_stiffness_, &reduced_mass_, &reached_}) reduced->conservativeResize(columns, columns);
 }
 
-void KrylovBasis::append(Eigen::VectorXd vector) {
-  double norm = vector.norm();
-  if (!(norm > 0.0)) return;
-  vector /= norm;
-  double left = 1.0;
+/// At right angles to what is there as one block, twice, and then to each other.
+void KrylovBasis::append(Eigen::MatrixXd block) {
+  if (block.cols() == 0) return;
+  const Eigen::Index first = size_;
+  if (size_ + block.cols() > basis_.cols()) make_room(std::max(2 * size_, size_ + block.cols()));
+  Eigen::VectorXd left = Eigen::VectorXd::Ones(block.cols());
+  for (int pass = 0; pass < 3; ++pass) {
+    if (pass > 0) block -= basis_.leftCols(first) * (basis_.leftCols(first).transpose() * block);
+    for (Eigen::Index j = 0; j < block.cols(); ++j) {
+      const double norm = block.col(j).norm();
+      if (pass > 0) left[j] *= norm;
+      if (norm > 0.0) block.col(j) /= norm;
+    }
+  }
+  for (Eigen::Index j = 0; j < block.cols(); ++j) take(block.col(j), left[j], first);
+  if (size_ > first) reduce_from(first);
+}
+
+/// What is new of a vector of length 1, of which `left` was there before the projections. It is at right angles to the first
+/// vectors.
+void KrylovBasis::take(Eigen::VectorXd vector, double left, Eigen::Index first) {
   constexpr int most_passes = 4;
+  Eigen::Index from = first;
   for (int pass = 0; pass < most_passes; ++pass) {
-    vector -= basis_.leftCols(size_) * (basis_.leftCols(size_).transpose() * vector);
-    norm = vector.norm();
+    const auto others = basis_.middleCols(from, size_ - from);
+    vector -= others * (others.transpose() * vector);
+    const double norm = vector.norm();
     left *= norm;
     if (!(left > known_already)) return;
     vector /= norm;
     if (norm > 0.5) break;  // at right angles to rounding
+    from = 0;               // what cancels here lets rounding along the first vectors grow
   }
-  if (size_ == basis_.cols()) make_room(2 * size_);
-  basis_.col(size_) = vector;
-  const Eigen::Index row = size_++;
-  const Eigen::VectorXd mass = mass_ * vector;
-  const auto put = [&](const Eigen::VectorXd& product, Eigen::MatrixXd& reduced) {
-    reduced.col(row).head(size_) = basis_.leftCols(size_).transpose() * product;
-    reduced.row(row).head(size_) = reduced.col(row).head(size_).transpose();
+  basis_.col(size_++) = vector;
+}
+
+void KrylovBasis::reduce_from(Eigen::Index first) {
+  const Eigen::Index count = size_ - first;
+  const auto all = basis_.leftCols(size_), added = basis_.middleCols(first, count);
+  const auto put = [&](const Eigen::MatrixXd& product, Eigen::MatrixXd& reduced) {
+    reduced.block(0, first, size_, count) = all.transpose() * product;
+    reduced.block(first, 0, count, first) = reduced.block(0, first, first, count).transpose();
   };
-  put(stiffness_ * vector, reduced_stiffness_);
+  const Eigen::MatrixXd mass = mass_ * added;
+  power_ = positive_->solve(mass);
+  put(stiffness_ * added, reduced_stiffness_);
   put(mass, reduced_mass_);
-  put(mass_ * positive_->ldlt.solve(mass), reached_);
+  put(mass_ * power_, reached_);
 }
 
 Eigen::MatrixXd KrylovBasis::inputs() const {

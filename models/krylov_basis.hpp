@@ -4,6 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "models/sparse_factors.hpp"
+
 namespace jointid::models {
 
 /// K and M as seen from a growing basis V of real vectors, VᵀV = I: the rational Krylov space of some inputs B, unit forces. Its
@@ -22,6 +24,12 @@ class KrylovBasis {
   /// The first vectors. False where G is not positive definite: nothing else may be called then.
   bool begin();
 
+  /// V gets what is new of G⁻¹MV of the vectors that were added last: no factorisation. It follows slow motions first.
+  void add_power();
+
+  /// Whether that takes far less time than add().
+  bool prefers_powers() const { return positive_->is_supernodal(); }
+
   /// V gets what is new of X = (K − sM)⁻¹BW and (K − sM)⁻¹MX by one real factorisation; W has combinations of the inputs for
   /// columns. False, and V as before, where K − sM is singular to rounding.
   bool add(double shift, const Eigen::MatrixXd& combinations);
@@ -37,14 +45,18 @@ class KrylovBasis {
 
  private:
   struct Factors;
-  bool add(const Factors& factors, const Sparse& shifted, const Eigen::MatrixXd& combinations);
-  void append(Eigen::VectorXd vector);
+  Eigen::MatrixXd forces(const Eigen::MatrixXd& combinations) const;
+  void append(Eigen::MatrixXd block);
+  void take(Eigen::VectorXd vector, double left, Eigen::Index first);
+  void reduce_from(Eigen::Index first);
   void make_room(Eigen::Index columns);
 
   const Sparse &stiffness_, &mass_;
   std::vector<std::size_t> inputs_;
   double sigma_;
-  std::unique_ptr<Factors> positive_, factors_;  ///< of G and of the last shift
+  std::unique_ptr<PositiveFactors> positive_;                           ///< of G
+  std::unique_ptr<Factors> factors_;                                    ///< of the last shift
+  Eigen::MatrixXd power_;                                               ///< G⁻¹MV of the vectors that were added last
   Eigen::MatrixXd basis_, reduced_stiffness_, reduced_mass_, reached_;  ///< with room to grow; `size_` columns count
   Eigen::Index size_ = 0;
 };

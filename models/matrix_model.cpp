@@ -20,6 +20,7 @@ constexpr std::size_t least_lines = 12;     ///< a reduction takes about as long
 constexpr std::size_t most_dampers = 64;    ///< coordinates of damping that is no combination of mass and stiffness
 constexpr Eigen::Index least_share = 3;     ///< a basis of more than a third of the coordinates is no reduction
 constexpr double least_range = 0.125;       ///< of all lines, that is prepared for at once
+constexpr Eigen::Index most_compared = 20'000;  ///< coordinates: one factorisation of more takes longer than all else
 constexpr double disagreement = 10.0;       ///< over the error that a reduction states, at least that it accepts: it is not used
 constexpr Complex i{0.0, 1.0};
 
@@ -115,6 +116,7 @@ bool MatrixModel::reduce(double low, double high) {
   if (!reduction_->cover(low, high, matrices_.mass.rows() / least_share)) return false;
   low_ = low;
   high_ = high;
+  if (matrices_.mass.rows() > most_compared) return true;
   const std::vector<std::size_t>& all = reduced_between_;
   const auto exact = factorised(reduction_->worst_omega(), all, all), own = reduction_->receptance(reduction_->worst_omega(), all, all);
   return exact && own && (*exact - *own).cwiseAbs().maxCoeff() <=

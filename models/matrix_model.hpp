@@ -12,7 +12,8 @@ namespace jointid::models {
 
 /// H = (K(1 + iη) + iD + iωC − ω²M)⁻¹, at each ω by one factorisation and a solution for each row or column asked for, whichever
 /// are fewer: H is symmetric. Matrices of few rows or many elements are factorised as full ones. Of sparse ones many lines are
-/// taken from a Reduction where C and D permit it, one line of which is compared with a factorisation.
+/// taken from a Reduction where C and D permit it, one line of which is compared with a factorisation where that is no great
+/// effort.
 class MatrixModel final : public Model {
  public:
   enum class Factors { by_size, full, sparse };
@@ -37,7 +38,8 @@ class MatrixModel final : public Model {
  private:
   std::optional<Eigen::MatrixXcd> solve(double omega, std::span<const std::size_t> forces);
   std::optional<Eigen::MatrixXcd> factorised(double omega, std::span<const std::size_t> rows, std::span<const std::size_t> columns);
-  /// False where there is no reduction, or it disagrees with a factorisation at its worst line.
+  /// False where there is no reduction, or it disagrees with a factorisation at its worst line, which very large ones are not
+  /// held against.
   bool reduce(double low, double high);
 
   StructureMatrices matrices_;

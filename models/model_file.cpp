@@ -40,6 +40,14 @@ class ModelFile {
     return out;
   }
 
+  ModelError error() const {
+    const scene::Table table = root_.open_table();
+    ModelError out;
+    if (const auto item = table.find("stiffness_error")) out.stiffness = read_bands(*item);
+    if (const auto item = table.find("mass_error")) out.mass = read_bands(*item);
+    return out;
+  }
+
   NamedModel read() {
     const std::string kind = structure_key();
     if (kind == "mass") return read_matrices();
@@ -48,6 +56,35 @@ class ModelFile {
 
  private:
   Path folder() const { return file_.parent_path(); }
+
+  static double read_deviation(const scene::Item& item) {
+    const double deviation = item.not_negative();
+    if (!(deviation < 1.0)) item.fail(scene::number_text(deviation) + " is not below 1", "it is relative: 0.01 is 1 %");
+    return deviation;
+  }
+
+  /// One deviation for all lines, or bands with one each. 0: none.
+  static std::vector<ModelError::Band> read_bands(const scene::Item& item) {
+    std::vector<ModelError::Band> out;
+    const auto add = [&](ModelError::Band band) {
+      if (band.deviation > 0.0) out.push_back(band);
+    };
+    if (!item.is_list()) {
+      add({.deviation = read_deviation(item)});
+      return out;
+    }
+    double end = 0.0;
+    for (const scene::Item& each : item.list_not_empty()) {
+      const scene::Table band = each.table({"range", "error"});
+      const scene::Item range = band.require("range");
+      const auto [low, high] = range.interval();
+      if (low < end)
+        range.fail("the band begins below the end of the one before", "give bands in ascending order, without overlap");
+      end = high;
+      add({.deviation = read_deviation(band.require("error")), .low_hz = low, .high_hz = high});
+    }
+    return out;
+  }
 
   std::string structure_key() const {
     const scene::Table table = root_.open_table();
@@ -62,8 +99,8 @@ class ModelFile {
   }
 
   NamedModel read_matrices() {
-    const scene::Table table =
-        root_.table({"mass", "stiffness", "viscous_damping", "hysteretic_damping", "loss_factor", "dofs", "keep", "noise"});
+    const scene::Table table = root_.table({"mass", "stiffness", "viscous_damping", "hysteretic_damping", "loss_factor", "dofs",
+                                            "keep", "noise", "stiffness_error", "mass_error"});
     for (const char* key : {"mass", "stiffness"}) table.require(key);
     LabelledStructure read = read_structure(table, folder());
     StructureMatrices& matrices = read.matrices;
@@ -74,7 +111,8 @@ class ModelFile {
   }
 
   NamedModel read_modes() {
-    const scene::Table table = root_.table({"modes", "damping_ratio", "loss_factor", "keep", "noise"});
+    const scene::Table table =
+        root_.table({"modes", "damping_ratio", "loss_factor", "keep", "noise", "stiffness_error", "mass_error"});
     UffModes read = read_uff_modes(read_file_variable(table.require("modes"), folder()).file);
     NamedCoordinates all{read.dofs, {}};
     for (std::size_t i = 0; i < read.dofs.size(); ++i) all.coordinates.push_back(i);
@@ -83,9 +121,8 @@ class ModelFile {
   }
 
   NamedModel read_arrays() {
-    const scene::Table table =
-        root_.table({"shapes", "frequencies", "modal_masses", "residual_flexibility", "damping_ratio", "loss_factor", "dofs", "keep",
-                     "noise"});
+    const scene::Table table = root_.table({"shapes", "frequencies", "modal_masses", "residual_flexibility", "damping_ratio",
+                                            "loss_factor", "dofs", "keep", "noise", "stiffness_error", "mass_error"});
     FileVariable masses;
     if (const auto item = table.find("modal_masses")) masses = read_file_variable(*item, folder());
     Modes modes = read_mode_arrays(read_file_variable(table.require("shapes"), folder()),
@@ -121,10 +158,8 @@ class ModelFile {
     if (const auto keep = table.find("keep")) all = select(*keep, all, keep->dofs());
     NamedModel out{
         .file = name_, .model = std::move(model), .coordinates = std::move(all), .noise = 0.0, .nodes = std::move(nodes)};
-    if (const auto noise = table.find("noise")) {
-      out.noise = noise->not_negative();
-      if (!(out.noise < 1.0)) noise->fail(scene::number_text(out.noise) + " is not below 1", "it is relative: 0.01 is 1 %");
-    }
+    if (const auto noise = table.find("noise")) out.noise = read_deviation(*noise);
+    error();  // refused here, whoever reads it
     return out;
   }
 
@@ -139,6 +174,8 @@ class ModelFile {
 bool is_model_file(const Path& file) { return file.extension() == ".toml"; }
 
 std::vector<Path> files_of_model(const Path& file) { return ModelFile(file).files(); }
+
+ModelError error_of_model(const Path& file) { return ModelFile(file).error(); }
 
 NamedModel read_model(const Path& file) { return ModelFile(file).read(); }
 

@@ -12,7 +12,7 @@ namespace jointid::models {
 /// A model with names.
 struct NamedModel {
   std::string file;  ///< for messages
-  std::unique_ptr<Model> model;
+  std::shared_ptr<Model> model;
   NamedCoordinates coordinates;
   double noise = 0.0;  ///< standard deviation of an FRF's complex error over its size; 0: the model is exact
   std::vector<frf::Node> nodes{};

@@ -89,6 +89,20 @@ bool Reduction::add_shift(double omega) {
   return false;
 }
 
+bool Reduction::extend(double omega, double error, Eigen::Index most_vectors) {
+  constexpr double least_gain = 0.5;
+  constexpr std::size_t vectors_at_once = 32;  // few inputs need several powers to reach a resonance
+  const std::size_t powers = 1 + vectors_at_once / inputs_.size();
+  if (basis_->prefers_powers() && !powers_are_spent_ && basis_->size() + at(powers * inputs_.size()) <= most_vectors) {
+    for (std::size_t i = 0; i < powers; ++i) basis_->add_power();
+    if (!find_modes()) return false;
+    const double left = errors(omega).cwiseAbs().maxCoeff();
+    powers_are_spent_ = left > least_gain * error;
+    if (!powers_are_spent_ || left <= accepted) return true;  // what is as small as that is rounding
+  }
+  return basis_->size() + 2 * at(inputs_.size()) <= most_vectors && add_shift(omega) && find_modes();
+}
+
 std::vector<double> Reduction::test_lines(double low, double high) const {
   std::vector<double> out;
   for (std::size_t i = 0; i < grid_lines; ++i)
@@ -120,6 +134,7 @@ bool Reduction::cover(double low, double high, Eigen::Index most_vectors) {
     return std::ranges::any_of(at_rounding_, [&](double each) { return std::abs(each - omega) <= near; });
   };
   std::map<double, double> error;
+  powers_are_spent_ = false;
   for (;;) {
     error.clear();
     for (const double omega : test_lines(low, high)) error[omega] = errors(omega).cwiseAbs().maxCoeff();
@@ -130,7 +145,7 @@ bool Reduction::cover(double low, double high, Eigen::Index most_vectors) {
       worst = omega;
     }
     if (worst < 0.0) break;
-    if (basis_->size() + 2 * at(inputs_.size()) > most_vectors || !add_shift(worst) || !find_modes()) return false;
+    if (!extend(worst, largest, most_vectors)) return false;
     if (errors(worst).cwiseAbs().maxCoeff() < 0.3 * largest) continue;
     at_rounding_.push_back(worst);
     aim_ = std::max({aim_, accepted, std::min(largest, rounding)});

@@ -11,9 +11,9 @@
 namespace jointid::models {
 
 /// Receptances of a large structure by a rational Krylov basis instead of a factorisation for each line: real factorisations of
-/// K − s_k M at a few shifts, one real symmetric eigenproblem as large as the basis, and a sum over its modes for each line. α and
-/// β leave the eigenvectors as they are, so losses are exact; the coordinates of other dampers are inputs of the basis, and what
-/// they do follows by Woodbury's formula.
+/// K − s_k M at few shifts or powers of (K + σM)⁻¹M, one real symmetric eigenproblem as large as the basis, and a sum over its
+/// modes for each line. α and β leave the eigenvectors as they are, so losses are exact; the coordinates of other dampers are
+/// inputs of the basis, and what they do follows by Woodbury's formula.
 class Reduction {
  public:
   /// Between these coordinates. `matrices` is kept by reference.
@@ -49,6 +49,9 @@ class Reduction {
     Eigen::MatrixXd lacking;  ///< ΨᵀVᵀM G⁻¹ MVΨ − diag(μ²)
   };
   bool find_modes();
+  /// Vectors where the error is worst: without a factorisation where that is far cheaper and still makes it less, else by a
+  /// shift.
+  bool extend(double omega, double error, Eigen::Index most_vectors);
   /// A shift for the combinations of inputs that are off by more than the bound there.
   bool add_shift(double omega);
   std::vector<double> test_lines(double low, double high) const;
@@ -68,6 +71,7 @@ class Reduction {
   std::optional<KrylovBasis> basis_;
   Modes modes_;
   std::size_t shifts_ = 0;
+  bool powers_are_spent_ = false;
   double low_ = 1.0, high_ = 0.0;  ///< nothing yet
   double error_ = 0.0, worst_ = 0.0;
   double aim_ = bound;               ///< what shifts did not mend is rounding, and so is what is smaller

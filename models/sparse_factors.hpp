@@ -27,4 +27,32 @@ class SparseFactors {
   std::unique_ptr<Lu> lu_;
 };
 
+/// A = L Lᵀ or L D Lᵀ of a sparse, real, positive definite matrix.
+class PositiveFactors {
+ public:
+  virtual ~PositiveFactors() = default;
+
+  /// False where A is not positive definite. `matrix` symmetric, compressed.
+  virtual bool factorize(const Eigen::SparseMatrix<double>& matrix) = 0;
+
+  /// A⁻¹ B
+  virtual Eigen::MatrixXd solve(const Eigen::MatrixXd& b) = 0;
+
+  /// Whether columns are put together to blocks, which are as fast as full matrices.
+  virtual bool is_supernodal() const = 0;
+};
+
+/// Interface of module `cholmod`.
+class CholmodModule {
+ public:
+  virtual ~CholmodModule() = default;
+  virtual std::unique_ptr<PositiveFactors> supernodal() = 0;
+};
+
+/// Whether module `cholmod` is there.
+bool has_cholmod();
+
+/// For matrices of so many rows: large ones by CHOLMOD where its module is there, others by Eigen.
+std::unique_ptr<PositiveFactors> positive_factors(Eigen::Index rows);
+
 }  // namespace jointid::models

@@ -6,6 +6,7 @@
 #include "ident/team/team.hpp"
 #include "minimise/least_squares.hpp"
 #include "minimise/linear/sparse_qr.hpp"
+#include "models/sparse_factors.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -24,6 +25,7 @@ std::string version_text() {
          line("MATLAB v5 to v7 files", frf::has_matio(), "matio") +
          line("Fast products for many joint coordinates", dense::has_blas(), "OpenBLAS") +
          line("Solver spqr of methods one, two and direct", minimise::has_spqr(), "SPQR") +
+         line("Fast factors of models with many coordinates", models::has_cholmod(), "CHOLMOD") +
          line("Solver ceres of methods likelihood and newton", minimise::has_ceres(), "Ceres") +
          line("Solver ipopt of method newton", minimise::has_ipopt(), "Ipopt") +
          line("Studies under mpirun", ident::has_mpi(), "MPI");

@@ -119,9 +119,11 @@ void tell_details(const Plan& plan, const Fitted& all, const Widened& widest, co
   if (all.tried) tell_gains(suspect_gains(*all.tried, all.found.fit.theta.size()), out);
 }
 
-void judge(const Plan& plan, const Fitted& all, const LikelihoodFit& fit, const Widened& widest, const Control& control, Solution& out) {
+void judge(const Plan& plan, const Fitted& all, const LikelihoodFit& fit, const Widened& widest,
+           const Eigen::MatrixXd& information, const Control& control, Solution& out) {
   const Stopwatch watch(out.runtime_s.check);
   if (all.without) tell_common_gain(*all.without, out);
+  tell_model_errors(plan, all.found.fit, information, out);
   judge_likelihood(plan,
                    {.theta = fit.theta,
                     .covariance = widest.intervals.covariance(),
@@ -162,7 +164,7 @@ void estimate(const Plan& plan, const Control& control, Solution& out) {
   tell_convergence(plan, fit, out);
   if (control.so_far) control.so_far(out);
   if (control.detail == Detail::full) tell_details(plan, all, widest, information, control, out);
-  if (control.judgement != Judgement::none) judge(plan, all, fit, widest, control, out);
+  if (control.judgement != Judgement::none) judge(plan, all, fit, widest, information, control, out);
 }
 
 class LikelihoodMethod final : public LikelihoodPlan {

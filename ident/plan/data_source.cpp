@@ -4,22 +4,12 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "frf/file/node_table.hpp"
 #include "frf/noise/repeats.hpp"
-#include "frf/set/corrections.hpp"
+#include "ident/plan/scene_source.hpp"
 #include "models/model_file.hpp"
-#include "virtualpoint/virtual_source.hpp"
 
 namespace jointid::ident {
 namespace {
-
-/// With the corrections and virtual points that the scene gives it.
-std::unique_ptr<frf::FrfSource> as_in_scene(std::unique_ptr<frf::FrfSource> source, const DataFile& file) {
-  source = frf::corrected(std::move(source), file.corrections);
-  if (file.nodes) source->place_nodes(frf::read_node_table(*file.nodes));
-  if (file.virtual_points.empty()) return source;
-  return virtualpoint::virtual_source(std::move(source), file.virtual_points, file.virtual_noise);
-}
 
 std::unique_ptr<frf::FrfSource> open_run(const DataFile& file) { return as_in_scene(frf::open(file.path, file.options), file); }
 
@@ -39,26 +29,6 @@ std::unique_ptr<frf::FrfSource> open(const DataFile& file) {
                     .place = std::move(place),
                     .problem = std::move(problem),
                     .remedy = std::move(remedy)});
-}
-
-void require_no_measurement(const DataFile& model) {
-  const frf::OpenOptions& options = model.options;
-  const char* key = options.quantity                      ? "quantity"
-                    : !options.unit.empty()               ? "unit"
-                    : !options.response.empty()           ? "dofs"
-                    : !options.variable.empty()           ? "variable"
-                    : !options.frequency_variable.empty() ? "frequency_variable"
-                    : !options.frequency_unit.empty()     ? "frequency_unit"
-                                                          : nullptr;
-  if (key == nullptr) return;
-  refuse(model.path, "[data.files]", std::string(key) + " is given for a model", "remove it; a model's file states what it is");
-}
-
-/// At the lines that the corrections make `frequency_hz` of.
-std::unique_ptr<frf::FrfSource> open_model(const DataFile& file, std::vector<double> frequency_hz) {
-  require_no_measurement(file);
-  for (double& frequency : frequency_hz) frequency /= file.corrections.frequency_scale;
-  return as_in_scene(models::open_model(file.path, std::move(frequency_hz)), file);
 }
 
 void require_single(const DataFile& file) {
@@ -113,7 +83,7 @@ std::vector<Sources> open_systems(const std::vector<std::vector<DataFile>>& syst
     for (std::size_t i = 0; i < systems[s].size(); ++i) {
       if (all[s][i]) continue;
       if (lines.empty()) refuse(scene, "[frequency]", "all files are models, which have every frequency", "give range and step");
-      all[s][i] = open_model(systems[s][i], lines);
+      all[s][i] = ModelFrfs(systems[s][i]).at(lines);
     }
   }
   return all;

@@ -60,7 +60,8 @@ StructureMatrices random_structure(Draw& draw) {
   if (draw.coin()) out.loss_factor = draw.between(0.0, 0.05);
   if (draw.coin()) out.hysteretic_damping = draw.between(0.0, 0.02) * out.stiffness;
   if (draw.coin()) {
-    out.viscous_damping = draw.between(0.0, 20.0) * out.mass + draw.between(0.0, 1e-6) * out.stiffness;
+    const double of_mass = draw.between(0.0, 20.0), of_stiffness = draw.between(0.0, 1e-6);  // in this order with every compiler
+    out.viscous_damping = of_mass * out.mass + of_stiffness * out.stiffness;
   } else if (draw.coin()) {
     out.viscous_damping = diagonal(n, some(draw, static_cast<std::size_t>(n), 5), 1e-5 * k);
     if (draw.coin()) out.viscous_damping += 5.0 * out.mass;
@@ -99,6 +100,42 @@ TEST(Reduction, IsWithinItsBoundOfTheFactorisationOnFortyRandomStructures) {
     EXPECT_EQ(reduced.count().reduced, 3u);
   }
   EXPECT_GT(worst, 0.0);  // another way of calculating, not the same one
+}
+
+TEST(PositiveFactors, OfBothLibrariesSolveAlike) {
+  const StructureMatrices matrices =
+      problems::solid_matrices({2e11, 0.3, 7800.0}, {.size = {0.3, 0.2, 0.1}, .elements = {5, 4, 3}});
+  const Eigen::SparseMatrix<double> positive = matrices.stiffness + 1e6 * matrices.mass;
+  const Eigen::MatrixXd right = Eigen::MatrixXd::Identity(positive.rows(), 5);
+  ASSERT_TRUE(has_cholmod()) << "module cholmod is built where SuiteSparse is";
+  Eigen::MatrixXd first;
+  for (const Eigen::Index rows : {Eigen::Index{10}, Eigen::Index{100'000}}) {
+    const auto factors = positive_factors(rows);
+    EXPECT_EQ(factors->is_supernodal(), rows > 10);
+    EXPECT_FALSE(factors->factorize(matrices.stiffness - 1e6 * matrices.mass)) << "not positive definite";
+    ASSERT_TRUE(factors->factorize(positive));
+    const Eigen::MatrixXd x = factors->solve(right);
+    EXPECT_LE((positive * x - right).cwiseAbs().maxCoeff(), 1e-9);
+    if (rows == 10) first = x;
+    EXPECT_LE((x - first).cwiseAbs().maxCoeff(), 1e-10 * first.cwiseAbs().maxCoeff());
+  }
+}
+
+/// Positive definite factors are far cheaper there: no other is needed.
+TEST(Reduction, OfLargeStructuresTakesPowersInPlaceOfShifts) {
+  StructureMatrices matrices =
+      problems::solid_matrices({2.1e11, 0.3, 7800.0}, {.size = {0.5, 0.25, 0.25}, .elements = {9, 9, 3}});
+  matrices.loss_factor = 0.005;
+  ASSERT_GE(matrices.mass.rows(), 1000);
+  const Indices asked = {0, 100, 433, 900};
+  const std::vector<double> omega = {angular(200.0), angular(1777.0), angular(3000.0)};
+  Reduction reduction(matrices, *proportional_form(matrices, 64), asked);
+  ASSERT_TRUE(reduction.cover(omega.front(), omega.back(), 300));
+  EXPECT_EQ(reduction.shifts(), 0u);
+  EXPECT_LE(reduction.error(), Reduction::accepted);
+  MatrixModel exact(matrices, MatrixModel::Factors::sparse);
+  for (const double each : omega)
+    EXPECT_LE(difference(*reduction.receptance(each, asked, asked), *exact.receptance(each, asked, asked)), 1e-9);
 }
 
 TEST(Reduction, GivesUpWhereTheBasisMayNotBeLargeEnough) {

@@ -106,7 +106,7 @@ void plan_systematic(const Plan& plan, LikelihoodPlan& own, PlannedMethod& out) 
   const SystematicPlan* systematic = own.observations->systematic_plan();
   if (systematic == nullptr) return;
   const auto refuse = [&](const std::string& what, const std::string& remedy) {
-    fail(plan.scene, "[data]", "gains and masses as unknowns do not go with " + what, remedy);
+    fail(plan.scene, "[data]", "gains, masses and errors of models as unknowns do not go with " + what, remedy);
   };
   if (out.solver != Solver::gauss_helmert) refuse("solver \"" + name(out.solver) + "\"", "leave solver out");
   if (plan.scene.identify.bootstrap > 0) refuse("a bootstrap", "leave bootstrap out");

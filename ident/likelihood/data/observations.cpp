@@ -79,6 +79,8 @@ Observations::Observations(const Scene& scene, const Dofs& coordinates, std::siz
   SystematicPlan systematic = SystematicPlan::of(scene, substructures, assembly);
   if (!systematic.all().empty()) {
     systematic_ = systematic.unknowns();
+    auto scaled = std::make_unique<ScaledParts>(scene, systematic, substructures, coordinates);
+    if (!scaled->none()) scaled_parts_ = std::move(scaled);
     systematic_lines_ = std::make_unique<SystematicLines>(std::move(systematic), substructures, assembly, coordinates);
   }
   const std::size_t size = coordinates.size();
@@ -148,6 +150,7 @@ void Observations::read(const std::vector<Line>& lines, const std::function<void
   data_.clear();
   differences_ = {};
   if (systematic_lines_) systematic_lines_->clear();
+  if (scaled_parts_ && !lines.empty()) scaled_parts_->open(lines.front().frequency_hz, lines.back().frequency_hz);
   std::vector<std::size_t> substructure_lines, assembly_lines;
   for (const Line& line : lines) {
     substructure_lines.push_back(line.substructures);
@@ -245,6 +248,7 @@ LineData Observations::data_of(std::size_t own_line, double omega) const {
   for (const Channel* channel : {&data.sub_jn, &data.sub_jj, &data.asm_jn, &data.asm_jj, &data.drop_nn})
     data.measured += count_measured(*channel);
   if (systematic_lines_) data.systematic = systematic_lines_->of(own_line, layout_, raw);
+  if (scaled_parts_) data.scaled = scaled_parts_->line(plan_lines_[own_lines_.first + own_line].frequency_hz, layout_, raw);
   if (errors_.empty()) return data;
   std::vector<Complex> variance;
   for (const Channel* channel : {&data.sub_jn, &data.sub_jj, &data.asm_jn, &data.asm_jj, &data.drop_nn}) {

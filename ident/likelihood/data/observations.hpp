@@ -6,6 +6,7 @@
 #include "ident/likelihood/data/estimated_frfs.hpp"
 #include "ident/likelihood/data/frf_slopes.hpp"
 #include "ident/likelihood/data/likelihood_data.hpp"
+#include "ident/likelihood/data/scaled_line.hpp"
 #include "ident/likelihood/data/systematic_lines.hpp"
 #include "ident/plan/line.hpp"
 
@@ -85,6 +86,7 @@ class Observations final : public LikelihoodData {
 
   SymmetricFrfs substructures_, assembly_;
   std::unique_ptr<SystematicLines> systematic_lines_;
+  std::unique_ptr<ScaledParts> scaled_parts_;  ///< where the scene's models have errors
   std::vector<Line> plan_lines_;
   std::vector<Complex> background_;  ///< of the substructures: zero across two parts, NaN elsewhere
   std::vector<Raw> raw_;        ///< of own_lines_

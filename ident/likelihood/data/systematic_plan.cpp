@@ -1,8 +1,11 @@
 #include "ident/likelihood/data/systematic_plan.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "base/text.hpp"
 #include "ident/scene/scene_failure.hpp"
+#include "models/model_file.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -61,22 +64,42 @@ void require_driving_points(const Scene& scene, const MassPrior& prior, const st
   }
 }
 
+models::ModelError error_of(const DataFile& file) {
+  return models::is_model_file(file.path) ? models::error_of_model(file.path) : models::ModelError{};
+}
+
+/// "stiffness of bracket.toml", "stiffness of bracket.toml from 0 to 500 Hz"
+std::string scale_name(const std::string& what, const DataFile& model, const models::ModelError::Band& band) {
+  const std::string name = what + " of " + model.path.filename().string();
+  if (!std::isfinite(band.high_hz)) return name;
+  return name + " from " + digits(band.low_hz, "%.6g") + " to " + digits(band.high_hz, "%.6g") + " Hz";
+}
+
 }  // namespace
 
 bool are_errors_unknown(const DataSection& data) {
   const auto is_unknown = [](const GainPrior& prior) { return prior.gain > 0.0 || prior.delay > 0.0 || prior.angle > 0.0; };
-  return !data.masses.empty() || std::ranges::any_of(data.gains, is_unknown);
+  const auto is_uncertain = [](const DataFile& file) { return error_of(file).any(); };
+  return !data.masses.empty() || std::ranges::any_of(data.gains, is_unknown) ||
+         std::ranges::any_of(data.substructures, is_uncertain) || std::ranges::any_of(data.assembly, is_uncertain);
 }
 
 SystematicPlan SystematicPlan::of(const Scene& scene, const frf::FrfSystem& substructures, const frf::FrfSystem& assembly) {
   SystematicPlan plan;
   if (!are_errors_unknown(scene.data)) return plan;
   if (!scene.couple_first.pairs.empty()) {
-    fail(scene, "[data]", "gains and masses are of measured FRFs, and couple_first makes new ones of them",
+    fail(scene, "[data]", "gains, masses and errors of models are of the files' FRFs, and couple_first makes new ones of them",
          "leave out one of both");
   }
   for (const GainPrior& prior : scene.data.gains) plan.add_gains(scene, prior, substructures, assembly);
   for (const MassPrior& prior : scene.data.masses) plan.add_masses(scene, prior, substructures, assembly);
+  for (std::size_t part = 0; part < scene.data.substructures.size(); ++part)
+    plan.add_scales(scene.data.substructures[part], part);
+  for (const DataFile& file : scene.data.assembly) {
+    if (!error_of(file).any()) continue;
+    fail(scene, "[data] assembly", file.path.filename().string() + " states an error of the model, which only a part may have",
+         "remove stiffness_error and mass_error from it, or give noise");
+  }
   return plan;
 }
 
@@ -96,6 +119,22 @@ const std::vector<std::size_t>& SystematicPlan::of(const SensorRole& role) const
   static const std::vector<std::size_t> none;
   const auto found = of_.find(key(role));
   return found == of_.end() ? none : found->second;
+}
+
+const std::vector<ScaleUnknown>& SystematicPlan::scales(std::size_t part) const {
+  static const std::vector<ScaleUnknown> none;
+  const auto found = scales_.find(part);
+  return found == scales_.end() ? none : found->second;
+}
+
+void SystematicPlan::add_scales(const DataFile& model, std::size_t part) {
+  const models::ModelError error = error_of(model);
+  for (const bool is_mass : {false, true}) {
+    for (const models::ModelError::Band& band : is_mass ? error.mass : error.stiffness) {
+      const std::string name = scale_name(is_mass ? "mass" : "stiffness", model, band);
+      scales_[part].push_back({add({{Systematic::scale, band.deviation}, name, ""}, {}), is_mass, band});
+    }
+  }
 }
 
 void SystematicPlan::add_gains(const Scene& scene, const GainPrior& prior, const frf::FrfSystem& substructures,

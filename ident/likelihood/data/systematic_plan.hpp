@@ -7,6 +7,7 @@
 #include "frf/set/frf_system.hpp"
 #include "ident/likelihood/data/estimated_frfs.hpp"
 #include "ident/scene/scene.hpp"
+#include "models/model_error.hpp"
 
 namespace jointid::ident {
 
@@ -26,14 +27,23 @@ struct NamedSystematic {
   frf::Direction towards{};  ///< of an angle: at the sensor's node
 };
 
-/// Whether [[data.gains]] and [[data.masses]] leave anything open: gain = 0 says that calibration is exact.
+/// A scale of a part that is a model, on the lines of a band.
+struct ScaleUnknown {
+  std::size_t unknown;
+  bool is_mass;  ///< else stiffness
+  models::ModelError::Band band;
+};
+
+/// Whether [[data.gains]] and [[data.masses]] leave anything open (gain = 0 says that calibration is exact), or a model states an
+/// error.
 bool are_errors_unknown(const DataSection& data);
 
 /// Which FRFs have which systematic errors.
 class SystematicPlan {
  public:
-  /// Those of [[data.gains]] and [[data.masses]]. Throws InputError for DOFs that no file has in that role, for a sensor that two
-  /// tables name, and for masses whose driving point is not in their file.
+  /// Those of [[data.gains]] and [[data.masses]], and of parts that are models with an error. Throws InputError for DOFs that no
+  /// file has in that role, for a sensor that two tables name, for masses whose driving point is not in their file, and for a
+  /// model with an error in the assembly.
   static SystematicPlan of(const Scene& scene, const frf::FrfSystem& substructures, const frf::FrfSystem& assembly);
 
   /// An unknown of some roles; its number.
@@ -45,6 +55,9 @@ class SystematicPlan {
   /// The numbers of those that a sensor has; empty for most.
   const std::vector<std::size_t>& of(const SensorRole& role) const;
 
+  /// Those of a part that is a model; empty for most.
+  const std::vector<ScaleUnknown>& scales(std::size_t part) const;
+
  private:
   using Key = std::tuple<bool, std::size_t, bool, std::int64_t>;
   static Key key(const SensorRole& role) { return {role.of_assembly, role.file, role.is_reference, coordinate_key(role.dof)}; }
@@ -53,10 +66,12 @@ class SystematicPlan {
                   const std::vector<SensorRole>& roles);
   void add_masses(const Scene& scene, const MassPrior& prior, const frf::FrfSystem& substructures,
                   const frf::FrfSystem& assembly);
+  void add_scales(const DataFile& model, std::size_t part);
   void add_shared(const Scene& scene, Sharing shared, const NamedSystematic& systematic, const std::vector<SensorRole>& roles);
 
   std::vector<NamedSystematic> all_;
   std::map<Key, std::vector<std::size_t>> of_;
+  std::map<std::size_t, std::vector<ScaleUnknown>> scales_;
 };
 
 }  // namespace jointid::ident

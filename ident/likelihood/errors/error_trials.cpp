@@ -26,6 +26,8 @@ double averages_of(const Plan& plan, const frf::FrfHeader& header) {
 void ErrorTrials::add_sensors(const Plan& of) {
   const Observations& observations = *likelihood_plan(of)->observations;
   for_each_file(of, [&](bool of_assembly, std::size_t file, const frf::FrfHeader& header) {
+    if (!of_assembly && observations.systematic_plan() != nullptr && !observations.systematic_plan()->scales(file).empty())
+      return;
     for (const frf::Dof& dof : observations.layout().coordinates) {
       const bool response = frf::has(header.response, dof);
       if (!response && !frf::has(header.reference, dof)) continue;

@@ -73,7 +73,8 @@ void require_joint_errors(const Plan& plan) {
   }
   if (plan.admissible) fail("[joint]", "what bounds and ties do to the errors is not carried into a coupling", "leave them out");
   if (!own->observations->systematic().empty()) {
-    fail("[data]", "gains and masses as unknowns are not carried into a coupling", "correct the files for what was found");
+    fail("[data]", "gains, masses and errors of models as unknowns are not carried into a coupling",
+         "correct the files for what was found");
   }
   if (!plan.scene.couple_first.pairs.empty()) {
     fail("[joint] couple_first", "parts that were coupled before are other FRFs than those of the files", "leave it out");

@@ -15,4 +15,7 @@ std::vector<SystematicEstimate> systematic_estimates(const Plan& plan, const Lik
 /// unknowns.
 void tell_calibration(const Plan& plan, const Eigen::MatrixXd& information, Solution& out);
 
+/// Status doubtful: stiffness or mass of a part that is a model is further off than its description states, by the data.
+void tell_model_errors(const Plan& plan, const LikelihoodFit& fit, const Eigen::MatrixXd& information, Solution& out);
+
 }  // namespace jointid::ident

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ident/likelihood/line/line_layout.hpp"
+#include "ident/likelihood/line/scaled_frfs.hpp"
 #include "ident/likelihood/line/systematic_errors.hpp"
 #include "minimise/linear/correlation.hpp"
 
@@ -22,6 +23,7 @@ struct LineData {
   std::size_t measured = 0;  ///< real numbers with a weight
   std::shared_ptr<const minimise::Correlation> correlation;  ///< of the errors; empty where they are independent
   std::shared_ptr<const SystematicFrfs> systematic{};  ///< as measured; empty where there are none
+  std::shared_ptr<const ScaledFrfs> scaled{};          ///< empty where no part is a model with an error
   std::shared_ptr<const SystematicTerms> terms{};      ///< of corrected_line()
 
   /// Real conditions that the measured numbers are left with: the expected χ² of the line at the true joint.

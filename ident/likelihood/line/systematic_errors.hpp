@@ -11,8 +11,10 @@ namespace jointid::ident {
 enum class Systematic {
   gain,   ///< e^{σφ}: true FRF = gain · measured
   delay,  ///< σφ in s by which the responses lag: e^{iωσφ}
-  stretch,  ///< σφ by which all frequencies and, as a square, all stiffness of a file's structure changed: measured + σφ (ω H' + 2 H)
+  stretch,  ///< σφ by which all frequencies and, as a square, all stiffness of a file's structure changed: measured + σφ (ω H' +
+            ///< 2 H)
   angle,  ///< σφ in rad by which the axis of a sensor is turned towards another one: measured − σφ · that other FRF
+  scale,  ///< e^{σφ}: stiffness or mass of a part that is a model, over the model's (ScaledFrfs); no factor of an FRF
   mass  ///< σφ in kg that the structure carries at the response p, with p: 1/(1 + ω²σφ H(p,p)), free of what is removed as known
 };
 

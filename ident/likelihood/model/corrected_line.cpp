@@ -19,6 +19,7 @@ LogFactor log_factor(const SystematicUnknown& unknown, const SystematicFactor& f
   const double sigma = unknown.deviation;
   switch (unknown.kind) {
     case Systematic::gain:
+    case Systematic::scale:
       return {sigma * phi, sigma};
     case Systematic::delay:
       return {Complex(0.0, omega * sigma * phi), Complex(0.0, omega * sigma)};
@@ -43,6 +44,7 @@ Complex rate_of(const SystematicUnknown& unknown, const SystematicFactor& factor
   const double sigma = unknown.deviation;
   switch (unknown.kind) {
     case Systematic::gain:
+    case Systematic::scale:
       return sigma;
     case Systematic::delay:
       return {0.0, omega * sigma};
@@ -230,35 +232,72 @@ class DrivingNoise {
   bool any_ = false;
 };
 
+/// Brings a line without its systematic errors together, element by element.
+class Corrector {
+ public:
+  Corrector(const LineData& measured, LineData& out, std::span<const SystematicUnknown> unknowns, std::span<const double> phi)
+      : out_(out), elements_(out), unknowns_(unknowns), phi_(phi), driving_(out, unknowns, phi) {
+    if (measured.systematic) frfs_ = *measured.systematic;  // lives as long as `measured`
+    if (measured.scaled) changes_ = measured.scaled->at(phi);
+    terms_->unknowns = unknowns.size();
+    terms_->first.assign(elements_.size() + 1, 0);
+  }
+
+  void run() {
+    auto frf = frfs_.begin();
+    auto change = changes_.begin();
+    for (std::size_t element = 0; element < elements_.size(); ++element) {
+      double variance = 1.0;  // over that of the measured element
+      const double measured_variance = elements_.variance(element);
+      Complex scaled = 0.0;
+      for (; change != changes_.end() && change->element == element; ++change) scaled += scale(*change, variance);
+      for (; frf != frfs_.end() && frf->element == element; ++frf) correct(*frf, scaled, measured_variance, variance);
+      elements_.weight(element) /= std::sqrt(variance);
+      terms_->first[element + 1] = terms_->terms.size();
+    }
+    driving_.apply();
+    out_.terms = std::move(terms_);
+  }
+
+ private:
+  /// A part's stiffness and mass come first: what else is wrong with its FRFs is so of the FRFs of the scaled part.
+  Complex scale(const ScaledFrfs::Change& change, double& variance) {
+    elements_.value(change.element) += change.value;
+    variance += change.share * (change.size * change.size - 1.0);
+    for (const auto& [unknown, rate] : change.rates) terms_->terms.push_back({unknown, rate, 1.0, 0.0});
+    return change.value;
+  }
+
+  /// `scaled`: what a part's scales have changed its FRF by; those of the assembly, negative in D, have none.
+  void correct(const SystematicFrf& described, Complex scaled, double measured_variance, double& variance) {
+    SystematicFrf moved;
+    const bool is_moved = scaled != 0.0 && described.sign > 0.0;
+    if (is_moved) {
+      moved = described;
+      moved.value += scaled;
+    }
+    const SystematicFrf& frf = is_moved ? moved : described;
+    const auto [by, error] = correction(frf, unknowns_, phi_, out_.omega, terms_->terms);
+    elements_.value(frf.element) += frf.sign * (by - 1.0) * frf.value;
+    variance += frf.share * (std::norm(error) - 1.0);
+    driving_.add(frf, error, measured_variance);
+  }
+
+  LineData& out_;
+  Elements elements_;
+  std::span<const SystematicUnknown> unknowns_;
+  std::span<const double> phi_;
+  DrivingNoise driving_;
+  std::span<const SystematicFrf> frfs_;
+  std::vector<ScaledFrfs::Change> changes_;
+  std::shared_ptr<SystematicTerms> terms_ = std::make_shared<SystematicTerms>();
+};
+
 }  // namespace
 
 LineData corrected_line(const LineData& measured, std::span<const SystematicUnknown> unknowns, std::span<const double> phi) {
   LineData out = measured;
-  if (!measured.systematic) return out;
-  const SystematicFrfs& frfs = *measured.systematic;
-  Elements elements(out);
-  auto terms = std::make_shared<SystematicTerms>();
-  terms->unknowns = unknowns.size();
-  terms->first.assign(elements.size() + 1, 0);
-  DrivingNoise driving(out, unknowns, phi);
-  for (std::size_t i = 0; i < frfs.size();) {
-    const std::size_t element = frfs[i].element;
-    Complex change = 0.0;
-    double variance = 1.0;  // over that of the measured element
-    const double measured_variance = elements.variance(element);
-    for (; i < frfs.size() && frfs[i].element == element; ++i) {
-      const auto [by, error] = correction(frfs[i], unknowns, phi, measured.omega, terms->terms);
-      change += frfs[i].sign * (by - 1.0) * frfs[i].value;
-      variance += frfs[i].share * (std::norm(error) - 1.0);
-      driving.add(frfs[i], error, measured_variance);
-    }
-    elements.value(element) += change;
-    elements.weight(element) /= std::sqrt(variance);
-    terms->first[element + 1] = terms->terms.size();
-  }
-  for (std::size_t e = 1; e < terms->first.size(); ++e) terms->first[e] = std::max(terms->first[e], terms->first[e - 1]);
-  driving.apply();
-  out.terms = std::move(terms);
+  if (measured.systematic || measured.scaled) Corrector(measured, out, unknowns, phi).run();
   return out;
 }
 

@@ -41,7 +41,7 @@ std::string why_not(const Plan& plan) {
   if (!scene.identify.priors.empty()) return "priors";
   if (scene.identify.bootstrap > 0) return "a bootstrap";
   if (scene.identify.starts > 0) return "several starts";
-  if (are_errors_unknown(scene.data)) return "gains and masses as unknowns";
+  if (are_errors_unknown(scene.data)) return "gains, masses and errors of models as unknowns";
   if (plan.admissible) return "definite, bounds, ties and other constraints";
   if (!scene.couple_first.pairs.empty()) return "couple_first";
   return scene.data.regenerate.any() ? "synthesised FRFs" : "";
