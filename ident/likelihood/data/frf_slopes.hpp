@@ -2,8 +2,10 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <vector>
 
+#include "ident/likelihood/data/slope_kernel.hpp"
 #include "ident/likelihood/data/symmetric_frfs.hpp"
 
 namespace jointid::ident {
@@ -13,14 +15,14 @@ namespace jointid::ident {
 /// errors find. Lines may be farther apart than resonances are wide. With the denominator q, 1 on the own line, H' = (q H)' − q' H.
 class FrfSlopes {
  public:
-  static constexpr std::size_t most_lines = 9;  ///< four poles: close resonances are told apart
+  static constexpr std::size_t most_lines = FrfLanes::most_lines;  ///< four poles: close resonances are told apart
 
   /// `frequency` of the lines, an odd number of them, and their FRFs, of which those between `coordinates` are the structure's; `own`:
   /// where the derivatives are.
   FrfSlopes(const std::vector<std::size_t>& coordinates, const std::vector<double>& frequency,
             std::vector<const MeasuredFrfs*> lines, std::size_t own);
 
-  /// By the unit of `frequency`; NaN where the FRF is not known on all lines, or zero by symmetry on one.
+  /// By the unit of `frequency`, of an FRF between the coordinates; NaN where it is not known on all lines, or zero by symmetry on one.
   Complex of(Element element) const;
   /// What every derivative has of the value of its FRF on the line itself, a factor: nearly all of it on a resonance.
   Complex of_own_value() const { return factor_[own_]; }
@@ -32,20 +34,17 @@ class FrfSlopes {
 
   /// Numbers on the lines, only the first of them used.
   using OnLines = std::array<Complex, most_lines>;
-  using Variances = std::array<double, most_lines>;
 
-  struct Remainder;
-  struct Sums;  ///< normal equations of the denominator's coefficients
+  class Blocks;  ///< of FRFs that have an error on a line
 
-  bool take(Element element, OnLines& values) const;
-  bool take_variances(Element element, const Values& denominator, Variances& re, Variances& im) const;
-  Sums sums(const std::vector<std::size_t>& coordinates, const Remainder& off, const Values& before) const;
-  Values denominator(const Sums& sums, Complex& rate) const;
+  std::size_t among(std::size_t coordinate) const;
+  Values denominator(const Blocks& blocks, const PolynomialRemainder& off, const Values& before, Complex& rate) const;
 
-  std::vector<const MeasuredFrfs*> lines_;
-  Numbers place_;    ///< of the lines, 0: own
+  Numbers place_;     ///< of the lines, 0: own
   OnLines factor_{};  ///< of the FRF on a line in the derivative
   std::size_t own_;
+  std::vector<std::size_t> among_;  ///< which of the structure's coordinates one is
+  std::vector<Complex> slope_;      ///< of one triangle of these
 };
 
 }  // namespace jointid::ident
