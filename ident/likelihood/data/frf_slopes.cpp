@@ -11,8 +11,6 @@
 namespace jointid::ident {
 namespace {
 
-constexpr std::size_t no_coordinate = static_cast<std::size_t>(-1);
-
 /// Orthonormal columns that span what an orthogonal projector leaves, `count` of them.
 Eigen::MatrixXd basis_of(Eigen::MatrixXd projector, Eigen::Index count) {
   Eigen::MatrixXd out(projector.rows(), count);
@@ -38,37 +36,14 @@ PolynomialRemainder remainder_of(const Eigen::MatrixXd& powers, const Eigen::Mat
   return out;
 }
 
-/// The FRFs of a structure on some lines, one after the other.
-class NeighbouringFrfs {
- public:
-  NeighbouringFrfs(const std::vector<std::size_t>& coordinates, const std::vector<const MeasuredFrfs*>& lines)
-      : coordinates_(coordinates), lines_(lines) {
-    for (const MeasuredFrfs* line : lines) {
-      for (const std::size_t c : coordinates) {
-        const Measured& driving = line->at(c, c);
-        size_.push_back(driving.known() ? std::abs(driving.value) : 0.0);
-      }
-    }
-  }
-
-  /// Of two of the coordinates; false: not known on all lines. An FRF that is zero by symmetry, and rounding in it, is not: its slope would
-  /// be that of rounding, and its own size says nothing of its error.
-  bool take(std::size_t r, std::size_t s, std::array<const Measured*, FrfLanes::most_lines>& out) const {
-    constexpr double negligible = 1e-12;  // of |H_rr H_cc|
-    for (std::size_t k = 0; k < lines_.size(); ++k) {
-      const Measured& m = lines_[k]->at(coordinates_[r], coordinates_[s]);
-      const double* const size = size_.data() + k * coordinates_.size();
-      if (!m.known() || m.value == Complex(0.0) || std::norm(m.value) < negligible * (size[r] * size[s])) return false;
-      out[k] = &m;
-    }
-    return true;
-  }
-
- private:
-  const std::vector<std::size_t>& coordinates_;
-  const std::vector<const MeasuredFrfs*>& lines_;
-  std::vector<double> size_;  ///< |H_cc| by lines; 0: not known
-};
+/// An FRF that is zero by symmetry, and rounding in it: its slope would be that of rounding, and its own size says nothing of its
+/// error.
+bool is_negligible(const MeasuredFrfs& line, Element element, Complex value) {
+  constexpr double negligible = 1e-24;  // of |H_rr H_cc|², all as squares
+  const Measured &row = line.at(element.row, element.row), &column = line.at(element.column, element.column);
+  const double square = std::norm(value);
+  return row.known() && column.known() && square * square < negligible * (std::norm(row.value) * std::norm(column.value));
+}
 
 }  // namespace
 
@@ -76,7 +51,7 @@ class FrfSlopes::Blocks {
  public:
   Blocks(std::size_t most, std::size_t lines) : lines_(lines) { blocks_.reserve((most + FrfLanes::width - 1) / FrfLanes::width); }
 
-  void add(const std::array<const Measured*, most_lines>& frf) {
+  void add(const Neighbours& frf) {
     double all = 0.0;
     for (std::size_t k = 0; k < lines_; ++k) all += frf[k]->variance.real() + frf[k]->variance.imag();
     if (!(all > 0.0 && std::isfinite(all))) return;
@@ -108,7 +83,7 @@ class FrfSlopes::Blocks {
 
 FrfSlopes::FrfSlopes(const std::vector<std::size_t>& coordinates, const std::vector<double>& frequency,
                      std::vector<const MeasuredFrfs*> lines, std::size_t own)
-    : place_(at(lines.size())), own_(own), among_(1 + *std::ranges::max_element(coordinates), no_coordinate) {
+    : lines_(std::move(lines)), place_(at(lines_.size())), own_(own) {
   const Eigen::Index count = place_.size(), degree = (count - 1) / 2;
   const double unit = (frequency.back() - frequency.front()) / static_cast<double>(count - 1);
   for (Eigen::Index k = 0; k < count; ++k) place_[k] = (frequency[static_cast<std::size_t>(k)] - frequency[own]) / unit;
@@ -116,13 +91,11 @@ FrfSlopes::FrfSlopes(const std::vector<std::size_t>& coordinates, const std::vec
   for (Eigen::Index j = 0; j <= degree; ++j) powers.col(j) = place_.array().pow(static_cast<double>(j));
   const Eigen::MatrixXd inverse = dense::solve_symmetric(powers.transpose() * powers, powers.transpose());
   const PolynomialRemainder off = remainder_of(powers, inverse);
-  const NeighbouringFrfs frfs(coordinates, lines);
-  std::array<const Measured*, most_lines> frf{};
-  Blocks blocks(triangle_size(coordinates.size()), lines.size());
+  Neighbours frf{};
+  Blocks blocks(triangle_size(coordinates.size()), lines_.size());
   for (std::size_t r = 0; r < coordinates.size(); ++r) {
-    among_[coordinates[r]] = r;
     for (std::size_t s = 0; s <= r; ++s) {
-      if (frfs.take(r, s, frf)) blocks.add(frf);
+      if (take({coordinates[r], coordinates[s]}, frf)) blocks.add(frf);
     }
   }
   Complex rate;  // of the denominator at own, where it is 1
@@ -130,19 +103,20 @@ FrfSlopes::FrfSlopes(const std::vector<std::size_t>& coordinates, const std::vec
   for (int pass = 0; pass < 2; ++pass) on_lines = denominator(blocks, off, on_lines, rate);
   for (Eigen::Index k = 0; k < count; ++k) factor_[static_cast<std::size_t>(k)] = on_lines[k] * inverse(1, k) / unit;
   factor_[own] -= rate / unit;
-  slope_.assign(triangle_size(coordinates.size()), nan);
-  for (std::size_t r = 0; r < coordinates.size(); ++r) {
-    for (std::size_t s = 0; s <= r; ++s) {
-      if (!frfs.take(r, s, frf)) continue;
-      Complex sum = 0.0;
-      for (std::size_t k = 0; k < lines.size(); ++k) sum += product(factor_[k], frf[k]->value);
-      slope_[triangle_place(r, s)] = sum;
-    }
+}
+
+bool FrfSlopes::take(Element element, Neighbours& out) const {
+  for (std::size_t k = 0; k < lines_.size(); ++k) {
+    const Measured& m = lines_[k]->at(element.row, element.column);
+    if (!m.known() || m.value == Complex(0.0) || is_negligible(*lines_[k], element, m.value)) return false;
+    out[k] = &m;
   }
+  return true;
 }
 
 /// On the lines; a little is known of the parts of its coefficients beforehand, which are 0 ± 10.
-FrfSlopes::Values FrfSlopes::denominator(const Blocks& blocks, const PolynomialRemainder& off, const Values& before, Complex& rate) const {
+FrfSlopes::Values FrfSlopes::denominator(const Blocks& blocks, const PolynomialRemainder& off, const Values& before,
+                                         Complex& rate) const {
   constexpr double beforehand = 10.0;
   const Eigen::Index degree = place_.size() / 2;
   std::array<double, triangle_size(most_lines)> sums{};
@@ -168,11 +142,12 @@ FrfSlopes::Values FrfSlopes::denominator(const Blocks& blocks, const PolynomialR
   return out;
 }
 
-std::size_t FrfSlopes::among(std::size_t coordinate) const { return coordinate < among_.size() ? among_[coordinate] : no_coordinate; }
-
 Complex FrfSlopes::of(Element element) const {
-  const std::size_t row = among(element.row), column = among(element.column);
-  return row == no_coordinate || column == no_coordinate ? nan : slope_[triangle_place(row, column)];
+  Neighbours frf{};
+  if (!take(element, frf)) return nan;
+  Complex sum = 0.0;
+  for (std::size_t k = 0; k < lines_.size(); ++k) sum += product(factor_[k], frf[k]->value);
+  return sum;
 }
 
 }  // namespace jointid::ident

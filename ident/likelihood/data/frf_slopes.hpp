@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <cstdint>
 #include <vector>
 
 #include "ident/likelihood/data/slope_kernel.hpp"
@@ -22,7 +21,7 @@ class FrfSlopes {
   FrfSlopes(const std::vector<std::size_t>& coordinates, const std::vector<double>& frequency,
             std::vector<const MeasuredFrfs*> lines, std::size_t own);
 
-  /// By the unit of `frequency`, of an FRF between the coordinates; NaN where it is not known on all lines, or zero by symmetry on one.
+  /// By the unit of `frequency`; NaN where the FRF is not known on all lines, or zero by symmetry on one.
   Complex of(Element element) const;
   /// What every derivative has of the value of its FRF on the line itself, a factor: nearly all of it on a resonance.
   Complex of_own_value() const { return factor_[own_]; }
@@ -37,14 +36,15 @@ class FrfSlopes {
 
   class Blocks;  ///< of FRFs that have an error on a line
 
-  std::size_t among(std::size_t coordinate) const;
+  /// The FRF on the lines; false: not known on all of them, or zero by symmetry.
+  using Neighbours = std::array<const Measured*, most_lines>;
+  bool take(Element element, Neighbours& out) const;
   Values denominator(const Blocks& blocks, const PolynomialRemainder& off, const Values& before, Complex& rate) const;
 
+  std::vector<const MeasuredFrfs*> lines_;
   Numbers place_;     ///< of the lines, 0: own
   OnLines factor_{};  ///< of the FRF on a line in the derivative
   std::size_t own_;
-  std::vector<std::size_t> among_;  ///< which of the structure's coordinates one is
-  std::vector<Complex> slope_;      ///< of one triangle of these
 };
 
 }  // namespace jointid::ident

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "ident/likelihood/data/many_lines.hpp"
 #include "ident/likelihood/fit/joint_iteration.hpp"
 
 namespace jointid::ident {
@@ -84,9 +85,10 @@ bool LikelihoodEstimator::takes_linearised(const std::vector<double>& start) {
 
 /// Where an eighth of many large lines gets to from a start; empty where that tells less than all of them would.
 std::optional<LikelihoodFit> LikelihoodEstimator::approached(const std::vector<double>& start, const FitWatcher& watch) {
-  constexpr std::size_t every = 8, fewest = 512;
+  constexpr std::size_t every = 8;
   const FittedLines& lines = all_.lines;
-  if (!lines.layout().is_large() || lines.layout().asm_jn.empty() || lines.variances_by_law() || lines.used() < fewest) return std::nullopt;
+  const bool is_long = lines.layout().is_large() && lines.used() >= many_lines;
+  if (!is_long || lines.layout().asm_jn.empty() || lines.variances_by_law()) return std::nullopt;
   PenalisedLines some{lines.spread(every), all_.priors, all_.unknowns, all_.joint_unknowns};
   StepMemory memory;
   SecondOpinion opinion;

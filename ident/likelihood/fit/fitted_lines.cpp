@@ -171,12 +171,11 @@ void FittedLines::arrive(const std::vector<double>& theta) {
   });
 }
 
-/// `by`: whether the FRFs of the line were optimised.
-void FittedLines::settle_by(const std::vector<double>& theta,
-                            const std::function<bool(const LineData&, const ComplexMatrix&, LineModel&, FittedLine&)>& by) {
+/// `settles`: whether the FRFs of the line were optimised.
+void FittedLines::settle_by(const std::vector<double>& theta, const Settles& settles) {
   std::atomic<bool> relaxed = false;
   for_all([&](std::size_t i, LineModel& model) {
-    if (by(data_at(i, theta), impedance(i, theta), model, lines_[i])) relaxed = true;
+    if (settles(data_at(i, theta), impedance(i, theta), model, lines_[i])) relaxed = true;
   });
   if (data_->shares().any(relaxed) && relax_stuck(theta)) linearise(theta);
 }

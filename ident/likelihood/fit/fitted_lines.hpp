@@ -124,7 +124,8 @@ class FittedLines {
   FittedLines(const FittedLines& all, std::size_t every);
   /// A few lines that are far from fitting once more from other starts; whether there were any.
   bool relax_stuck(const std::vector<double>& theta);
-  void settle_by(const std::vector<double>& theta, const std::function<bool(const LineData&, const ComplexMatrix&, LineModel&, FittedLine&)>& by);
+  using Settles = std::function<bool(const LineData& data, const ComplexMatrix& z, LineModel& model, FittedLine& line)>;
+  void settle_by(const std::vector<double>& theta, const Settles& settles);
   Eigen::MatrixXd relaxed_gradients(std::size_t line, const FittedLine& before, const std::vector<std::vector<double>>& nearby,
                                     const std::vector<Eigen::VectorXd>& offsets, LineModel& model);
   /// For this process's lines; then costs are known of all.
