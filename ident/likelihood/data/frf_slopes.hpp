@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "ident/likelihood/data/slope_kernel.hpp"
 #include "ident/likelihood/data/symmetric_frfs.hpp"
 
 namespace jointid::ident {
@@ -13,7 +14,7 @@ namespace jointid::ident {
 /// errors find. Lines may be farther apart than resonances are wide. With the denominator q, 1 on the own line, H' = (q H)' − q' H.
 class FrfSlopes {
  public:
-  static constexpr std::size_t most_lines = 9;  ///< four poles: close resonances are told apart
+  static constexpr std::size_t most_lines = FrfLanes::most_lines;  ///< four poles: close resonances are told apart
 
   /// `frequency` of the lines, an odd number of them, and their FRFs, of which those between `coordinates` are the structure's; `own`:
   /// where the derivatives are.
@@ -32,18 +33,16 @@ class FrfSlopes {
 
   /// Numbers on the lines, only the first of them used.
   using OnLines = std::array<Complex, most_lines>;
-  using Variances = std::array<double, most_lines>;
 
-  struct Remainder;
-  struct Sums;  ///< normal equations of the denominator's coefficients
+  class Blocks;  ///< of FRFs that have an error on a line
 
-  bool take(Element element, OnLines& values) const;
-  bool take_variances(Element element, const Values& denominator, Variances& re, Variances& im) const;
-  Sums sums(const std::vector<std::size_t>& coordinates, const Remainder& off, const Values& before) const;
-  Values denominator(const Sums& sums, Complex& rate) const;
+  /// The FRF on the lines; false: not known on all of them, or zero by symmetry.
+  using Neighbours = std::array<const Measured*, most_lines>;
+  bool take(Element element, Neighbours& out) const;
+  Values denominator(const Blocks& blocks, const PolynomialRemainder& off, const Values& before, Complex& rate) const;
 
   std::vector<const MeasuredFrfs*> lines_;
-  Numbers place_;    ///< of the lines, 0: own
+  Numbers place_;     ///< of the lines, 0: own
   OnLines factor_{};  ///< of the FRF on a line in the derivative
   std::size_t own_;
 };

@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "ident/likelihood/data/many_lines.hpp"
 #include "ident/likelihood/elimination/elimination_flops.hpp"
 #include "ident/plan/joint_impedance.hpp"
 #include "ident/scene/scene_failure.hpp"
@@ -135,26 +136,27 @@ std::size_t shared_right_sides(const Plan& plan, const LikelihoodPlan& own) {
 }
 
 /// How often the FRFs of all lines are linearised or optimised, an experience (docs/cost.md). With FRFs of the assembly at the
-/// joint: of the start, and where weights change; between them factors stay. With H_nn alone several starts are followed to the
-/// end, and more of them where few lines leave more of the joint open. Under constraints the estimate goes on from its free
-/// minimum.
+/// joint: of the start, and where weights change; between them factors stay. Of many large lines an eighth has those of the start.
+/// With H_nn alone several starts are followed to the end, and more of them where few lines leave more of the joint open. Under
+/// constraints the estimate goes on from its free minimum.
 std::size_t expected_iterations(const Plan& plan, const LikelihoodPlan& own) {
-  constexpr std::size_t usual = 8, from_start = 100, guessed = 20'000, fewest = 150, most = 1'000, constrained = 4;
-  std::size_t count = usual;
-  if (own.observations->layout().asm_jn.empty()) {
+  constexpr std::size_t usual = 8, of_many = 5, from_start = 100, guessed = 20'000, fewest = 150, most = 1'000, constrained = 4;
+  const LineLayout& layout = own.observations->layout();
+  std::size_t count = layout.is_large() && plan.lines.size() >= many_lines ? of_many : usual;
+  if (layout.asm_jn.empty()) {
     count = own.start ? std::clamp(guessed / std::max<std::size_t>(1, plan.lines.size()), fewest, most) : from_start;
   }
   return plan.admissible ? count + constrained : count;
 }
 
-/// What is kept of a line: known FRFs of both systems with their variances, values and weights of the elements, two states (where it
-/// stands, and before the last step), and U⁻¹W with `columns`, shared ones where it is large.
+/// What is kept of a line: known FRFs of both systems with their variances, values and weights of the elements, two states with their own
+/// steps (where it stands, and before the last step), and U⁻¹W with `columns`, shared ones where it is large.
 double line_bytes(const LineLayout& layout, double columns) {
   const auto number = [](std::size_t i) { return static_cast<double>(i); };
   const double n = number(layout.joint), v = number(layout.variables());
   const double elements = v + number(layout.asm_jn.size() + layout.asm_jj.size() + layout.drop_nn.size());
   const double frfs = sizeof(Measured) * (elements + number(layout.drop_nn.size()));
-  const double state = 2.0 * sizeof(Complex) * n * (number(layout.others) + n);
+  const double state = sizeof(Complex) * (2.0 * n * (number(layout.others) + n) + v);
   return frfs + 2.0 * sizeof(Complex) * elements + 2.0 * state + 2.0 * sizeof(double) * v * columns;
 }
 

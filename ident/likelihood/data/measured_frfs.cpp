@@ -9,10 +9,6 @@ bool is_exactly_zero(const Measured& m) { return m.value == Complex(0.0) && m.va
 
 }  // namespace
 
-const Measured& MeasuredFrfs::at(std::size_t row, std::size_t column) const {
-  return places_ ? kept_[(*places_)[triangle_place(row, column)]] : all_.at(row, column);
-}
-
 void MeasuredFrfs::pack(std::size_t size, const MeasuredFrfs* before) {
   constexpr std::uint32_t nothing = 0, zero = 1;
   const Complex none(nan, nan);

@@ -31,7 +31,9 @@ class MeasuredFrfs {
 
   /// Until pack().
   Measured& at(std::size_t row, std::size_t column) { return all_.at(row, column); }
-  const Measured& at(std::size_t row, std::size_t column) const;
+  const Measured& at(std::size_t row, std::size_t column) const {
+    return places_ ? kept_[(*places_)[triangle_place(row, column)]] : all_.at(row, column);
+  }
 
   /// Keeps those alone that are known and not exactly zero; nothing is left of a value or variance without the other. `size` coordinates.
   /// Where they are those of `before`, which was packed, too, both share the list of places.

@@ -14,6 +14,11 @@
 namespace jointid::ident {
 namespace {
 
+void reserve(Channel& channel, std::size_t count) {
+  channel.value.reserve(count);
+  channel.weight.reserve(count);
+}
+
 void append(Channel& channel, const Measured& m) {
   channel.value.push_back(m.known() ? m.value : Complex(0.0));
   channel.weight.push_back(m.known() ? frf_weight(m.variance, m.value) : Complex(0.0));
@@ -240,6 +245,11 @@ LineData Observations::data_of(std::size_t own_line, double omega) const {
   const std::size_t n = layout_.others;
   LineData data;
   data.omega = omega;
+  reserve(data.sub_jn, layout_.sub_jn.size());
+  reserve(data.sub_jj, layout_.sub_jj.size());
+  reserve(data.asm_jn, layout_.asm_jn.size());
+  reserve(data.asm_jj, layout_.asm_jj.size());
+  reserve(data.drop_nn, layout_.drop_nn.size());
   for (const auto [p, k] : layout_.sub_jn) append(data.sub_jn, raw.substructures.at(n + p, k));
   for (const auto [p, q] : layout_.sub_jj) append(data.sub_jj, raw.substructures.at(n + p, n + q));
   for (const auto [p, k] : layout_.asm_jn) append(data.asm_jn, raw.assembly.at(n + p, k));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "ident/likelihood/data/many_lines.hpp"
 #include "ident/likelihood/fit/joint_iteration.hpp"
 
 namespace jointid::ident {
@@ -24,7 +25,7 @@ std::ptrdiff_t times_reached(double loss, const std::vector<LikelihoodFit::End>&
 /// Which starts were followed to which ends.
 struct Ends {
   LikelihoodFit best;
-  std::vector<FittedLine> lines;           ///< of the best
+  std::vector<FittedLine> lines;           ///< of the best; empty: where the lines are
   std::vector<LikelihoodFit::End> settled;
   std::vector<double> far;                 ///< losses of ends far from fitting
   bool explains = false, explains_well = false;  ///< by χ², as if the best had settled
@@ -47,10 +48,15 @@ struct Ends {
       best = std::move(fit);
       explains = all.lines.fit(all.unknowns);
       explains_well = all.lines.fit(all.unknowns, at_95_percent);
-      lines = all.lines.snapshot();
+      lines.clear();
     }
     best.starts = k + 1;
     if (all.are_far_from_fitting()) far.push_back(end_loss);
+  }
+
+  /// Before the lines move from the best.
+  void keep(const PenalisedLines& all) {
+    if (lines.empty()) lines = all.lines.snapshot();
   }
 
   bool is_enough(const FollowOptions& options) const {
@@ -77,11 +83,33 @@ bool LikelihoodEstimator::takes_linearised(const std::vector<double>& start) {
   return std::exchange(linearised_at_, std::nullopt) == theta;
 }
 
-LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, JointIteration iteration, const LikelihoodFit* known) {
+/// Where an eighth of many large lines gets to from a start; empty where that tells less than all of them would.
+std::optional<LikelihoodFit> LikelihoodEstimator::approached(const std::vector<double>& start, const FitWatcher& watch) {
+  constexpr std::size_t every = 8;
+  const FittedLines& lines = all_.lines;
+  const bool is_long = lines.layout().is_large() && lines.used() >= many_lines;
+  if (!is_long || lines.layout().asm_jn.empty() || lines.variances_by_law()) return std::nullopt;
+  PenalisedLines some{lines.spread(every), all_.priors, all_.unknowns, all_.joint_unknowns};
+  StepMemory memory;
+  SecondOpinion opinion;
+  const FitListener nobody;
+  JointIteration iteration(some, memory, opinion, watch, nobody);
+  LikelihoodFit fit = iteration.begin(start, false);
+  return iteration.approach(fit) ? std::optional(std::move(fit)) : std::nullopt;
+}
+
+LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, JointIteration iteration, const LikelihoodFit* known,
+                                            const FitWatcher& watch) {
   all_.lines.take_variances_as_measured();
   const bool linearised = takes_linearised(start);
-  LikelihoodFit fit = iteration.begin(std::move(start), linearised);
-  iteration.run(fit, known);
+  const auto near = linearised ? std::nullopt : approached(start, watch);
+  LikelihoodFit fit = iteration.begin(near ? near->theta : std::move(start), linearised);
+  if (near) {
+    fit.iterations = near->iterations;
+    iteration.run_near(fit, known);
+  } else {
+    iteration.run(fit, known);
+  }
   return fit;
 }
 
@@ -95,7 +123,7 @@ LinearisedLikelihood LikelihoodEstimator::run(const Starts& starts, const FitWat
     const auto start = starts(k);
     if (!start) break;
     const bool is_known = options.follow == Follow::until_reached_twice && ends.fits();
-    LikelihoodFit fit = run_from(*start, fresh, is_known ? &ends.best : nullptr);
+    LikelihoodFit fit = run_from(*start, fresh, is_known ? &ends.best : nullptr, watch);
     if (fit.reached_known) std::tie(fit.loss, fit.theta) = std::tie(ends.best.loss, ends.best.theta);
     ends.add(std::move(fit), k, all_);
     if (options.follow != Follow::all && !ends.fits() &&
@@ -104,20 +132,22 @@ LinearisedLikelihood LikelihoodEstimator::run(const Starts& starts, const FitWat
       break;
     }
     if (ends.is_enough(options)) break;
+    ends.keep(all_);
   }
   if (ends.explains && !ends.best.converged) {  // ran out of iterations
-    LikelihoodFit fit = run_from(ends.best.theta, fresh, nullptr);
+    ends.keep(all_);
+    LikelihoodFit fit = run_from(ends.best.theta, fresh, nullptr, watch);
     ends.is_last = fit.converged;
     if (ends.is_last) {
       ends.settled.push_back({fit.loss, fit.theta});
       fit.starts = ends.best.starts;
       fit.iterations += ends.best.iterations;
       ends.best = std::move(fit);
-      ends.lines = all_.lines.snapshot();
+      ends.lines.clear();
     }
   }
   ends.best.ends = std::move(ends.settled);
-  all_.lines.restore(std::move(ends.lines));
+  if (!ends.lines.empty()) all_.lines.restore(std::move(ends.lines));
   if (!ends.is_last) all_.lines.take_variances_here(ends.best.theta);  // the start after it took its own
   return {std::move(all_), std::move(ends.best), std::move(memory), std::move(opinion)};
 }

@@ -21,7 +21,7 @@ struct EstimatorOptions {
 
 /// Maximum-likelihood estimate of the joint with all FRFs taken as noisy (docs/formulas.md §11d): minimises Σ_lines L(χ²) over the
 /// joint's unknowns and the true substructure FRFs of every line; L is χ² for lines that fit, and bounded for those with gross
-/// errors. Three stages (JointIteration):
+/// errors. Three stages (JointIteration), of many large lines on an eighth of them before:
 ///  1. a few steps of iterative quadratic maximum likelihood;
 ///  2. the implicit iteration (Gauss–Helmert), which corrects the FRFs of both systems off the constraint and so comes near from
 ///     poor starts;
@@ -58,7 +58,8 @@ class LikelihoodEstimator {
   LinearisedLikelihood at(std::vector<double> theta) &&;
 
  private:
-  LikelihoodFit run_from(std::vector<double> start, JointIteration iteration, const LikelihoodFit* known);
+  LikelihoodFit run_from(std::vector<double> start, JointIteration iteration, const LikelihoodFit* known, const FitWatcher& watch);
+  std::optional<LikelihoodFit> approached(const std::vector<double>& start, const FitWatcher& watch);
   bool takes_linearised(const std::vector<double>& start);
 
   PenalisedLines all_;

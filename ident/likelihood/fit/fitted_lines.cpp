@@ -56,6 +56,20 @@ FittedLines::FittedLines(LikelihoodData& data, const restrictions::Restriction& 
   }
 }
 
+FittedLines::FittedLines(const FittedLines& all, std::size_t every)
+    : data_(all.data_), joint_unknowns_(all.joint_unknowns_), corrected_(all.corrected_.size()), threads_(all.threads_), watch_(all.watch_),
+      own_(all.own_), as_measured_(all.as_measured_) {
+  std::size_t place = 0;
+  for (const FittedLine& line : all.lines_) {
+    const bool is_taken = line.redundancy > 0.0 && place++ % every == 0;
+    lines_.push_back({line.joint, line.columns, {}, is_taken ? line.redundancy : 0.0, 0.0, 1.0, {}});
+  }
+}
+
+std::size_t FittedLines::used() const {
+  return static_cast<std::size_t>(std::ranges::count_if(lines_, [](const FittedLine& line) { return line.redundancy > 0.0; }));
+}
+
 const LineData& FittedLines::data_at(std::size_t line, const std::vector<double>& theta) {
   const LineData& measured = data_->lines()[line];
   if (corrected_.empty()) return measured;
@@ -107,8 +121,7 @@ void FittedLines::exchange_costs() {
 }
 
 bool FittedLines::look_at_some(std::size_t count) {
-  const auto used = std::ranges::count_if(lines_, [](const FittedLine& line) { return line.redundancy > 0.0; });
-  const std::size_t every = static_cast<std::size_t>(used) / count;
+  const std::size_t every = used() / count;
   passed_over_.assign(every > 1 ? lines_.size() : 0, true);
   for (std::size_t i = 0, place = 0; i < passed_over_.size(); ++i) {
     if (lines_[i].redundancy > 0.0 && place++ % every == 0) passed_over_[i] = false;
@@ -158,12 +171,26 @@ void FittedLines::arrive(const std::vector<double>& theta) {
   });
 }
 
-void FittedLines::settle(const std::vector<double>& theta, Relaxation until) {
+/// `settles`: whether the FRFs of the line were optimised.
+void FittedLines::settle_by(const std::vector<double>& theta, const Settles& settles) {
   std::atomic<bool> relaxed = false;
   for_all([&](std::size_t i, LineModel& model) {
-    if (ident::settle(data_at(i, theta), impedance(i, theta), model, lines_[i], until)) relaxed = true;
+    if (settles(data_at(i, theta), impedance(i, theta), model, lines_[i])) relaxed = true;
   });
   if (data_->shares().any(relaxed) && relax_stuck(theta)) linearise(theta);
+}
+
+void FittedLines::settle(const std::vector<double>& theta, Relaxation until) {
+  settle_by(theta, [until](const LineData& data, const ComplexMatrix& z, LineModel& model, FittedLine& line) {
+    return ident::settle(data, z, model, line, until);
+  });
+}
+
+void FittedLines::settle_measured(const std::vector<double>& theta) {
+  settle_by(theta, [](const LineData& data, const ComplexMatrix& z, LineModel& model, FittedLine& line) {
+    ident::settle_measured(data, z, model, line);
+    return true;
+  });
 }
 
 void FittedLines::take_gradients(const std::vector<double>& theta) {

@@ -18,6 +18,10 @@ class FittedLines {
   FittedLines(LikelihoodData& data, const restrictions::Restriction& restriction, const UnknownColumns& columns, double omega0,
               std::size_t threads);
 
+  /// Every so many of those in use alone, as if the others said nothing; no line is anywhere yet.
+  FittedLines spread(std::size_t every) const { return {*this, every}; }
+  std::size_t used() const;
+
   /// Called before each line of every pass with how many of how many are begun, by any thread; may throw to stop.
   void set_watch(std::function<void(std::size_t begun, std::size_t lines)> watch) { watch_ = std::move(watch); }
 
@@ -57,6 +61,9 @@ class FittedLines {
   /// Puts every line on the constraint and linearises it there; its FRFs are optimised before where the linearised line promises that
   /// this would help much, or to the end.
   void settle(const std::vector<double>& theta, Relaxation until);
+
+  /// The same of lines that stand where they were measured, for a joint that is nearly right (ident::settle_measured()).
+  void settle_measured(const std::vector<double>& theta);
 
   /// Gradients of the lines where they stand, with information and U⁻¹W of the place where they were linearised last (take_gradient());
   /// lines that did not follow the last step as predicted are linearised again, and all that have not plain errors.
@@ -114,8 +121,11 @@ class FittedLines {
   std::size_t bytes() const;
 
  private:
+  FittedLines(const FittedLines& all, std::size_t every);
   /// A few lines that are far from fitting once more from other starts; whether there were any.
   bool relax_stuck(const std::vector<double>& theta);
+  using Settles = std::function<bool(const LineData& data, const ComplexMatrix& z, LineModel& model, FittedLine& line)>;
+  void settle_by(const std::vector<double>& theta, const Settles& settles);
   Eigen::MatrixXd relaxed_gradients(std::size_t line, const FittedLine& before, const std::vector<std::vector<double>>& nearby,
                                     const std::vector<Eigen::VectorXd>& offsets, LineModel& model);
   /// For this process's lines; then costs are known of all.

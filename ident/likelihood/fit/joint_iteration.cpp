@@ -25,6 +25,9 @@ double half_of(const Eigen::VectorXd& step, const std::vector<double>& theta, co
 /// Information of lines from where they stood stays while the joint moves less than this, in standard deviations; not at the end.
 constexpr double kept_while_rough = 1.0, kept = 0.1;
 constexpr double rough = 0.1;  // while weights may still change; FRFs need not be optimised to the end then
+constexpr double shrinks_well = 0.2;  // of one step to the last: then what they are made of may be of another place
+constexpr double near_enough = 0.3;   // standard deviations: of that a full step with all lines at their minimum leaves a hundredth
+constexpr double next_to_none = 1e-6;  // standard deviations
 constexpr double least_ratio = 0.1;  // of one step to the last: where an earlier one told it
 constexpr std::size_t most_iterations = 60;
 
@@ -139,9 +142,9 @@ Relaxation JointIteration::relaxation(double tolerance) const {
   return tolerance < rough || all_.lines.layout().asm_jn.empty() ? Relaxation::end : Relaxation::beginning;
 }
 
-/// Lines linearised on their constraint; their gradients alone where the joint has hardly moved since.
-void JointIteration::linearise(const std::vector<double>& theta, double tolerance) {
-  if (moved_ > (tolerance < rough ? kept : kept_while_rough)) {
+/// Lines linearised on their constraint; their gradients alone where the joint has hardly moved since, or steps get there all the same.
+void JointIteration::linearise(const std::vector<double>& theta, double tolerance, bool shrinks) {
+  if (moved_ > (tolerance < rough ? kept : kept_while_rough) && !(is_near_ && shrinks)) {
     all_.lines.linearise(theta);
     moved_ = 0.0;
   } else {
@@ -177,22 +180,23 @@ bool JointIteration::is_hopeless(const std::vector<double>& theta, const std::ve
 
 bool JointIteration::project(LikelihoodFit& fit, double tolerance, From from, const LikelihoodFit* known, Constraint* within) {
   const Relaxation until = relaxation(tolerance);
-  if (from == From::anywhere) {
-    all_.lines.settle(fit.theta, until);
-    moved_ = 0.0;
-  } else {
+  if (from == From::last_project) {
     all_.lines.take_gradients(fit.theta);
+  } else {
+    from == From::measured ? all_.lines.settle_measured(fit.theta) : all_.lines.settle(fit.theta, until);
+    moved_ = 0.0;
   }
   if (within == nullptr) all_.lines.choose_tolerance();
   all_.lines.weigh_robustly();
   bool is_linearised = true;
   double last = 0.0, ratio = memory_.shrinks;
+  bool shrinks = true;
   int crawling = 0;  // steps in a row of which next to nothing helped
   std::vector<double> losses = {all_.total(fit.theta)};
   Eigen::VectorXd gradient, taken;
   while (fit.iterations < most_iterations) {
     watch_(++fit.iterations);
-    if (!std::exchange(is_linearised, false)) linearise(fit.theta, tolerance);
+    if (!std::exchange(is_linearised, false)) linearise(fit.theta, tolerance, shrinks);
     const Eigen::VectorXd before_taken = std::exchange(gradient, {});
     all_.sum(fit.theta, fit.information, gradient);
     if (taken.size() > 0) memory_.secants.note(taken, before_taken - gradient, fit.information);
@@ -215,9 +219,13 @@ bool JointIteration::project(LikelihoodFit& fit, double tolerance, From from, co
       fit.hopeless = true;
       return false;
     }
-    if (last > 0.0) memory_.shrinks = ratio = size / last;
+    if (last > 0.0) {
+      memory_.shrinks = ratio = size / last;
+      shrinks = ratio < shrinks_well;
+    }
     if (left_after(size, std::max(ratio, least_ratio)) < all_.misfit_of(loss) * tolerance) {
       if (tolerance < rough) finish_exactly(fit, until, within);
+      if (tolerance < rough && is_near_) polish(fit, until, within);
       return true;
     }
     last = size;
@@ -226,7 +234,8 @@ bool JointIteration::project(LikelihoodFit& fit, double tolerance, From from, co
 }
 
 /// A full step with all lines at their minimum and linearised there: steps before may have had information and FRFs that were
-/// near, which leaves errors of first order in how near. Without noise, where a step takes most of the misfit off, more of them.
+/// near, which leaves errors of first order in how near. More of them without noise, where a step takes most of the misfit off, and where
+/// steps by information of measured FRFs did not come near.
 void JointIteration::finish_exactly(LikelihoodFit& fit, Relaxation until, Constraint* within) {
   constexpr int most = 4;
   constexpr double most_of_it = 0.1;
@@ -236,6 +245,7 @@ void JointIteration::finish_exactly(LikelihoodFit& fit, Relaxation until, Constr
     all_.sum(fit.theta, fit.information, gradient);
     const double loss = all_.total(fit.theta);
     const Eigen::VectorXd step = joint_step(fit.theta, fit.information, gradient, within);
+    const bool is_near = !is_near_ || norm_of(step, fit.information) < near_enough * std::sqrt(all_.lines.tolerance());
     const std::vector<FittedLine> before = all_.lines.snapshot();
     const std::vector<double> next = added(fit.theta, step, 1.0);
     all_.lines.follow(before, next, step, until);
@@ -245,19 +255,51 @@ void JointIteration::finish_exactly(LikelihoodFit& fit, Relaxation until, Constr
       return;
     }
     fit.theta = next;
-    if (!(next_loss < most_of_it * loss)) return;
+    if (is_near && !(next_loss < most_of_it * loss)) return;
   }
 }
 
-void JointIteration::run(LikelihoodFit& fit, const LikelihoodFit* known) {
+/// What finish_exactly() leaves, by gradients with its information.
+void JointIteration::polish(LikelihoodFit& fit, Relaxation until, Constraint* within) {
+  constexpr int most = 3;
+  double loss = all_.total(fit.theta);
+  for (int k = 0; k < most; ++k) {
+    all_.lines.take_gradients(fit.theta);
+    Eigen::VectorXd gradient;
+    all_.sum(fit.theta, fit.information, gradient);
+    const Eigen::VectorXd step = joint_step(fit.theta, fit.information, gradient, within);
+    if (norm_of(step, fit.information) < next_to_none * std::sqrt(all_.lines.tolerance()) || !descend(fit, step, until, loss)) return;
+  }
+}
+
+/// All before FRFs are held on their constraint.
+void JointIteration::begin_stages(LikelihoodFit& fit) {
   const double usual =
       std::sqrt(static_cast<double>(all_.unknowns));  // how far an estimate is from the truth, in standard deviations
   if (all_.lines.layout().asm_jn.empty() || !whiten(fit, 4, usual, true)) correct(fit);
+}
+
+bool JointIteration::approach(LikelihoodFit& fit) {
+  begin_stages(fit);
+  return project(fit, rough) && minimise::null_space_of(fit.information).cols() == 0;
+}
+
+void JointIteration::run(LikelihoodFit& fit, const LikelihoodFit* known) {
+  begin_stages(fit);
   if (all_.lines.variances_by_law()) {
     all_.lines.arrive(fit.theta);
     all_.lines.take_variances_here(fit.theta);
   }
-  fit.converged = project(fit, rough, From::anywhere, known);
+  finish(fit, known);
+}
+
+void JointIteration::run_near(LikelihoodFit& fit, const LikelihoodFit* known) {
+  is_near_ = true;
+  finish(fit, known);
+}
+
+void JointIteration::finish(LikelihoodFit& fit, const LikelihoodFit* known) {
+  fit.converged = project(fit, rough, is_near_ ? From::measured : From::anywhere, known);
   if (fit.reached_known) return;
   const auto improves = [&](double before) { return all_.lines.tolerance() > 1.0 && all_.lines.tolerance() < 0.9 * before; };
   for (double before = 2.0 * all_.lines.tolerance(); fit.converged && improves(before);) {

@@ -48,7 +48,8 @@ class JointIteration {
 
   enum class From {
     anywhere,     ///< lines are put on the constraint and linearised
-    last_project  ///< only weights have changed since
+    last_project,  ///< only weights have changed since
+    measured  ///< lines stand where they were measured, and the joint is nearly right: linearised there, and put on the constraint
   };
 
   /// Gauss–Newton steps along the lines on their constraint, each shortened until Σ L falls, until less than `tolerance` standard
@@ -60,14 +61,24 @@ class JointIteration {
   /// All stages, to the end.
   void run(LikelihoodFit& fit, const LikelihoodFit* known);
 
+  /// The stages until few standard deviations are left; whether they came so far, and the lines tell of all unknowns.
+  bool approach(LikelihoodFit& fit);
+
+  /// As run(), from where approach() ended on some of the lines: FRFs of all lines are linearised where they were measured, once, as long
+  /// as steps shrink by that.
+  void run_near(LikelihoodFit& fit, const LikelihoodFit* known);
+
  private:
   Eigen::VectorXd whitened_step(const std::vector<double>& theta, Eigen::MatrixXd& information);
   Eigen::VectorXd joint_step(const std::vector<double>& theta, const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient,
                              Constraint* within);
-  void linearise(const std::vector<double>& theta, double tolerance);
+  void linearise(const std::vector<double>& theta, double tolerance, bool shrinks);
+  void begin_stages(LikelihoodFit& fit);
+  void finish(LikelihoodFit& fit, const LikelihoodFit* known);
   std::optional<double> descend(LikelihoodFit& fit, const Eigen::VectorXd& step, Relaxation until, double& loss);
   bool is_hopeless(const std::vector<double>& theta, const std::vector<double>& losses);
   void finish_exactly(LikelihoodFit& fit, Relaxation until, Constraint* within);
+  void polish(LikelihoodFit& fit, Relaxation until, Constraint* within);
   Relaxation relaxation(double tolerance) const;
   void tell(const LikelihoodFit& fit, double loss) const;
   void tell(const LikelihoodFit& fit) const;
@@ -78,6 +89,7 @@ class JointIteration {
   const FitWatcher& watch_;
   const FitListener& listener_;
   bool is_linearised_ = false;  ///< for the next whitened_step()
+  bool is_near_ = false;        ///< run_near()
   double moved_ = 0.0;          ///< the joint since lines were linearised, in standard deviations
 };
 

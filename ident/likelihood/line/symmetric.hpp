@@ -11,7 +11,7 @@ inline std::size_t triangle_place(std::size_t row, std::size_t column) {
   if (row < column) std::swap(row, column);
   return row * (row + 1) / 2 + column;
 }
-inline std::size_t triangle_size(std::size_t size) { return size * (size + 1) / 2; }
+constexpr std::size_t triangle_size(std::size_t size) { return size * (size + 1) / 2; }
 
 /// A symmetric n×n matrix, one triangle kept.
 template <class T>

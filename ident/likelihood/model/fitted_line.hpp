@@ -61,6 +61,10 @@ Eigen::MatrixXd gradients_nearby(const LineData& data, const ComplexMatrix& here
 /// whether they were.
 bool settle(const LineData& data, const ComplexMatrix& z, LineModel& model, FittedLine& line, Relaxation until);
 
+/// settle() of a line that stands where it was measured, off the constraint, for a joint that is nearly right: linearised there, and
+/// its FRFs optimised by the factors of that, whose information stays; where these do not lead there, as settle() does in the beginning.
+void settle_measured(const LineData& data, const ComplexMatrix& z, LineModel& model, FittedLine& line);
+
 /// Levenberg–Marquardt of the line's FRFs for a given joint.
 void relax(const LineData& data, const ComplexMatrix& z, LineModel& model, FittedLine& line, Relaxation until = Relaxation::end);
 
