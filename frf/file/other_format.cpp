@@ -61,7 +61,7 @@ bool is_json(std::string_view head) {
 }
 
 std::optional<OtherFormat> zip_format(std::string_view head) {
-  if (has(head, "xl/") || has(head, "[Content_Types].xml") || has(head, "opendocument.spreadsheet"))
+  if (has(head, "xl/") || has(head, "[Content_Types].xml") || has(head, "oasis.opendocument"))
     return OtherFormat{has(head, "opendocument") ? "a workbook of LibreOffice" : "a workbook of Excel", "save its sheet as CSV"};
   if (has(head.substr(0, 200), ".npy")) return std::nullopt;
   return OtherFormat{"a ZIP archive", "unpack it: unzip FILE"};

@@ -245,6 +245,7 @@ Columns read_variables(MatFile& file) {
   for (auto& [name, text] : units.unread()) out.remarks.push_back({name, name + ": " + text});
   add_attributes(file, out);
   take_unit_suffixes(out);
+  require_no_factor(out);
   return out;
 }
 

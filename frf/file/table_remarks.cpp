@@ -1,5 +1,7 @@
 #include "frf/file/table_remarks.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -31,7 +33,7 @@ bool is_unit_in_sentence(std::string_view word) {
   constexpr auto words = std::to_array<std::string_view>(
       {"mm", "cm",  "um",  "µm",  "μm",   "nm", "mil",    "mils", "micron",     "microns",     "inch",       "inches", "millimeter", "millimeters",
        "kN", "mN",  "daN", "MN",  "lbf",  "lb", "lbs",    "kip",  "kips",       "kgf",         "kilonewton", "ft",     "feet",       "millimetre",
-       "ms", "us",  "deg", "mrad", "Nmm", "kNm"});
+       "tonne", "tonnes", "ms", "us",  "deg", "mrad", "Nmm", "kNm"});
   return std::ranges::find(words, word) != words.end();
 }
 
@@ -83,6 +85,12 @@ void require_no_factor(const Columns& columns) {
     const std::string_view text = std::string_view(remark.text).substr(std::min(remark.text.find_first_not_of("#% \t"), remark.text.size()));
     const auto factor = factor_of_remark(text);
     if (factor && *factor != 1.0 && *factor != 0.0) refuse_factor(columns, remark.place, text);
+  }
+  for (const NumberColumn& number : columns.attributes) {
+    const std::string own = number.name.substr(number.name.rfind('@') + 1);
+    const double value = number.values.front();
+    if (use_of_number(own) == NumberUse::multiplies && value != 1.0 && value != 0.0)
+      refuse_factor(columns, number.name, own + " = " + fmt::format("{:g}", value));
   }
   for (const NumberColumn& column : columns.columns) {
     if (factor_in_title(column.name)) refuse_factor(columns, "column " + column.name, column.name);

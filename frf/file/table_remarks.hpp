@@ -18,7 +18,8 @@ struct UnreadUnit {
 /// ("thickness 5 mm"), and what stands in brackets at the end or behind a colon ("ylabel: Acceleration [g]").
 std::optional<UnreadUnit> unread_unit(const Columns& columns, const std::function<bool(const Unit&)>& is_asked_for);
 
-/// Throws InputError where a remark or a title states a factor that nothing applies: "scale = 0.1", "values x 1000", "F x1000 [N]".
+/// Throws InputError where a remark, a title or an attribute states a factor that nothing applies: "scale = 0.1", "values x 1000",
+/// "F x1000 [N]".
 void require_no_factor(const Columns& columns);
 
 }  // namespace jointid::frf

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "frf/csv/csv_suffix.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/text/number_text.hpp"
 #include "frf/text/unit_names.hpp"
@@ -93,23 +94,10 @@ bool is_plain_unit(std::string_view word) {
   return std::ranges::find(words, word) != words.end();
 }
 
-/// "m/s2" of m, s2 and of m, s, 2; "g/N" of g, per, N. Empty where the words are no ratio.
-std::string ratio_of(const std::vector<std::string_view>& words) {
-  std::string out;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const bool number = words[i].find_first_not_of("0123456789") == std::string_view::npos;
-    if (lower_case(words[i]) == "per") continue;
-    if (number && (i == 0 || words[i].size() != 1)) return {};
-    if (i > 0 && !number) out += '/';
-    out += words[i];
-  }
-  return out;
-}
-
 /// What the last words of a name state behind the others, `before`; empty where they state nothing.
 std::string unit_of_words(const std::vector<std::string_view>& words, NamedQuantity before) {
   const bool product = before == NamedQuantity::moment && words.size() == 2;
-  const std::string label = words.size() == 1 ? std::string(words.front()) : product ? std::string(words[0]) + "*" + std::string(words[1]) : ratio_of(words);
+  const std::string label = words.size() == 1 ? std::string(words.front()) : product ? std::string(words[0]) + "*" + std::string(words[1]) : ratio_of_words(words);
   const auto unit = parse_unit(label);
   if (words.size() == 1) {
     constexpr std::string_view letters = "msgG";  // N is a plain one
@@ -126,10 +114,14 @@ std::string unit_of_words(const std::vector<std::string_view>& words, NamedQuant
 }  // namespace
 
 SuffixedName suffixed_name(std::string_view name) {
+  constexpr std::string_view between = "_ ";
   const std::size_t own = name.rfind('.') == std::string_view::npos ? 0 : name.rfind('.') + 1;
-  std::vector<std::size_t> cuts;  // underscores with something on both sides
-  for (std::size_t at = name.find('_', own + 1); at != std::string_view::npos && at + 1 < name.size(); at = name.find('_', at + 1))
+  std::vector<std::size_t> cuts;  // with something on both sides
+  for (std::size_t at = name.find_first_of(between, own + 1); at != std::string_view::npos && at + 1 < name.size();
+       at = name.find_first_of(between, at + 1))
     cuts.push_back(at);
+  std::string plain(name);
+  std::ranges::replace(plain, ' ', '_');
   constexpr std::size_t most_words = 4;
   if (cuts.size() > most_words) cuts.erase(cuts.begin(), cuts.end() - most_words);
   for (const std::size_t cut : cuts) {
@@ -137,10 +129,20 @@ SuffixedName suffixed_name(std::string_view name) {
     std::string parted(stem);
     std::ranges::replace_if(
         parted, [](unsigned char c) { return c < 0x80 && std::isalnum(c) == 0; }, ' ');
-    std::string label = unit_of_words(split(name.substr(cut + 1), '_'), quantity_named_by(split(parted, ' ')));
+    std::string label = unit_of_words(split(std::string_view(plain).substr(cut + 1), '_'), quantity_named_by(split(parted, ' ')));
     if (!label.empty()) return {name.substr(0, cut), std::move(label)};
   }
   return {name, {}};
+}
+
+std::string stiffness_or_mass_suffix(std::string_view name) {
+  const std::vector<std::string_view> words = split(name, '_');
+  for (std::size_t first = 1; first < words.size(); ++first) {
+    std::string label = ratio_of_words({words.begin() + static_cast<std::ptrdiff_t>(first), words.end()});
+    const auto unit = parse_unit(label);
+    if (unit && (unit->same_dimension({1.0, -1, 0, 1}) || unit->same_dimension({1.0, -1, 2, 1}))) return label;
+  }
+  return {};
 }
 
 void take_unit_suffixes(Columns& columns) {

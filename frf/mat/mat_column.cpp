@@ -53,18 +53,21 @@ ColumnUnits::ColumnUnits(MatFile& file) : file_(file) {
 std::vector<std::string> ColumnUnits::texts(const std::string& name) const {
   for (const char* ending : {"unit", "units"}) {
     const auto found = texts_.find(name + ending);
-    if (found == texts_.end()) continue;
-    used_.insert(found->first);
-    return file_.read(*found->second).texts;
+    if (found != texts_.end()) return file_.read(*found->second).texts;
   }
   return {};
+}
+
+std::vector<std::string> ColumnUnits::used(const std::string& name, std::vector<std::string> texts) const {
+  for (const char* ending : {"unit", "units"}) used_.insert(name + ending);
+  return texts;
 }
 
 /// Of "xunit", "x_unit" and "xlabel"; empty where none is there.
 std::string ColumnUnits::of_axis(const std::string& scope, char axis) const {
   const std::string name = scope + axis;
   for (const std::string& prefix : {name, name + "_"}) {
-    if (const auto own = texts(prefix); own.size() == 1) return own.front();
+    if (const auto own = texts(prefix); own.size() == 1) return used(prefix, own).front();
   }
   for (const char* ending : {"label", "_label"}) {
     const auto found = texts_.find(name + ending);
@@ -115,7 +118,7 @@ std::vector<std::string> ColumnUnits::of(const MatInfo& info) const {
   }
   if (texts_.empty()) return every("");
   const std::string name = lower_case(info.name), scope = scope_of(info.name), field = name.substr(scope.size());
-  if (const auto own = texts(name + "_"); own.size() == 1) return every(own.front());
+  if (const auto own = texts(name + "_"); own.size() == 1) return every(used(name + "_", own).front());
   for (const char* group : {"unit.", "units."}) {
     const auto found = texts_.find(scope + group + field);
     if (found == texts_.end()) continue;
@@ -127,8 +130,8 @@ std::vector<std::string> ColumnUnits::of(const MatInfo& info) const {
   }
   const auto beside = texts(scope);
   if (beside.size() == 1 && !scope.empty() && is_values(field))
-    return every(beside.front());
-  if (count > 1 && beside.size() == count && alike_.at({scope, count}) == 1) return beside;
+    return every(used(scope, beside).front());
+  if (count > 1 && beside.size() == count && alike_.at({scope, count}) == 1) return used(scope, beside);
   return every("");
 }
 

@@ -37,6 +37,8 @@ class ColumnUnits {
 
  private:
   std::vector<std::string> texts(const std::string& name) const;
+  /// The same texts, which are not unread any more.
+  std::vector<std::string> used(const std::string& name, std::vector<std::string> texts) const;
   std::string of_axis(const std::string& scope, char axis) const;
 
   MatFile& file_;
