@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/eigen.hpp"
+#include "base/temporary_file.hpp"
 #include "base/text.hpp"
 #include "frf/file/unit_suffix.hpp"
 #include "frf/file/variables.hpp"
@@ -16,6 +17,7 @@
 #include "frf/text/located.hpp"
 #include "frf/text/unit_names.hpp"
 #include "frf/uff/uff55.hpp"
+#include "frf/uff/uff_file.hpp"
 #include "frf/uff/uff_geometry.hpp"
 #include "frf/uff/uff_scan.hpp"
 #include "models/failure.hpp"
@@ -177,6 +179,17 @@ Eigen::MatrixXd read_shapes(const FileVariable& named, Eigen::Index n) {
               "give a column for each mode");
 }
 
+void require_universal(const Path& file) {
+  require_regular_file(file);
+  std::string head(4096, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(in.gcount()));
+  if (!frf::looks_like_uff(head))
+    refuse_file(file, "", "is no universal file",
+                "export the modes as dataset 55, or give arrays of MATLAB, HDF5 or numpy: shapes, frequencies and modal_masses");
+}
+
 /// Shapes whose largest number is 1 in every mode are scaled to it, and not to modal masses of 1.
 void require_unit_masses(const FileVariable& named, const Eigen::MatrixXd& shapes) {
   constexpr double of_rounding = 1e-9;
@@ -190,6 +203,7 @@ void require_unit_masses(const FileVariable& named, const Eigen::MatrixXd& shape
 }  // namespace
 
 UffModes read_uff_modes(const Path& file) {
+  require_universal(file);
   std::vector<frf::Uff55Mode> read = frf::read_uff55(file);
   for (const frf::Uff55Mode& mode : read) require_usable(file, mode, read.front());
   std::erase_if(read, [](const frf::Uff55Mode& mode) { return mode.is_complex && mode.eigenvalue.imag() < 0.0; });

@@ -1,6 +1,7 @@
 #include "frf/file/column_titles.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include "base/error.hpp"
 #include "frf/csv/csv_titles.hpp"
@@ -47,6 +48,13 @@ bool have_units(const std::vector<std::string_view>& cells) {
 }
 
 }  // namespace
+
+std::string remedy_of_text(std::string_view cell) {
+  const bool plain = cell.find_first_not_of("0123456789:.,-/TZ+ ") == std::string_view::npos;
+  const bool clock = plain && cell.find(':') != std::string_view::npos && std::isdigit(static_cast<unsigned char>(cell.front())) != 0;
+  return clock ? "write times in s, e.g. time [s], or leave the column out and give the samples per second by --rate"
+               : "begin lines that are no numbers with #";
+}
 
 std::vector<std::string_view> table_cells(std::string_view line, char separator) {
   return separator == ' ' ? split(line, separator) : csv_cells(line, separator);
@@ -132,7 +140,7 @@ void ColumnTitles::settle(std::string_view numbers) {
 void ColumnTitles::refuse(const TextLine& line, const std::string& why) const {
   const std::string cell(table_cells(line.text, separator_in(line.text)).front().substr(0, 40));
   throw InputError({ErrorKind::data, columns_.file, line.place + ", column 1", "'" + cell + "' is not a number",
-                    "begin lines that are no numbers with #" + why});
+                    remedy_of_text(cell) + why});
 }
 
 void ColumnTitles::require_few(std::size_t columns, const std::string& place) const {

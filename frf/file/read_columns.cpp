@@ -103,7 +103,8 @@ class TextColumns {
       if (!unit) value = number_of_label(i, cells[i]);
       if (std::isnan(value) && !states_no_value(cells[i])) {
         fail(out_.file, place() + ", column " + std::to_string(i + 1),
-             "'" + std::string(cells[i].substr(0, 40)) + "' is not a number", "begin lines that are no numbers with #");
+             "'" + std::string(cells[i].substr(0, 40)) + "' is not a number",
+             remedy_of_text(cells[i]));
       }
       out_.columns[i].values.push_back(value);
     }

@@ -72,7 +72,8 @@ bool fits(NamedQuantity quantity, const Unit& unit) {
     case NamedQuantity::acceleration:
       return motion && unit.time == -2;
     case NamedQuantity::force:
-      return unit.same_dimension({1.0, 0, 0, 1}) || unit.same_dimension({1.0, 1, 0, 1});
+      return unit.same_dimension({1.0, 0, 0, 1}) || unit.same_dimension({1.0, 1, 0, 1}) ||
+             (unit.length == 0 && unit.force == 0 && unit.time == -1 && unit.angle == 1);  // f is a frequency, too
     case NamedQuantity::moment:
       return unit.same_dimension({1.0, 1, 0, 1});
     case NamedQuantity::angle:

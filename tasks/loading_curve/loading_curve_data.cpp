@@ -208,6 +208,7 @@ class Reader {
                         "check the displacement column, or fit it with --kind loading"});
     }
     if (loops.empty()) {
+      note_start(record, path.filename().string());
       out_.curves.push_back(friction::loading_curve(name, record));
       return;
     }
@@ -217,6 +218,18 @@ class Reader {
       const std::string number = task_.files.size() == 1 ? fmt::format("loop {}", i + 1) : fmt::format("{} loop {}", name, i + 1);
       out_.curves.push_back(friction::loop_curve(number, friction::centred(loops[i])));
     }
+  }
+
+  /// A loading curve is one from rest, at 0 and 0.
+  void note_start(const Record& record, const std::string& file) {
+    constexpr double far = 0.2;
+    if (record.displacement.empty()) return;
+    const auto [low, high] = std::ranges::minmax(record.displacement);
+    const double nearest = std::ranges::min(record.displacement, {}, [](double u) { return std::abs(u); });
+    if (std::abs(nearest) > far * (high - low))
+      out_.notes.push_back(fmt::format("{}: the displacements go from {:g} to {:g} m. A loading curve begins at rest, at 0: take the "
+                                       "offset out of displacements and forces",
+                                       file, low, high));
   }
 
   Curve series(const frf::Columns& columns, const std::string& name) const {
