@@ -1,7 +1,9 @@
 #include "frf/file/column_titles.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <iterator>
 
 #include "base/error.hpp"
 #include "frf/csv/csv_titles.hpp"
@@ -47,7 +49,21 @@ bool have_units(const std::vector<std::string_view>& cells) {
   });
 }
 
+/// Whether the first title is of nodes.
+bool is_of_nodes(std::string_view titles, char separator) { return is_name_of_nodes(table_cells(titles, separator).front()); }
+
+/// "PART-1-1.21".
+bool ends_in_number(std::string_view cell) {
+  return !cell.empty() && std::isalpha(static_cast<unsigned char>(cell.front())) != 0 && std::isdigit(static_cast<unsigned char>(cell.back())) != 0;
+}
+
 }  // namespace
+
+bool is_name_of_nodes(std::string_view title) {
+  const std::string name = lower_case(title);
+  return std::ranges::any_of(std::to_array<std::string_view>({"node", "point", "label", "knoten", "punkt", "grid"}),
+                             [&](std::string_view word) { return name.find(word) != std::string::npos; });
+}
 
 std::string remedy_of_text(std::string_view cell) {
   const bool plain = cell.find_first_not_of("0123456789:.,-/TZ+ ") == std::string_view::npos;
@@ -112,7 +128,8 @@ bool ColumnTitles::is_of_numbers(std::string_view line) const {
   if (texts_.empty()) return all;
   const auto count = std::ranges::count_if(cells, [&](std::string_view cell) { return !cell.empty() && number(cell); });
   const bool sentence = separator == ' ' && cells.size() > 1 && count == 1;  // "3 channels"
-  return count > 0 && !sentence && number(cells.front()) && (all || !cells.front().empty());
+  const bool named = cells.size() > 2 && count + 1 == std::ssize(cells) && is_of_nodes(texts_.back().text, separator) && ends_in_number(cells.front());
+  return named || (count > 0 && !sentence && number(cells.front()) && (all || !cells.front().empty()));
 }
 
 void ColumnTitles::settle(std::string_view numbers) {

@@ -75,6 +75,9 @@ inline constexpr const char* one_mark = "write all numbers with one of them, wit
 /// A line of no numbers above a table: empty, or a comment.
 bool is_comment(std::string_view text);
 
+/// Whether a column by this title holds names of nodes, "Node Label".
+bool is_name_of_nodes(std::string_view title);
+
 /// What to do about a cell that is no number: of a clock time, "12:00:01.5" and "2026-11-30T12:00:01", or of any other text.
 std::string remedy_of_text(std::string_view cell);
 

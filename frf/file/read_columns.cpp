@@ -115,12 +115,9 @@ class TextColumns {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     constexpr std::string_view digits = "0123456789";
     const NumberColumn& column = out_.columns[i];
-    const std::string name = lower_case(column.name);
-    const bool of_nodes = std::ranges::any_of(std::to_array<std::string_view>({"node", "point", "label", "knoten", "punkt", "grid"}),
-                                              [&](std::string_view word) { return name.find(word) != std::string::npos; });
     const std::size_t last = cell.find_last_not_of(digits);
     double value = none;
-    if (!of_nodes || last == std::string_view::npos || last + 1 == cell.size() || !parse_cell(cell.substr(last + 1), false, value)) return none;
+    if (!is_name_of_nodes(column.name) || last == std::string_view::npos || last + 1 == cell.size() || !parse_cell(cell.substr(last + 1), false, value)) return none;
     const std::string before(cell.substr(0, last + 1));
     if (std::ranges::none_of(before, [](unsigned char c) { return std::isalpha(c) != 0; })) return none;
     const auto [known, fresh] = labels_.emplace(i, before);
