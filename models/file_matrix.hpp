@@ -22,6 +22,7 @@ struct FileMatrix {
   Eigen::SparseMatrix<double> real;
   Eigen::SparseMatrix<double> imaginary;  ///< of no rows: the matrix is real
   std::vector<RowLabel> labels;           ///< of the rows, ascending; empty: the file has none
+  std::string stated_unit{};              ///< one other than SI that the file states, and where; empty: none
 };
 
 constexpr std::size_t most_sparse_rows = 2000000;

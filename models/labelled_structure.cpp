@@ -6,6 +6,7 @@
 
 #include "base/eigen.hpp"
 #include "models/matrix_value.hpp"
+#include "models/model_units.hpp"
 
 namespace jointid::models {
 namespace {
@@ -77,6 +78,7 @@ LabelledStructure read_structure(const scene::Table& table, const std::filesyste
     const auto found = read.find(keys[i]);
     if (found == read.end()) continue;
     const auto& [item, value] = found->second;
+    if (!value.stated_unit.empty() && !table.find("units")) item.fail("the file states " + value.stated_unit, give_model_units);
     const bool is_complex = value.imaginary.nonZeros() > 0;
     if (is_complex && std::string(keys[i]) != "stiffness")
       item.fail("the matrix is complex", "only the stiffness of a model may be: K + iD");

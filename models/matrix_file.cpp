@@ -7,12 +7,14 @@
 #include <limits>
 #include <span>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "base/eigen.hpp"
 #include "base/temporary_file.hpp"
 #include "base/text.hpp"
 #include "frf/file/columns.hpp"
+#include "frf/file/table_remarks.hpp"
 #include "frf/file/variables.hpp"
 #include "models/failure.hpp"
 #include "models/labelled_matrix.hpp"
@@ -24,6 +26,7 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
+constexpr std::size_t most_remarks = 100;
 constexpr double most_rows = 20000.0;  ///< of full matrices
 constexpr double symmetric_to = 1e-9;  ///< of the largest element
 
@@ -78,13 +81,22 @@ class MarketReader {
     do {
       if (!std::getline(in_, line)) fail("the file ends early");
       ++number_;
+      if (line.starts_with('%') && remarks_.remarks.size() < most_remarks)
+        remarks_.remarks.push_back({"line " + std::to_string(number_), line});
     } while (line.empty() || line[0] == '%' || line.find_first_not_of(" \t\r") == std::string::npos);
     std::istringstream text(line);
     std::vector<double> found(count);
+    std::string word;
     for (double& value : found) {
-      if (!(text >> value) || !std::isfinite(value)) fail("'" + line + "' is not " + std::to_string(count) + " numbers");
+      if (!(text >> word) || !parse_real(word, value)) fail("'" + line + "' is not " + std::to_string(count) + " numbers");
     }
+    if (text >> word) fail("'" + line + "' is more than " + std::to_string(count) + " numbers");
     return found;
+  }
+
+  std::string stated_unit() const {
+    const auto unread = frf::unread_unit(remarks_, [](const frf::Unit&) { return true; });
+    return unread ? "the unit '" + unread->unit + "' in " + unread->place : std::string();
   }
 
   Eigen::Index index(double value, Eigen::Index end) const {
@@ -111,9 +123,22 @@ class MarketReader {
     if (mirrored_ != 0.0 && i != j) imaginary_.emplace_back(column, row, mirrored_imaginary_ * value[1]);
   }
 
+  /// A symmetric matrix lists one triangle, and no matrix an element twice.
+  void require_once() const {
+    std::vector<std::pair<int, int>> places;
+    for (const Eigen::Triplet<double>& entry : entries_) places.emplace_back(entry.row(), entry.col());
+    std::ranges::sort(places);
+    const auto twice = std::ranges::adjacent_find(places);
+    if (twice == places.end()) return;
+    refuse_file(path_, "element (" + std::to_string(twice->first + 1) + ", " + std::to_string(twice->second + 1) + ")", "it is listed twice",
+                mirrored_ != 0.0 ? "a symmetric matrix lists one triangle; write 'general' where all elements are listed"
+                                 : "write the file again");
+  }
+
   FileMatrix matrix() const {
-    FileMatrix out{Sparse(rows_, rows_), {}, {}};
+    FileMatrix out{Sparse(rows_, rows_), {}, {}, stated_unit()};
     out.real.setFromTriplets(entries_.begin(), entries_.end());
+    if (static_cast<std::size_t>(out.real.nonZeros()) != entries_.size()) require_once();
     if (values_ == 2) {
       out.imaginary.resize(rows_, rows_);
       out.imaginary.setFromTriplets(imaginary_.begin(), imaginary_.end());
@@ -147,10 +172,11 @@ class MarketReader {
   double mirrored_ = 0.0, mirrored_imaginary_ = 0.0;  ///< factor of the element across the diagonal; 0: it is listed
   Eigen::Index rows_ = 0;
   std::vector<Eigen::Triplet<double>> entries_, imaginary_;
+  frf::Columns remarks_;  ///< comments alone
 };
 
 /// A row of the matrix a line of text.
-Eigen::MatrixXd from_text(const std::filesystem::path& path, const std::string& variable) {
+FileMatrix from_text(const std::filesystem::path& path, const std::string& variable) {
   if (!variable.empty()) refuse_file(path, variable, "there is no such matrix; the file holds rows of numbers", "leave out the name");
   const frf::Columns read = frf::read_columns(path);
   for (const frf::NumberColumn& column : read.columns) {
@@ -167,7 +193,8 @@ Eigen::MatrixXd from_text(const std::filesystem::path& path, const std::string& 
     }
     for (std::size_t i = 0; i < size; ++i) m(at(i), at(j)) = values[i];
   }
-  return m;
+  const auto unread = frf::unread_unit(read, [](const frf::Unit&) { return true; });
+  return {Sparse(m.sparseView()), {}, {}, unread ? "the unit '" + unread->unit + "' in " + unread->place : std::string()};
 }
 
 /// Throws where an element and that across the diagonal differ.
@@ -195,7 +222,7 @@ FileMatrix read_any(const std::filesystem::path& path, const std::string& variab
   if (is_abaqus_matrix(path)) return read_abaqus_matrix(path);
   if (path.extension() == ".mtx") return MarketReader(path).read();
   if (const auto file = frf::open_variables(path)) return read_variable_matrix(*file, variable);
-  return {Sparse(from_text(path, variable).sparseView()), {}, {}};
+  return from_text(path, variable);
 }
 
 }  // namespace

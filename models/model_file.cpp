@@ -7,6 +7,7 @@
 #include "models/labelled_structure.hpp"
 #include "models/matrix_model.hpp"
 #include "models/matrix_value.hpp"
+#include "models/model_units.hpp"
 #include "models/modes_file.hpp"
 #include "scene/text.hpp"
 
@@ -99,15 +100,17 @@ class ModelFile {
   }
 
   NamedModel read_matrices() {
-    const scene::Table table = root_.table({"mass", "stiffness", "viscous_damping", "hysteretic_damping", "loss_factor", "dofs",
+    const scene::Table table = root_.table({"mass", "stiffness", "viscous_damping", "hysteretic_damping", "loss_factor", "units", "dofs",
                                             "keep", "noise", "stiffness_error", "mass_error"});
     for (const char* key : {"mass", "stiffness"}) table.require(key);
     LabelledStructure read = read_structure(table, folder());
     StructureMatrices& matrices = read.matrices;
-    if (const auto item = table.find("loss_factor")) matrices.loss_factor = item->not_negative();
-    const bool names_rows = table.find("dofs").has_value();
-    NamedCoordinates labelled = names_rows ? NamedCoordinates{} : std::move(read.coordinates);
-    return named(table, std::make_unique<MatrixModel>(std::move(matrices)), std::move(labelled), {});
+    if (const auto item = table.find("loss_factor")) matrices.loss_factor = share(*item);
+    const bool names_rows = table.find("dofs").has_value() || read.coordinates.dofs.empty();
+    const auto size = static_cast<std::size_t>(matrices.mass.rows());
+    NamedCoordinates all = names_rows ? read_model_dofs(table.require("dofs"), folder(), size) : std::move(read.coordinates);
+    if (const auto item = table.find("units")) read_model_units(*item).apply(matrices, all);
+    return named(table, std::make_unique<MatrixModel>(std::move(matrices)), std::move(all), {});
   }
 
   NamedModel read_modes() {
@@ -122,21 +125,23 @@ class ModelFile {
 
   NamedModel read_arrays() {
     const scene::Table table = root_.table({"shapes", "frequencies", "modal_masses", "residual_flexibility", "damping_ratio",
-                                            "loss_factor", "dofs", "keep", "noise", "stiffness_error", "mass_error"});
+                                            "loss_factor", "units", "dofs", "keep", "noise", "stiffness_error", "mass_error"});
     FileVariable masses;
     if (const auto item = table.find("modal_masses")) masses = read_file_variable(*item, folder());
     Modes modes = read_mode_arrays(read_file_variable(table.require("shapes"), folder()),
                                    read_file_variable(table.require("frequencies"), folder()), masses);
     damp(table, modes);
     if (const auto item = table.find("residual_flexibility")) read_residual(table, *item, modes);
-    return named(table, std::make_unique<ModalModel>(std::move(modes)), {}, {});
+    NamedCoordinates all = read_model_dofs(table.require("dofs"), folder(), modes.coordinates());
+    if (const auto item = table.find("units")) read_model_units(*item).apply(modes, all);
+    return named(table, std::make_unique<ModalModel>(std::move(modes)), std::move(all), {});
   }
 
   /// Stiffness that is lossy makes the flexibility of what is left out R/(1 + iη).
   void read_residual(const scene::Table& table, const scene::Item& item, Modes& modes) const {
     const Eigen::SparseMatrix<double> residual = read_matrix_value(item, folder(), at(modes.coordinates()));
     const auto loss = table.find("loss_factor");
-    modes.residual = Eigen::MatrixXd(residual).cast<Complex>() / Complex(1.0, loss ? loss->not_negative() : 0.0);
+    modes.residual = Eigen::MatrixXd(residual).cast<Complex>() / Complex(1.0, loss ? share(*loss) : 0.0);
   }
 
   /// The damping of all normal modes, in place of what the file says.
@@ -146,15 +151,21 @@ class ModelFile {
       if (item && !modes.complex.empty()) item->fail("complex modes have their damping in their eigenvalues", "remove it");
     }
     for (NormalMode& mode : modes.normal) {
-      if (ratio) mode.damping_ratio = ratio->not_negative();
-      if (loss) mode.loss_factor = loss->not_negative();
+      if (ratio) mode.damping_ratio = share(*ratio);
+      if (loss) mode.loss_factor = share(*loss);
     }
   }
 
-  /// `all`: the coordinates of a file that names them.
+  /// A damping ratio or loss factor. From 1 on it is in per cent: nothing would vibrate.
+  static double share(const scene::Item& item) {
+    const double value = item.not_negative();
+    if (!(value < 1.0)) item.fail(scene::number_text(value) + " is not below 1", "it is no percentage: 0.02 is 2 %");
+    return value;
+  }
+
+  /// `all`: the coordinates that have names.
   NamedModel named(const scene::Table& table, std::unique_ptr<Model> model, NamedCoordinates all,
                    std::vector<frf::Node> nodes) const {
-    if (all.dofs.empty()) all = read_model_dofs(table.require("dofs"), folder(), model->size());
     if (const auto keep = table.find("keep")) all = select(*keep, all, keep->dofs());
     NamedModel out{
         .file = name_, .model = std::move(model), .coordinates = std::move(all), .noise = 0.0, .nodes = std::move(nodes)};

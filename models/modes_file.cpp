@@ -1,14 +1,23 @@
 #include "models/modes_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <string>
+#include <string_view>
 
 #include "base/eigen.hpp"
+#include "base/temporary_file.hpp"
 #include "base/text.hpp"
+#include "frf/file/unit_suffix.hpp"
 #include "frf/file/variables.hpp"
+#include "frf/mat/mat_column.hpp"
+#include "frf/set/unit_label.hpp"
+#include "frf/text/located.hpp"
+#include "frf/text/unit_names.hpp"
 #include "frf/uff/uff55.hpp"
+#include "frf/uff/uff_file.hpp"
 #include "frf/uff/uff_geometry.hpp"
 #include "frf/uff/uff_scan.hpp"
 #include "models/failure.hpp"
@@ -34,6 +43,22 @@ void require_usable(const Path& file, const frf::Uff55Mode& mode, const frf::Uff
     fail("its modal mass is " + scene::number_text(mode.modal_mass), "export the modes with modal masses");
   if (!(mode.frequency_hz >= 0.0)) fail("its frequency is " + scene::number_text(mode.frequency_hz) + " Hz", "it is at least 0");
   if (mode.viscous_damping < 0.0 || mode.hysteretic_damping < 0.0) fail("its damping is below 0", "correct its sign");
+  const double damping = std::max(mode.viscous_damping, mode.hysteretic_damping);
+  if (!(damping < 1.0)) fail("its damping is " + scene::number_text(damping), "it is no percentage: 0.02 is 2 %");
+}
+
+/// The same frequency, damping and shape: a mode that was exported twice would count twice.
+void require_once(const Path& file, const std::vector<frf::Uff55Mode>& modes) {
+  const auto same = [](const frf::Uff55Mode& a, const frf::Uff55Mode& b) {
+    return a.is_complex == b.is_complex && a.eigenvalue == b.eigenvalue && a.frequency_hz == b.frequency_hz && a.shape == b.shape;
+  };
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (same(modes[i], modes[k]))
+        refuse_file(file, "mode " + std::to_string(modes[i].number), "is mode " + std::to_string(modes[k].number) + " again",
+                    "export each mode once");
+    }
+  }
 }
 
 /// The places of DOFs that some mode moves.
@@ -56,6 +81,7 @@ std::vector<frf::Node> nodes_of(const Path& path) {
 struct Array {
   Eigen::MatrixXd values;
   bool of_matlab = false;
+  std::string unit{};  ///< that the file states, or its name ends in
 };
 
 /// MATLAB writes its name into the first bytes of files v7.3, too.
@@ -63,6 +89,15 @@ bool is_of_matlab(const Path& file) {
   std::string head(6, '\0');
   std::ifstream(file, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
   return head == "MATLAB";
+}
+
+/// Of a text of the file that is of no other variable, "frequency_unit"; empty where there is none.
+std::string unread_unit(const frf::ColumnUnits& units) {
+  for (const auto& [name, text] : units.unread()) {
+    const std::string own = frf::lower_case(name);
+    if (own.find("freq") != std::string::npos && own.find("unit") != std::string::npos) return text;
+  }
+  return {};
 }
 
 Array read_array(const FileVariable& named) {
@@ -76,6 +111,10 @@ Array read_array(const FileVariable& named) {
   const frf::MatVariable variable = file->read(*found);
   const Eigen::Index rows = at(found->dims[0]);
   Array out{Eigen::MatrixXd(rows, found->dims.size() == 2 ? at(found->dims[1]) : 1), is_of_matlab(named.file)};
+  const frf::ColumnUnits units(*file);
+  out.unit = units.of(*found).front();
+  if (out.unit.empty()) out.unit = frf::suffixed_name(found->name).unit;
+  if (out.unit.empty()) out.unit = unread_unit(units);
   for (Eigen::Index i = 0; i < out.values.size(); ++i) out.values.data()[i] = variable.values[static_cast<std::size_t>(i)].real();
   if (!out.values.allFinite())
     refuse_file(named.file, "variable " + named.variable, "it has an element that is no number", "store it again");
@@ -83,8 +122,7 @@ Array read_array(const FileVariable& named) {
 }
 
 /// As a column; `count`: its length, 0: any.
-Eigen::VectorXd read_vector(const FileVariable& named, Eigen::Index count) {
-  const Eigen::MatrixXd values = read_array(named).values;
+Eigen::VectorXd read_vector(const FileVariable& named, const Eigen::MatrixXd& values, Eigen::Index count) {
   const bool vector = values.rows() == 1 || values.cols() == 1;
   if (!vector || (count > 0 && values.size() != count)) {
     refuse_file(named.file, "variable " + named.variable,
@@ -93,6 +131,39 @@ Eigen::VectorXd read_vector(const FileVariable& named, Eigen::Index count) {
                           : "give one number for each mode");
   }
   return Eigen::Map<const Eigen::VectorXd>(values.data(), values.size());
+}
+
+/// Of angular frequencies by their names, "omega" and "wn".
+bool is_angular(const std::string& name) {
+  const std::string own = frf::lower_case(name.substr(name.rfind('.') + 1));
+  constexpr std::array<std::string_view, 8> names = {"omega", "w", "wn", "w_n", "omega_n", "omegan", "om", "w0"};
+  return std::ranges::find(names, own) != names.end();
+}
+
+/// "lambda", which may be ω² or iω.
+bool is_eigenvalue(const std::string& name) {
+  const std::string own = frf::lower_case(name.substr(name.rfind('.') + 1));
+  return own.find("lam") != std::string::npos || own.find("eigenval") != std::string::npos || own.find("omega2") != std::string::npos ||
+         own.find("squared") != std::string::npos;
+}
+
+/// In Hz, by the unit that the file or the name states.
+Eigen::VectorXd read_frequencies(const FileVariable& named) {
+  const std::string place = "variable " + named.variable;
+  if (is_eigenvalue(named.variable)) refuse_file(named.file, place, "eigenvalues are no frequencies", "give the frequencies in Hz");
+  const Array array = read_array(named);
+  const std::string unit = array.unit.empty() && is_angular(named.variable) ? "rad/s" : array.unit;
+  const Eigen::VectorXd values = read_vector(named, array.values, 0);
+  return values * frf::located(named.file.string(), place, [&] { return frf::hertz_per(unit).value_or(1.0); });
+}
+
+/// In kg, by the unit that the file or the name states.
+Eigen::VectorXd read_masses(const FileVariable& named, Eigen::Index count) {
+  const Array array = read_array(named);
+  const auto unit = frf::parse_unit(array.unit);
+  if (!array.unit.empty() && !(unit && unit->same_dimension({1.0, -1, 2, 1})))
+    refuse_file(named.file, "variable " + named.variable, "'" + frf::shown_label(array.unit) + "' is no unit of a mass", "give kg");
+  return read_vector(named, array.values, count) * (unit ? unit->si : 1.0);
 }
 
 /// [coordinate, mode] of n modes.
@@ -108,12 +179,35 @@ Eigen::MatrixXd read_shapes(const FileVariable& named, Eigen::Index n) {
               "give a column for each mode");
 }
 
+void require_universal(const Path& file) {
+  require_regular_file(file);
+  std::string head(4096, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(in.gcount()));
+  if (!frf::looks_like_uff(head))
+    refuse_file(file, "", "is no universal file",
+                "export the modes as dataset 55, or give arrays of MATLAB, HDF5 or numpy: shapes, frequencies and modal_masses");
+}
+
+/// Shapes whose largest number is 1 in every mode are scaled to it, and not to modal masses of 1.
+void require_unit_masses(const FileVariable& named, const Eigen::MatrixXd& shapes) {
+  constexpr double of_rounding = 1e-9;
+  if (shapes.cols() < 2 || shapes.rows() < 2) return;
+  const Eigen::ArrayXd largest = shapes.cwiseAbs().colwise().maxCoeff().transpose().array();
+  if (((largest - 1.0).abs() < of_rounding).all())
+    refuse_file(named.file, "variable " + named.variable, "the largest number of every shape is 1, so their modal masses are not 1",
+                "give modal_masses, or shapes scaled to modal masses of 1 kg");
+}
+
 }  // namespace
 
 UffModes read_uff_modes(const Path& file) {
+  require_universal(file);
   std::vector<frf::Uff55Mode> read = frf::read_uff55(file);
   for (const frf::Uff55Mode& mode : read) require_usable(file, mode, read.front());
   std::erase_if(read, [](const frf::Uff55Mode& mode) { return mode.is_complex && mode.eigenvalue.imag() < 0.0; });
+  require_once(file, read);
   if (read.empty()) refuse_file(file, "dataset 55", "all eigenvalues have an imaginary part below 0", "export those above, too");
   const std::vector<std::size_t> places = moving(read);
   UffModes out;
@@ -139,14 +233,15 @@ UffModes read_uff_modes(const Path& file) {
 }
 
 Modes read_mode_arrays(const FileVariable& shapes, const FileVariable& frequencies, const FileVariable& masses) {
-  const Eigen::VectorXd hz = read_vector(frequencies, 0);
+  const Eigen::VectorXd hz = read_frequencies(frequencies);
   Eigen::VectorXd mass = Eigen::VectorXd::Ones(hz.size());
-  if (!masses.file.empty()) mass = read_vector(masses, hz.size());
+  if (!masses.file.empty()) mass = read_masses(masses, hz.size());
   if (!(hz.minCoeff() >= 0.0))
     refuse_file(frequencies.file, "variable " + frequencies.variable, "a frequency is below 0", "give Hz");
   if (!(mass.minCoeff() > 0.0)) refuse_file(masses.file, "variable " + masses.variable, "a modal mass is not above 0", "give kg");
   Modes out;
   out.normal_shapes = read_shapes(shapes, hz.size());
+  if (masses.file.empty()) require_unit_masses(shapes, out.normal_shapes);
   out.complex_shapes.resize(out.normal_shapes.rows(), 0);
   for (Eigen::Index k = 0; k < hz.size(); ++k) out.normal.push_back({angular(hz(k)), mass(k), 0.0, 0.0});
   return out;

@@ -9,6 +9,10 @@
 
 #include "base/eigen.hpp"
 #include "base/text.hpp"
+#include "frf/file/table_remarks.hpp"
+#include "frf/file/unit_suffix.hpp"
+#include "frf/mat/mat_column.hpp"
+#include "frf/set/unit_label.hpp"
 #include "models/failure.hpp"
 
 namespace jointid::models {
@@ -63,6 +67,13 @@ class MatrixReader {
                     "name one: \"" + std::filesystem::path(file_.file()).filename().string() + ":NAME\"");
       name_ = names.front();
     }
+    FileMatrix out = matrix(variable, names);
+    out.stated_unit = stated_unit();
+    return out;
+  }
+
+ private:
+  FileMatrix matrix(const std::string& variable, const std::vector<std::string>& names) {
     if (const auto found = sparse_.find(name_); found != sparse_.end()) return sparse(*found->second);
     const auto found = std::ranges::find(file_.variables(), name_, &MatInfo::name);
     if (found == file_.variables().end() || !is_number(*found))
@@ -70,7 +81,20 @@ class MatrixReader {
     return full(*found);
   }
 
- private:
+  /// One other than SI, of the matrix or of the file, or in the name: "K_N_mm".
+  std::string stated_unit() const {
+    const frf::ColumnUnits units(file_);
+    frf::Columns remarks;
+    for (auto& [name, text] : units.unread()) remarks.remarks.push_back({name, name + ": " + text});
+    const auto unread = frf::unread_unit(remarks, [](const frf::Unit&) { return true; });
+    if (unread) return "the unit '" + unread->unit + "' in " + unread->place;
+    const auto found = std::ranges::find(file_.variables(), name_, &MatInfo::name);
+    std::string label = found == file_.variables().end() ? std::string() : units.of(*found).front();
+    if (label.empty()) label = frf::stiffness_or_mass_suffix(name_);
+    const auto unit = frf::parse_unit(label);
+    return unit && unit->si != 1.0 ? "the unit '" + label + "' of " + name_ : std::string();
+  }
+
   bool has(const std::string& name) const { return std::ranges::find(file_.variables(), name, &MatInfo::name) != file_.variables().end(); }
 
   [[noreturn]] void fail(std::string problem, std::string remedy = "write it again") const {

@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "frf/csv/csv_functions.hpp"
+#include "frf/csv/csv_suffix.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/set/units.hpp"
 #include "frf/text/label_text.hpp"
@@ -355,6 +356,7 @@ CsvTitle csv_title(std::string_view cell) {
   if (const auto over = quantity_over_unit(cell)) return {joined_part(function_as_part(over->title, true)), as_ratio(over->unit)};
   CsvTitle title = bracketed_title(cell);
   take_decibels(title);
+  take_ratio(title);
   if (const std::size_t last = title.title.rfind(' '); last < title.title.size() && says_complex(title.title.substr(last)))
     title.title.resize(last);
   title.title = joined_part(part_behind_sign(function_as_part(title.title, !title.unit.empty())));

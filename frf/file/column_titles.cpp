@@ -1,10 +1,14 @@
 #include "frf/file/column_titles.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <iterator>
 
 #include "base/error.hpp"
 #include "frf/csv/csv_titles.hpp"
 #include "frf/file/number_cell.hpp"
+#include "frf/file/unit_suffix.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/text/label_text.hpp"
 #include "frf/text/number_text.hpp"
@@ -33,7 +37,7 @@ bool are_units(const std::vector<std::string_view>& cells) {
 
 bool has_numbers(std::string_view line, char separator) {
   const DecimalMark mark(separator);
-  return std::ranges::any_of(split(line, separator),
+  return std::ranges::any_of(table_cells(line, separator),
                              [&](std::string_view cell) { return !cell.empty() && is_number(cell, mark); });
 }
 
@@ -45,24 +49,52 @@ bool have_units(const std::vector<std::string_view>& cells) {
   });
 }
 
+/// Whether the first title is of nodes.
+bool is_of_nodes(std::string_view titles, char separator) { return is_name_of_nodes(table_cells(titles, separator).front()); }
+
+/// "PART-1-1.21".
+bool ends_in_number(std::string_view cell) {
+  return !cell.empty() && std::isalpha(static_cast<unsigned char>(cell.front())) != 0 && std::isdigit(static_cast<unsigned char>(cell.back())) != 0;
+}
+
 }  // namespace
+
+bool is_name_of_nodes(std::string_view title) {
+  const std::string name = lower_case(title);
+  return std::ranges::any_of(std::to_array<std::string_view>({"node", "point", "label", "knoten", "punkt", "grid"}),
+                             [&](std::string_view word) { return name.find(word) != std::string::npos; });
+}
+
+std::string remedy_of_text(std::string_view cell) {
+  const bool plain = cell.find_first_not_of("0123456789:.,-/TZ+ ") == std::string_view::npos;
+  const bool clock = plain && cell.find(':') != std::string_view::npos && std::isdigit(static_cast<unsigned char>(cell.front())) != 0;
+  return clock ? "write times in s, e.g. time [s], or leave the column out and give the samples per second by --rate"
+               : "begin lines that are no numbers with #";
+}
+
+std::vector<std::string_view> table_cells(std::string_view line, char separator) {
+  return separator == ' ' ? split(line, separator) : csv_cells(line, separator);
+}
 
 bool is_comment(std::string_view text) { return text.empty() || text.front() == '#' || text.front() == '%'; }
 
 bool ColumnTitles::begins_with(std::string_view line, const std::string& place) {
   constexpr std::size_t most_texts = 4;
   const std::string_view text = trimmed(line);
-  if (is_comment(text) || take_separator(text)) return false;
+  if (take_separator(text)) return false;
+  if (!is_of_numbers(line)) remember(text, place);
+  if (is_comment(text)) return false;
   if (is_of_numbers(line)) {
     settle(line);
+    take_unit_suffixes(columns_);
     if (empty()) {
-      require_few(split(line, separator_).size(), place);
-      for (std::size_t i = 0; i < split(line, separator_).size(); ++i)
+      require_few(table_cells(line, separator_).size(), place);
+      for (std::size_t i = 0; i < table_cells(line, separator_).size(); ++i)
         columns_.columns.push_back({std::to_string(i + 1), {}, {}});
     }
     return true;
   }
-  if (texts_.empty()) require_few(split(line, separator_in(line)).size(), place);
+  if (texts_.empty()) require_few(table_cells(line, separator_in(line)).size(), place);
   if (texts_.size() == most_texts) texts_.erase(texts_.begin() + 2);
   texts_.push_back({std::string(line), place});
   ++texts_seen_;
@@ -75,6 +107,13 @@ void ColumnTitles::end() {
     refuse(texts_[1], {});
   take_names(texts_.front());
   if (texts_.size() > 1) take_units(texts_.back().text);
+  take_unit_suffixes(columns_);
+}
+
+/// Lines that may state what the titles do not.
+void ColumnTitles::remember(std::string_view text, const std::string& place) {
+  constexpr std::size_t most = 100, longest = 200;
+  if (!text.empty() && text.size() <= longest && columns_.remarks.size() < most) columns_.remarks.push_back({place, std::string(text)});
 }
 
 char ColumnTitles::separator_in(std::string_view line) const { return separator_ != '\0' ? separator_ : separator_of(line); }
@@ -83,19 +122,20 @@ char ColumnTitles::separator_in(std::string_view line) const { return separator_
 bool ColumnTitles::is_of_numbers(std::string_view line) const {
   const char separator = separator_in(line);
   const DecimalMark mark(separator);
-  const std::vector<std::string_view> cells = split(line, separator);
+  const std::vector<std::string_view> cells = table_cells(line, separator);
   const auto number = [&](std::string_view cell) { return is_number(cell, mark); };
   const bool all = std::ranges::all_of(cells, number);
   if (texts_.empty()) return all;
   const auto count = std::ranges::count_if(cells, [&](std::string_view cell) { return !cell.empty() && number(cell); });
   const bool sentence = separator == ' ' && cells.size() > 1 && count == 1;  // "3 channels"
-  return count > 0 && !sentence && number(cells.front()) && (all || !cells.front().empty());
+  const bool named = cells.size() > 2 && count + 1 == std::ssize(cells) && is_of_nodes(texts_.back().text, separator) && ends_in_number(cells.front());
+  return named || (count > 0 && !sentence && number(cells.front()) && (all || !cells.front().empty()));
 }
 
 void ColumnTitles::settle(std::string_view numbers) {
   const auto fits = [&](const TextLine& line) {
     const char separator = separator_in(line.text);
-    return split(line.text, separator).size() == split(numbers, separator).size();
+    return table_cells(line.text, separator).size() == table_cells(numbers, separator).size();
   };
   if (texts_.empty()) {
     separator_ = separator_in(numbers);
@@ -105,7 +145,7 @@ void ColumnTitles::settle(std::string_view numbers) {
   if (last == texts_.rend()) return take_names(texts_.back());
   const auto above = last + 1;
   if (above == texts_.rend() || !fits(*above)) return take_names(*last);
-  const std::vector<std::string_view> cells = split(last->text, separator_in(last->text));
+  const std::vector<std::string_view> cells = table_cells(last->text, separator_in(last->text));
   if (has_numbers(last->text, separator_in(last->text))) refuse(*last, {});
   const bool units = are_units(cells) || (texts_seen_ == 2 && !have_units(cells));
   take_names(units ? *above : *last);
@@ -115,9 +155,9 @@ void ColumnTitles::settle(std::string_view numbers) {
 }
 
 void ColumnTitles::refuse(const TextLine& line, const std::string& why) const {
-  const std::string cell(split(line.text, separator_in(line.text)).front().substr(0, 40));
+  const std::string cell(table_cells(line.text, separator_in(line.text)).front().substr(0, 40));
   throw InputError({ErrorKind::data, columns_.file, line.place + ", column 1", "'" + cell + "' is not a number",
-                    "begin lines that are no numbers with #" + why});
+                    remedy_of_text(cell) + why});
 }
 
 void ColumnTitles::require_few(std::size_t columns, const std::string& place) const {
@@ -128,7 +168,7 @@ void ColumnTitles::require_few(std::size_t columns, const std::string& place) co
 }
 
 bool ColumnTitles::take_separator(std::string_view text) {
-  if (!texts_.empty() || separator_ != '\0' || text.size() != 5) return false;
+  if (!texts_.empty() || separator_ != '\0' || text.size() != 5) return false;  // quotes are trimmed off
   if (!text.starts_with("sep=") && !text.starts_with("SEP=") && !text.starts_with("Sep=")) return false;
   separator_ = text.back();
   return true;
@@ -136,13 +176,15 @@ bool ColumnTitles::take_separator(std::string_view text) {
 
 void ColumnTitles::take_names(const TextLine& line) {
   separator_ = separator_in(line.text);
-  const std::vector<std::string_view> cells = split(line.text, separator_);
+  std::erase_if(columns_.remarks, [&](const TableRemark& remark) { return remark.place == line.place; });
+  const std::vector<std::string_view> cells = table_cells(line.text, separator_);
   require_few(cells.size(), line.place);
   for (const std::string_view cell : cells) columns_.columns.push_back(titled_column(cell));
 }
 
 void ColumnTitles::take_units(std::string_view line) {
-  const std::vector<std::string_view> cells = split(line, separator_);
+  std::erase_if(columns_.remarks, [&](const TableRemark& remark) { return remark.text == trimmed(line); });
+  const std::vector<std::string_view> cells = table_cells(line, separator_);
   for (std::size_t i = 0; i < std::min(cells.size(), columns_.columns.size()); ++i)
     if (!cells[i].empty()) columns_.columns[i].unit = without_brackets(cells[i]);
 }

@@ -29,7 +29,7 @@ class ColumnTitles {
   void end();
 
   char separator() const { return separator_; }
-  /// Without numbers; of a table without names 1, 2, …
+  /// Without numbers; of a table without names 1, 2, … Remarks are the comments, and free lines that are neither names nor units.
   const Columns& columns() const { return columns_; }
   bool empty() const { return columns_.columns.empty(); }
 
@@ -39,6 +39,7 @@ class ColumnTitles {
   };
 
   bool take_separator(std::string_view text);
+  void remember(std::string_view text, const std::string& place);
   bool is_of_numbers(std::string_view line) const;
   char separator_in(std::string_view line) const;
   /// Names by the lines of texts; `numbers` is the first line of numbers.
@@ -73,5 +74,14 @@ inline constexpr const char* one_mark = "write all numbers with one of them, wit
 
 /// A line of no numbers above a table: empty, or a comment.
 bool is_comment(std::string_view text);
+
+/// Whether a column by this title holds names of nodes, "Node Label".
+bool is_name_of_nodes(std::string_view title);
+
+/// What to do about a cell that is no number: of a clock time, "12:00:01.5" and "2026-11-30T12:00:01", or of any other text.
+std::string remedy_of_text(std::string_view cell);
+
+/// The cells of a line: split(), separators inside quotes left out.
+std::vector<std::string_view> table_cells(std::string_view line, char separator);
 
 }  // namespace jointid::frf

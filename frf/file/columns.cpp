@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "frf/file/unit_suffix.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/text/number_text.hpp"
 #include "frf/text/unit_names.hpp"
@@ -62,7 +63,9 @@ std::size_t Columns::place(std::string_view name_or_number) const {
   }
   const auto found = exact > 0 ? std::ranges::find_if(columns, same) : std::ranges::find_if(columns, alike);
   if (found != columns.end()) return static_cast<std::size_t>(found - columns.begin());
-  const auto by_stem = [&](const NumberColumn& column) { return lower_case(stem_of(column.name).name) == wanted; };
+  const auto by_stem = [&](const NumberColumn& column) {
+    return lower_case(stem_of(column.name).name) == wanted || lower_case(suffixed_name(column.name).name) == wanted;
+  };
   if (!wanted.empty() && std::ranges::count_if(columns, by_stem) == 1)
     return static_cast<std::size_t>(std::ranges::find_if(columns, by_stem) - columns.begin());
   const bool number =

@@ -14,6 +14,7 @@
 #include "frf/csv/analyser_file.hpp"
 #include "frf/csv/csv_file.hpp"
 #include "frf/csv/csv_titles.hpp"
+#include "frf/file/other_format.hpp"
 #include "frf/hdf5/hdf5_file.hpp"
 #include "frf/hdf5/hdf5_writer.hpp"
 #include "frf/mat/mat_file.hpp"
@@ -108,28 +109,6 @@ void write_own_quantity(const FrfSet& set, const std::filesystem::path& path) {
   write_uff(set, path, {.quantity = set.header.quantity});
 }
 
-struct OtherFormat {
-  std::string_view name, remedy;
-};
-
-/// A file that is known and not read; empty where it is none.
-std::optional<OtherFormat> other_format(std::string_view head) {
-  const auto has = [&](std::string_view words) { return head.find(words) != std::string_view::npos; };
-  if (head.starts_with("CDF") && head.size() > 3 && (head[3] == 1 || head[3] == 2 || head[3] == 5))
-    return OtherFormat{"a NetCDF-3 file",
-                       "write NetCDF-4, which is HDF5: nccopy -k nc4 IN OUT, or to_netcdf(format='NETCDF4') of xarray"};
-  const bool punched = has("$DISPLACEMENTS") || has("$VELOCITY") || has("$ACCELERATION");
-  if (head.starts_with("$TITLE") && punched)
-    return OtherFormat{"a file of results that Nastran punched",
-                       "write the results as a universal file (UFF 58), or as a table whose titles are e.g. 'Frequency [Hz]', "
-                       "'2:+Z/1:+Z re [m/N]', '2:+Z/1:+Z im [m/N]'. Or give the matrices of the model (DMIG, OUTPUT4) as a part"};
-  if (head.starts_with("\xD0\xCF\x11\xE0") || (head.starts_with("PK\x03\x04") && (has("xl/") || has("[Content_Types].xml"))))
-    return OtherFormat{"a workbook of Excel", "save its sheet as CSV"};
-  if (head.starts_with("TDSm"))
-    return OtherFormat{"a TDMS file of National Instruments", "export the channels as LVM or CSV, or save them by npTDMS as HDF5"};
-  return std::nullopt;
-}
-
 /// The first of some formats that a file is of; null where it is of none.
 template <class Among>
 const Format* format_of(const std::filesystem::path& path, std::string_view head, Among among) {
@@ -206,8 +185,7 @@ std::string name(FileFormat format) { return std::ranges::find(formats(), format
 const Format& format_of(const std::filesystem::path& path) {
   const std::string head = read_head(path);
   if (const Format* found = format_of(path, head, [](const Format&) { return true; })) return *found;
-  if (const auto other = other_format(head))
-    fail(path, "is " + std::string(other->name) + ", which is not read", std::string(other->remedy));
+  require_read_format(path, head);
   if (const std::size_t line = line_without_titles(plain_text(head)); line > 0)
     fail(path, "holds numbers from line " + std::to_string(line) + " on without a row of titles, which states what each column holds",
          std::string(write_titles));

@@ -12,6 +12,7 @@
 #include "base/temporary_file.hpp"
 #include "frf/file/columns.hpp"
 #include "frf/file/file_head.hpp"
+#include "frf/file/table_remarks.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/uff/uff_file.hpp"
 #include "frf/uff/uff_lines.hpp"
@@ -60,8 +61,16 @@ void require_size(const Columns& table, const std::vector<Node>& nodes) {
   }
 }
 
+/// Numbers whose unit nothing states are m, unless a remark states another.
+void require_no_other_length(const Columns& table) {
+  const auto unread = unread_unit(table, [](const Unit& unit) { return unit.same_dimension({1.0, 1, 0, 0}); });
+  if (unread)
+    refuse_table(table, unread->place, "states the unit '" + unread->unit + "', and the titles of x, y and z state none",
+                 "write it into the titles, e.g. x [mm]");
+}
+
 std::vector<Node> nodes_of(const Columns& table) {
-  const NumberColumn& ids = column_of(table, {"node", "id", "point", "nr", "knoten"});
+  const NumberColumn& ids = column_of(table, {"node", "id", "point", "nr", "knoten", "punkt", "grid", "label", "no"});
   const std::array<const NumberColumn*, 3> axes = {&column_of(table, {"x"}), &column_of(table, {"y"}), &column_of(table, {"z"})};
   const std::size_t count = ids.values.size();
   std::vector<Node> out(count);
@@ -71,11 +80,11 @@ std::vector<Node> nodes_of(const Columns& table) {
     if (!known.insert(out[i].id).second)
       refuse_table(table, row_of(i), "node " + std::to_string(out[i].id) + " is there twice", "give each node one row");
   }
-  bool stated = false;
+  std::size_t stated = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const NumberColumn& column = *axes[axis];
     const double unit = meters_per(table, column);
-    stated = stated || !states_no_unit(column.unit);
+    if (!states_no_unit(column.unit)) ++stated;
     if (column.values.size() != count)
       refuse_table(table, "column " + column.name, "has another length than the nodes", "give each node x, y and z");
     for (std::size_t i = 0; i < count; ++i) {
@@ -83,7 +92,12 @@ std::vector<Node> nodes_of(const Columns& table) {
       if (!std::isfinite(column.values[i])) refuse_table(table, row_of(i), column.name + " is no number", "give each node x, y and z");
     }
   }
-  if (!stated && count > 0) require_size(table, out);
+  if (stated > 0 && stated < axes.size())
+    refuse_table(table, {}, "some of x, y and z have a unit, and the others none", "write the unit into the titles of all three, e.g. x [mm]");
+  if (stated == 0 && count > 0) {
+    require_no_other_length(table);
+    require_size(table, out);
+  }
   return out;
 }
 

@@ -1,8 +1,12 @@
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "base/error.hpp"
@@ -11,6 +15,9 @@
 #include "frf/file/column_titles.hpp"
 #include "frf/file/columns.hpp"
 #include "frf/file/number_cell.hpp"
+#include "frf/file/other_format.hpp"
+#include "frf/file/table_remarks.hpp"
+#include "frf/file/unit_suffix.hpp"
 #include "frf/file/variables.hpp"
 #include "frf/mat/mat_column.hpp"
 #include "frf/set/unit_label.hpp"
@@ -32,6 +39,8 @@ class TextColumns {
   explicit TextColumns(const std::filesystem::path& path) : out_{path.string(), {}}, titles_(out_.file) {}
 
   Columns read(std::string_view rest) {
+    constexpr std::size_t of_head = 4096;
+    require_read_format(out_.file, rest.substr(0, of_head));
     if (rest.find('\0') != std::string_view::npos) {
       fail(out_.file, {}, "is no text, MATLAB, HDF5 or numpy file", "export the columns as CSV, MATLAB, HDF5 or npz");
     }
@@ -47,6 +56,7 @@ class TextColumns {
     if (out_.columns.empty()) titles_.end();
     if (titles_.empty()) fail(out_.file, {}, "holds no numbers", "give columns of numbers, e.g. u,F");
     if (out_.columns.empty()) begin();
+    require_no_factor(out_);
     return std::move(out_);
   }
 
@@ -60,7 +70,7 @@ class TextColumns {
 
   /// A row, or a line of words below them.
   void take(std::string_view line) {
-    const std::vector<std::string_view> cells = split(line, titles_.separator());
+    const std::vector<std::string_view> cells = table_cells(line, titles_.separator());
     if (cells.size() > 1 && std::ranges::all_of(cells, [](std::string_view cell) { return cell.empty(); })) {
       empty_.push_back(std::string(line));  // of a spreadsheet, below the numbers
       return;
@@ -79,7 +89,7 @@ class TextColumns {
   }
 
   void add(std::string_view line) {
-    const std::vector<std::string_view> cells = split(line, titles_.separator());
+    const std::vector<std::string_view> cells = table_cells(line, titles_.separator());
     if (cells.size() != out_.columns.size()) {
       fail(out_.file, place(),
            "has " + std::to_string(cells.size()) + " cells, the lines above have " + std::to_string(out_.columns.size()),
@@ -89,14 +99,29 @@ class TextColumns {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       double value = 0.0;
       const auto unit = read_number_cell(cells[i], mark_.may_be_comma(), value);
-      if (!unit) value = std::numeric_limits<double>::quiet_NaN();
       if (unit && !unit->empty()) take_unit(i, *unit);
+      if (!unit) value = number_of_label(i, cells[i]);
       if (std::isnan(value) && !states_no_value(cells[i])) {
         fail(out_.file, place() + ", column " + std::to_string(i + 1),
-             "'" + std::string(cells[i].substr(0, 40)) + "' is not a number", "begin lines that are no numbers with #");
+             "'" + std::string(cells[i].substr(0, 40)) + "' is not a number",
+             remedy_of_text(cells[i]));
       }
       out_.columns[i].values.push_back(value);
     }
+  }
+
+  /// 21 of the node "PART-1-1.21" in a column of names of nodes, all behind the same letters; NaN for anything else.
+  double number_of_label(std::size_t i, std::string_view cell) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    constexpr std::string_view digits = "0123456789";
+    const NumberColumn& column = out_.columns[i];
+    const std::size_t last = cell.find_last_not_of(digits);
+    double value = none;
+    if (!is_name_of_nodes(column.name) || last == std::string_view::npos || last + 1 == cell.size() || !parse_cell(cell.substr(last + 1), false, value)) return none;
+    const std::string before(cell.substr(0, last + 1));
+    if (std::ranges::none_of(before, [](unsigned char c) { return std::isalpha(c) != 0; })) return none;
+    const auto [known, fresh] = labels_.emplace(i, before);
+    return known->second == before && (!fresh || column.values.empty()) ? value : none;
   }
 
   /// Of a number of column i; all of its numbers have one.
@@ -113,6 +138,7 @@ class TextColumns {
   Columns out_;
   ColumnTitles titles_;
   DecimalMark mark_;
+  std::map<std::size_t, std::string> labels_;  ///< what is before the numbers of a column of names
   std::vector<std::string> empty_;
   std::string words_, words_place_;  ///< first of the lines of words below the rows
   std::size_t line_ = 0;
@@ -186,6 +212,23 @@ void add_variable(MatFile& file, const MatInfo& info, const ColumnUnits& units, 
   append_values(file, info, count, size / count, out, first);
 }
 
+/// Single numbers that are attributes of the arrays, of their groups and of the file, with a unit behind them or without.
+void add_attributes(MatFile& file, Columns& out) {
+  constexpr std::size_t most_arrays = 100;
+  std::set<std::string> known;
+  std::size_t arrays = 0;
+  for (const MatInfo& info : file.variables()) {
+    if (!is_column(info) || ++arrays > most_arrays) continue;
+    for (const auto& [name, text] : file.notes(info)) {
+      const std::string_view number = trimmed(text);
+      const std::size_t blank = std::min(number.find(' '), number.size());
+      double value = 0.0;
+      if (!number.empty() && parse_cell(number.substr(0, blank), false, value) && known.insert(name).second)
+        out.attributes.push_back({name, std::string(trimmed(number.substr(blank))), {value}});
+    }
+  }
+}
+
 Columns read_variables(MatFile& file) {
   Columns out{file.file(), {}};
   require_bounded(file);
@@ -195,7 +238,12 @@ Columns read_variables(MatFile& file) {
     if (number || is_column(info)) add_variable(file, info, units, out);
   }
   if (out.columns.empty())
-    fail(out.file, {}, "has no real vector or matrix", "store displacement and force as vectors of doubles");
+    fail(out.file, {}, "has no real vector or matrix",
+         "store each channel as a vector of doubles; of a table (compound) write each field as a dataset");
+  for (auto& [name, text] : units.unread()) out.remarks.push_back({name, name + ": " + text});
+  add_attributes(file, out);
+  take_unit_suffixes(out);
+  require_no_factor(out);
   return out;
 }
 

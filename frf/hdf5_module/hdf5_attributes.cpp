@@ -4,7 +4,7 @@
 #include <hdf5.h>
 
 #include <algorithm>
-#include <optional>
+#include <numeric>
 
 namespace jointid::frf::hdf5 {
 namespace {
@@ -33,23 +33,29 @@ std::optional<std::string> numbers_as_text(const Object& object, const char* nam
   std::vector<double> values(static_cast<std::size_t>(count));
   if (H5Aread(id.get(), H5T_NATIVE_DOUBLE, values.data()) < 0) return std::nullopt;
   const auto other = std::ranges::find_if(values, [](double value) { return value != 1.0; });
-  return fmt::format("{:g}", other != values.end() ? *other : 1.0);
+  return fmt::format("{}", other != values.end() ? *other : 1.0);
 }
 
-/// The names of the axes, "frequency,response,reference".
-std::optional<std::string> labels_of_axes(const Object& object, const char* name) {
-  constexpr hssize_t most = 8;
-  const Handle id(H5Aopen(object.id.get(), name, H5P_DEFAULT));
-  if (!id.is_open()) return std::nullopt;
-  const Handle type(H5Aget_type(id.get())), space(H5Aget_space(id.get()));
-  const hssize_t count = H5Sget_simple_extent_npoints(space.get());
-  if (H5Tis_variable_str(type.get()) <= 0 || count < 1 || count > most) return std::nullopt;
-  std::vector<char*> labels(static_cast<std::size_t>(count), nullptr);
-  if (H5Aread(id.get(), type.get(), labels.data()) < 0) return std::nullopt;
-  std::string joined;
-  for (const char* label : labels) joined += (joined.empty() ? "" : ",") + std::string(label != nullptr ? label : "");
-  H5Dvlen_reclaim(type.get(), space.get(), H5P_DEFAULT, labels.data());
-  return joined;
+/// Texts of variable length, or of one length.
+std::vector<std::string> texts_of(const Handle& id, const Handle& type, const Handle& space, std::size_t count) {
+  std::vector<std::string> out;
+  if (H5Tis_variable_str(type.get()) > 0) {
+    std::vector<char*> labels(count, nullptr);
+    if (H5Aread(id.get(), type.get(), labels.data()) < 0) return {};
+    for (const char* label : labels) out.emplace_back(label != nullptr ? label : "");
+    H5Dvlen_reclaim(type.get(), space.get(), H5P_DEFAULT, labels.data());
+    return out;
+  }
+  constexpr std::size_t longest = 256;
+  const std::size_t size = H5Tget_size(type.get());
+  if (size == 0 || size > longest) return {};
+  std::vector<char> bytes(count * size);
+  if (H5Aread(id.get(), type.get(), bytes.data()) < 0) return {};
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string text(bytes.data() + i * size, size);
+    out.push_back(text.substr(0, text.find('\0')));
+  }
+  return out;
 }
 
 /// "group.frequency" of what a reference leads to; empty where it leads nowhere.
@@ -66,6 +72,19 @@ std::string name_of(const Object& object, const hobj_ref_t& reference) {
 }
 
 }  // namespace
+
+std::optional<std::string> joined_texts(const Object& object, const char* name) {
+  constexpr hssize_t most = 1024;
+  if (H5Aexists(object.id.get(), name) <= 0) return std::nullopt;
+  const Handle id(H5Aopen(object.id.get(), name, H5P_DEFAULT));
+  if (!id.is_open()) return std::nullopt;
+  const Handle type(H5Aget_type(id.get())), space(H5Aget_space(id.get()));
+  const hssize_t count = H5Sget_simple_extent_npoints(space.get());
+  if (H5Tget_class(type.get()) != H5T_STRING || count < 1 || count > most) return std::nullopt;
+  const std::vector<std::string> texts = texts_of(id, type, space, static_cast<std::size_t>(count));
+  if (texts.empty()) return std::nullopt;
+  return std::accumulate(texts.begin() + 1, texts.end(), texts.front(), [](std::string all, const std::string& next) { return all + "," + next; });
+}
 
 std::vector<std::string> names_of_scales(const Object& object) {
   constexpr hssize_t most = 8;
@@ -89,11 +108,8 @@ std::vector<std::pair<std::string, std::string>> attributes_as_texts(const Objec
   std::vector<std::pair<std::string, std::string>> all;
   for (std::string& name : attribute_names(object)) {
     const char* own = name.c_str();
-    if (name == "DIMENSION_LABELS") {
-      if (auto labels = labels_of_axes(object, own)) all.emplace_back(std::move(name), std::move(*labels));
-      continue;
-    }
-    const auto text = has_text_attribute(object, own) ? text_attribute(object, own) : numbers_as_text(object, own);
+    auto text = has_text_attribute(object, own) ? text_attribute(object, own) : joined_texts(object, own);
+    if (!text) text = numbers_as_text(object, own);
     if (text) all.emplace_back(std::move(name), *text);
   }
   return all;

@@ -13,6 +13,7 @@
 #include "frf/hdf5_module/hdf5_attributes.hpp"
 #include "frf/hdf5_module/hdf5_object.hpp"
 #include "frf/text/label_text.hpp"
+#include "frf/text/number_text.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -149,10 +150,15 @@ MatKind kind_of(const Dataset& dataset) {
   return hdf5::is_real(dataset) ? MatKind::real : MatKind::other;
 }
 
-/// The attribute unit or units, in any case, of one text.
+/// The attribute unit or units, in any case: one text, or texts with commas between them, of which equal ones are one.
 std::string unit_of(const Dataset& dataset) {
   for (const char* name : {"unit", "units", "Unit", "Units", "UNIT", "UNITS"}) {
     if (hdf5::has_text_attribute(dataset, name)) return hdf5::text_attribute(dataset, name).value_or("");
+    const auto joined = hdf5::joined_texts(dataset, name);
+    if (!joined) continue;
+    const std::vector<std::string_view> texts = split(*joined, ',');
+    const bool equal = std::ranges::all_of(texts, [&](std::string_view text) { return text == texts.front(); });
+    return equal ? std::string(texts.front()) : *joined;
   }
   return {};
 }

@@ -16,8 +16,19 @@ namespace {
 
 constexpr std::array<std::string_view, 3> virtual_endings = {"", "E", "S"};
 
+/// "21" of "PART-1-1.21", a node of a finite-element program without a direction; empty for anything else.
+std::string_view node_of_label(std::string_view text) {
+  const std::size_t dot = text.rfind('.');
+  if (dot == std::string_view::npos || dot == 0 || std::isalpha(static_cast<unsigned char>(text.front())) == 0) return {};
+  const std::string_view number = text.substr(dot + 1);
+  const bool whole = !number.empty() && number.size() <= 10 && number.find_first_not_of("0123456789") == std::string_view::npos;
+  return whole ? number : std::string_view();
+}
+
 [[noreturn]] void fail(std::string_view text) {
-  const std::string near = proposed_dof(text);
+  std::string near = proposed_dof(text);
+  if (const std::string_view node = node_of_label(text); near.empty() && !node.empty())
+    near = std::string(node) + ":+X, or another direction of node " + std::string(node);
   throw InputError({.kind = ErrorKind::usage,
                     .file = {},
                     .place = {},

@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "ident/check/beside_models.hpp"
 #include "ident/check/inquiry.hpp"
+#include "ident/check/real_frfs.hpp"
 #include "ident/check/repeated_numbers.hpp"
 #include "ident/check/virtual_point_check.hpp"
 #include "ident/plan/couple_first.hpp"
@@ -32,14 +33,15 @@ std::vector<Suspect> equal_runs(const Scene& scene) {
 
 CheckResult check_lines(const CheckedSystems& systems, const Dofs& joint, const Control& control, const CheckExtent& most) {
   std::vector<CheckedFile> files = read_checked_files(systems, most, control.interrupted);
+  std::vector<Suspect> first = find_real_assemblies(files);
   const bool with_axis = most.lines > short_form.lines;
   const auto parts = static_cast<std::size_t>(std::ranges::count(files, false, &CheckedFile::assembly));
   CheckResult result =
       parts > most_parts_at_once ? inquire_by_parts(files, joint, control, with_axis)
                                  : inquire(std::move(files), joint, control, with_axis);
-  const std::vector<Suspect> same = equal_runs(systems.scene);
-  result.suspects.insert(result.suspects.begin(), same.begin(), same.end());
-  if (!same.empty()) result.verdict = Verdict::wrong;
+  for (Suspect& each : equal_runs(systems.scene)) first.push_back(std::move(each));
+  result.suspects.insert(result.suspects.begin(), first.begin(), first.end());
+  if (!first.empty()) result.verdict = Verdict::wrong;
   return result;
 }
 

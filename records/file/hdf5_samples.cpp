@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "frf/file/column_titles.hpp"
+#include "frf/file/unit_suffix.hpp"
 #include "frf/mat/mat_column.hpp"
 #include "records/file/channel_choice.hpp"
 #include "records/file/sample_streams.hpp"
@@ -24,6 +25,7 @@ class Hdf5Samples final : public SampleStream {
     for (std::size_t v = 0; v < mat_->variables().size(); ++v) add(v, units, titles, sources);
     if (titles.columns.empty())
       throw InputError({ErrorKind::data, file_, "", "has no real vector or matrix", "store the channels as vectors of doubles"});
+    frf::take_unit_suffixes(titles);
     time_column_ = records::time_column(titles);
     std::size_t shortest = static_cast<std::size_t>(-1);
     for (const std::size_t k : chosen_columns(titles, options.channels)) {

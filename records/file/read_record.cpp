@@ -7,6 +7,7 @@
 #include "frf/file/columns.hpp"
 #include "frf/file/file_format.hpp"
 #include "frf/file/file_head.hpp"
+#include "frf/file/table_remarks.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/uff/uff_file.hpp"
 #include "records/file/limits.hpp"
@@ -20,6 +21,19 @@ namespace {
 
 [[noreturn]] void fail(const std::string& file, std::string problem, std::string remedy) {
   throw InputError({ErrorKind::data, file, {}, std::move(problem), std::move(remedy)});
+}
+
+/// A label beside the columns that states another unit of the same kind, "ylabel: Acceleration [g]".
+void require_remarks_agree(const frf::Columns& table, const GivenUnit& given, const std::string& place) {
+  const auto option = frf::parse_unit(given.unit);
+  const auto differs = [&](const frf::Unit& unit) {
+    return option && unit.same_dimension(*option) && !agree(unit.si, option->si, given.factor);
+  };
+  const auto unread = frf::unread_unit(table, differs);
+  if (!unread) return;
+  throw InputError({ErrorKind::data, table.file, place,
+                    "states no unit, " + unread->place + " states '" + unread->unit + "', and " + given.unit + " is given",
+                    "give the unit of the numbers, and write it into the title of the column, or remove what states another"});
 }
 
 Channel channel_of(const frf::Columns& table, const GivenChannel& given, const RecordOptions& options) {
@@ -36,6 +50,7 @@ Channel channel_of(const frf::Columns& table, const GivenChannel& given, const R
                       is_other_quantity(unit.unit) ? "give factor and unit, e.g. " + given.column + "=" + given.dof.name() + " 22.4 N"
                                                    : "give it, e.g. " + given.column + "=" + given.dof.name() + " N, or m/s^2"});
   require_agreement(column.unit, unit, table.file, place);
+  if (column.unit.empty()) require_remarks_agree(table, unit, place);
   Channel channel{column.name, given.dof, *kind, column.values};
   for (double& sample : channel.samples) sample *= given.factor * parsed->si;
   return channel;

@@ -6,9 +6,13 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 #include <string_view>
+#include <vector>
 
 #include "base/error.hpp"
+#include "frf/file/table_remarks.hpp"
+#include "frf/file/unit_suffix.hpp"
 #include "frf/set/unit_label.hpp"
 #include "records/file/time_axis.hpp"
 #include "records/file/time_title.hpp"
@@ -19,8 +23,9 @@ namespace {
 constexpr std::array<std::string_view, 11> rate_names = {
     "fs",           "samplerate",       "samplingrate", "samplefrequency", "samplefreq",  "samplingfrequency",
     "samplingfreq", "samplespersecond", "scanrate",     "abtastrate",      "sampleratehz"};
-constexpr std::array<std::string_view, 9> step_names = {
-    "dt", "deltat", "timestep", "sampleinterval", "samplinginterval", "sampleperiod", "samplingperiod", "sampletime", "samplingtime"};
+constexpr std::array<std::string_view, 13> step_names = {
+    "dt", "deltat", "timestep", "sampleinterval", "samplinginterval", "sampleperiod", "samplingperiod", "sampletime", "samplingtime",
+    "wfincrement", "timeincrement", "timeinterval", "tsample"};
 
 [[noreturn]] void refuse_rate(const std::string& file, std::string problem, std::string remedy) {
   throw InputError({ErrorKind::data, file, {}, std::move(problem), std::move(remedy)});
@@ -33,10 +38,11 @@ const frf::NumberColumn* times_of(const frf::Columns& table, const RecordOptions
   return found != nullptr ? found : table.find({"x"});
 }
 
-/// Letters of a name behind its last dot, in lower case.
+/// Letters of a name behind its last dot or @, without its unit, in lower case.
 std::string plain_name(const frf::NumberColumn& column) {
+  const std::string_view name = frf::suffixed_name(column.name).name;
   std::string out;
-  for (const char c : column.name.substr(column.name.rfind('.') + 1)) {
+  for (const char c : name.substr(name.find_last_of(".@") + 1)) {
     if (c != '_' && c != ' ') out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   }
   return out;
@@ -55,7 +61,9 @@ std::optional<double> rate_stated_by(const frf::NumberColumn& column) {
 /// Of all numbers beside the columns that state it.
 std::optional<double> rate_beside(const frf::Columns& table) {
   std::optional<double> out;
-  for (const frf::NumberColumn& column : table.columns) {
+  std::vector<frf::NumberColumn> numbers = table.attributes;
+  std::ranges::copy_if(table.columns, std::back_inserter(numbers), [](const frf::NumberColumn& c) { return c.values.size() == 1; });
+  for (const frf::NumberColumn& column : numbers) {
     const auto rate = rate_stated_by(column);
     if (!rate) continue;
     if (out && std::abs(*rate - *out) > 1e-3 * *out)
@@ -96,6 +104,16 @@ void require_same_times(const frf::Columns& table, const RecordOptions& options,
   }
 }
 
+/// Times whose unit nothing states are s, unless a remark states another.
+void require_seconds(const frf::Columns& table, const frf::NumberColumn& times) {
+  if (!stated_time_unit(times).empty()) return;
+  const auto unread = frf::unread_unit(table, [](const frf::Unit& unit) { return unit.same_dimension({1.0, 0, 1, 0}); });
+  if (unread)
+    refuse_rate(table.file,
+                fmt::format("{} states the unit '{}', and column {} states none", unread->place, unread->unit, times.name),
+                "write the unit into the title, e.g. time [ms], or give the samples per second by --rate (in a scene: rate)");
+}
+
 }  // namespace
 
 double rate_of_table(const frf::Columns& table, const RecordOptions& options) {
@@ -107,6 +125,7 @@ double rate_of_table(const frf::Columns& table, const RecordOptions& options) {
     refuse_rate(table.file, "column " + times->name + " holds the times, and --channel names it as a signal",
          "name the column of times by --time");
   if (times != nullptr && !used) {
+    if (!options.rate_hz) require_seconds(table, *times);
     require_same_times(table, options, *times);
     return stated_or_given_rate(*times, table.file, options.rate_hz);
   }

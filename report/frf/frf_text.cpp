@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/statistics.hpp"
+#include "frf/noise/turned_points.hpp"
 #include "report/text/table.hpp"
 
 namespace jointid::report {
@@ -71,6 +72,9 @@ std::vector<std::string> notes(const tasks::FrfRun& run) {
                       of.kept, of.reference.name(), responses, of.kept - run.forces));
     }
   }
+  frf::TurnedPoints turned(run.made.set.header);
+  turned.add(run.made.set.values);
+  if (std::string text = frf::turned_points_text(turned.found()); !text.empty()) out.push_back(std::move(text));
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frf/noise/turned_points.hpp"
 #include "frf/set/line_scale.hpp"
 #include "report/text/dof_list.hpp"
 #include "report/text/table.hpp"
@@ -91,7 +92,8 @@ std::string summary_text(const frf::FrfHeader& header, const tasks::FrfCensus& c
   table.add({"noise record", noise_text(header, census)});
   table.add({"not measured", missing_text(census)});
   table.add({"FRFs without a value", fmt::format("{} of {}", census.zero_frfs, header.entries())});
-  return table.text() + wild_text(header, census.wild);
+  const std::string turned = frf::turned_points_text(census.turned);
+  return table.text() + wild_text(header, census.wild) + (turned.empty() ? "" : "note: " + turned + "\n");
 }
 
 }  // namespace jointid::report

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "frf/noise/turned_points.hpp"
 #include "tasks/convert/line_pieces.hpp"
 
 namespace jointid::tasks {
@@ -17,12 +18,14 @@ FrfCensus take_census(frf::FrfSource& source, const std::function<bool()>& inter
   census.references = source.has_reference_correlation();
   census.factor = source.factor_shape();
   std::optional<frf::WildSearch> wild;
+  frf::TurnedPoints turned(header);
   if (header.entries() <= frf::most_judged_frfs) wild.emplace(header);
   census.complete = for_each_piece(header, lines_per_piece(header), [&](const frf::Block& block) {
     if (interrupted && interrupted()) return false;
     values.resize(block.size());
     source.read(block, values);
     if (wild) wild->add(values);
+    turned.add(values);
     for (std::size_t i = 0; i < values.size(); ++i) {
       const bool missing = std::isnan(values[i].real()) || std::isnan(values[i].imag());
       census.missing += missing ? 1 : 0;
@@ -32,6 +35,7 @@ FrfCensus take_census(frf::FrfSource& source, const std::function<bool()>& inter
     return true;
   });
   census.wild = wild ? wild->finish() : frf::WildValues{.found = {}, .more = 0, .looked = false};
+  census.turned = turned.found();
   census.zero_frfs = static_cast<std::size_t>(std::ranges::count(nonzero, char{0}));
   return census;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "frf/noise/wild_values.hpp"
 #include "frf/set/frf_source.hpp"
@@ -17,6 +18,7 @@ struct FrfCensus {
   frf::FactorShape factor{};  ///< these are stored as a factor, or of rank 0
   bool complete = true;       ///< false when it was interrupted
   frf::WildValues wild{};     ///< values that are no number, infinite, or stand far out of their neighbours
+  std::vector<frf::Dof> turned{};  ///< driving points that are not passive (frf::TurnedPoints)
 };
 
 /// Reads a source once, a few lines at a time, so that a file larger than the memory passes. Interrupted, what was

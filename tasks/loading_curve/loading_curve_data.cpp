@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "frf/file/columns.hpp"
+#include "frf/file/table_remarks.hpp"
 #include "frf/set/unit_label.hpp"
 #include "friction/path/loops.hpp"
 #include "records/file/stated_unit.hpp"
@@ -53,6 +54,13 @@ struct UnitOption {
   const char* examples;
 };
 
+[[noreturn]] void refuse_unread(const frf::Columns& columns, const frf::NumberColumn& column, const frf::UnreadUnit& unread,
+                                const UnitOption& unit) {
+  throw InputError({ErrorKind::data, columns.file, "column " + column.name,
+                    fmt::format("states no unit, and {} states '{}'", unread.place, unread.unit),
+                    fmt::format("write the unit into the title, or give it: {}, e.g. {}", unit.option, unit.examples)});
+}
+
 /// The values in SI units: of the unit that the column states, or of the one that is given, which must not contradict it.
 std::vector<double> si_values(const frf::Columns& columns, const frf::NumberColumn& column, const UnitOption& unit,
                               const std::vector<Dimension>& allowed) {
@@ -60,10 +68,15 @@ std::vector<double> si_values(const frf::Columns& columns, const frf::NumberColu
   const bool is_time = allowed.front().time == 1;
   const std::string stated = is_time ? records::stated_time_unit(column) : column.unit,
                     label = unit.given.empty() ? stated : unit.given;
-  if (frf::states_no_unit(label)) return values;
+  const auto is_allowed = [&](const frf::Unit& of) {
+    return std::ranges::any_of(allowed, [&](const Dimension& d) { return of.length == d.length && of.time == d.time && of.force == d.force; });
+  };
+  if (frf::states_no_unit(label)) {
+    if (const auto unread = frf::unread_unit(columns, is_allowed)) refuse_unread(columns, column, *unread, unit);
+    return values;
+  }
   const auto parsed = frf::parse_unit(label);
-  const auto same = [&](const Dimension& d) { return parsed->length == d.length && parsed->time == d.time && parsed->force == d.force; };
-  if (!parsed || std::ranges::none_of(allowed, same)) {
+  if (!parsed || !is_allowed(*parsed)) {
     const std::string hint = frf::unit_hint(label);
     throw InputError({unit.given.empty() ? ErrorKind::data : ErrorKind::usage, unit.given.empty() ? columns.file : "",
                       unit.given.empty() ? "column " + column.name : unit.option,
@@ -127,7 +140,8 @@ class Reader {
 
   const frf::NumberColumn& displacement_column(const frf::Columns& columns) const {
     const Wanted wanted{"--displacement", "a displacement", task_.displacement,
-                        {"displacement", "disp", "position", "pos", "deformation", "angle", "rotation", "amplitude", "u", "x"}};
+                        {"displacement", "disp", "position", "pos", "deformation", "angle", "rotation", "amplitude", "u", "x", "extension", "stroke",
+                         "slip", "weg", "standardweg", "verschiebung", "spostamento", "desplazamiento"}};
     return chosen(columns, wanted);
   }
 
@@ -154,7 +168,8 @@ class Reader {
 
   Record record_of(const frf::Columns& columns) const {
     const frf::NumberColumn& motions = task_.velocity ? velocity_column(columns) : displacement_column(columns);
-    const Wanted force{"--force", "a force", task_.force, {"force", "friction", "tangential", "torque", "moment", "f"}, {"normal"}};
+    const Wanted force{"--force", "a force", task_.force, {"force", "friction", "tangential", "torque", "moment", "f", "load", "kraft", "standardkraft", "forza", "fuerza"},
+                       {"normal", "normalkraft"}};
     const frf::NumberColumn& forces = chosen(columns, force);
     require_different(columns, motions, "displacement", forces, "force");
     if (task_.velocity) require_different(columns, time_column(columns), "time", forces, "force");
@@ -193,6 +208,7 @@ class Reader {
                         "check the displacement column, or fit it with --kind loading"});
     }
     if (loops.empty()) {
+      note_start(record, path.filename().string());
       out_.curves.push_back(friction::loading_curve(name, record));
       return;
     }
@@ -202,6 +218,18 @@ class Reader {
       const std::string number = task_.files.size() == 1 ? fmt::format("loop {}", i + 1) : fmt::format("{} loop {}", name, i + 1);
       out_.curves.push_back(friction::loop_curve(number, friction::centred(loops[i])));
     }
+  }
+
+  /// A loading curve is one from rest, at 0 and 0.
+  void note_start(const Record& record, const std::string& file) {
+    constexpr double far = 0.2;
+    if (record.displacement.empty()) return;
+    const auto [low, high] = std::ranges::minmax(record.displacement);
+    const double nearest = std::ranges::min(record.displacement, {}, [](double u) { return std::abs(u); });
+    if (std::abs(nearest) > far * (high - low))
+      out_.notes.push_back(fmt::format("{}: the displacements go from {:g} to {:g} m. A loading curve begins at rest, at 0: take the "
+                                       "offset out of displacements and forces",
+                                       file, low, high));
   }
 
   Curve series(const frf::Columns& columns, const std::string& name) const {

@@ -115,8 +115,8 @@ TEST_F(Open, WhatMayNotBeReadSaysSo) {
 }
 
 TEST_F(Open, AnotherFormatSaysWhatWasFound) {
-  write_file("a.zip", std::string("PK\x03\x04\0\0", 6));
-  EXPECT_THAT(error("a.zip"), HasSubstr("a.zip: begins with bytes 50 4b 03 04 00 00 and is no FRF file that this"));
+  write_file("a.bin", std::string("\x01\x02\x03\x04\0\0", 6));
+  EXPECT_THAT(error("a.bin"), HasSubstr("a.bin: begins with bytes 01 02 03 04 00 00 and is no FRF file that this"));
   write_file("a.txt", "Dear reader\nhow do you do\n");
   EXPECT_THAT(error("a.txt"), HasSubstr("begins with 'Dear reader' and is no FRF file"));
   EXPECT_THAT(error("a.txt"), HasSubstr("give jointid-frf HDF5, UFF, MATLAB v4 to v7.3, CSV or the text export of an analyser"));

@@ -13,6 +13,7 @@
 #include "ident/check/trial/group_trials.hpp"
 #include "ident/check/inquiry.hpp"
 #include "ident/check/test/reference_groups.hpp"
+#include "ident/check/real_frfs.hpp"
 #include "ident/check/repeated_numbers.hpp"
 #include "ident/check/rest.hpp"
 #include "ident/check/rigid_mass.hpp"
@@ -133,6 +134,22 @@ TEST(check, names_references_and_frfs_that_are_copies) {
   EXPECT_EQ(ident::title(cells[0]), "copy 1:+Z, 4:+Z in S.h5");
   EXPECT_THAT(cells[0].evidence, HasSubstr("to the reference 3:+Z"));
   EXPECT_TRUE(ident::find_copied_columns(structure(0.0, 1)).empty());
+}
+
+TEST(check, names_an_assembly_of_real_frfs_whose_parts_are_damped) {
+  CheckedFile part = structure(0.0, 1);
+  part.assembly = false;
+  for (Eigen::MatrixXcd& line : part.frfs) line *= Complex(1.0, -0.02);
+  CheckedFile whole = part;
+  whole.name = "AB.h5";
+  whole.assembly = true;
+  EXPECT_TRUE(ident::find_real_assemblies({part, whole}).empty());
+  for (Eigen::MatrixXcd& line : whole.frfs) line = line.real().cast<Complex>().eval();
+  const auto found = ident::find_real_assemblies({part, whole});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(ident::title(found[0]), "quantity in AB.h5");
+  for (Eigen::MatrixXcd& line : part.frfs) line = line.real().cast<Complex>().eval();
+  EXPECT_TRUE(ident::find_real_assemblies({part, whole}).empty()) << "models without damping";
 }
 
 TEST(check, takes_frfs_without_noise_that_symmetry_makes_equal_for_no_copies) {

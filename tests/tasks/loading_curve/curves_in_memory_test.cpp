@@ -73,5 +73,44 @@ TEST(CurvesInMemory, ThatCannotBeFittedAreRefused) {
   EXPECT_THROW(fit_loading_curves(curves(), laws({"renn"})), InputError);
 }
 
+/// The same curve in mm, as three files that state it and two that do not say so where it counts.
+TEST(CurvesOfFiles, StateTheirUnitsOrAreRefused) {
+  const TestFolder folder;
+  const auto read = [&](const std::string& above, double scale) {
+    std::ofstream file(folder / "rig.csv");
+    file << above;
+    const friction::Record si = record();
+    for (std::size_t i = 0; i < si.force.size(); ++i) file << scale * si.displacement[i] << ',' << si.force[i] << '\n';
+    file.close();
+    LoadingCurveTask task;
+    task.files = {folder / "rig.csv"};
+    return read_curves(task);
+  };
+  for (const char* titles : {"u_mm,F_N\n", "Weg [mm],Kraft [N]\n", "Extension,Load\n(mm),(N)\n"})
+    EXPECT_NEAR(read(titles, 1e3).curves.at(0).u.back(), 4e-5, 1e-10) << titles;
+  for (const char* titles : {"# units: mm, N\nu,F\n", "# displacement in mm\nu,F\n"}) {
+    try {
+      read(titles, 1e3);
+      ADD_FAILURE() << titles;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr("states no unit, and line 1 states 'mm'")) << titles;
+    }
+  }
+}
+
+TEST(CurvesOfFiles, ThatDoNotBeginAtRestAreNoted) {
+  const TestFolder folder;
+  {
+    std::ofstream file(folder / "rig.csv");
+    file << "u [mm],F [N]\n";
+    for (int i = 0; i < 20; ++i) file << 1.0 + 0.01 * i << ',' << 20 + i << '\n';
+  }
+  LoadingCurveTask task;
+  task.files = {folder / "rig.csv"};
+  const LoadingCurveData data = read_curves(task);
+  ASSERT_EQ(data.notes.size(), 1u);
+  EXPECT_THAT(data.notes[0], testing::HasSubstr("A loading curve begins at rest, at 0"));
+}
+
 }  // namespace
 }  // namespace jointid::tasks
