@@ -63,8 +63,8 @@ class ModelFile {
   }
 
   NamedModel read_matrices() {
-    const scene::Table table =
-        root_.table({"mass", "stiffness", "viscous_damping", "hysteretic_damping", "loss_factor", "units", "dofs", "keep", "noise"});
+    const scene::Table table = root_.table(
+        {"mass", "stiffness", "viscous_damping", "hysteretic_damping", "loss_factor", "units", "dofs", "keep", "noise"});
     for (const char* key : {"mass", "stiffness"}) table.require(key);
     LabelledStructure read = read_structure(table, folder());
     StructureMatrices& matrices = read.matrices;
@@ -86,9 +86,8 @@ class ModelFile {
   }
 
   NamedModel read_arrays() {
-    const scene::Table table =
-        root_.table({"shapes", "frequencies", "modal_masses", "residual_flexibility", "damping_ratio", "loss_factor", "units", "dofs",
-                     "keep", "noise"});
+    const scene::Table table = root_.table({"shapes", "frequencies", "modal_masses", "residual_flexibility", "damping_ratio",
+                                            "loss_factor", "units", "dofs", "keep", "noise"});
     FileVariable masses;
     if (const auto item = table.find("modal_masses")) masses = read_file_variable(*item, folder());
     Modes modes = read_mode_arrays(read_file_variable(table.require("shapes"), folder()),
