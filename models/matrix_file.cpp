@@ -130,7 +130,8 @@ class MarketReader {
     std::ranges::sort(places);
     const auto twice = std::ranges::adjacent_find(places);
     if (twice == places.end()) return;
-    refuse_file(path_, "element (" + std::to_string(twice->first + 1) + ", " + std::to_string(twice->second + 1) + ")", "it is listed twice",
+    refuse_file(path_, "element (" + std::to_string(twice->first + 1) + ", " + std::to_string(twice->second + 1) + ")",
+                "it is listed twice",
                 mirrored_ != 0.0 ? "a symmetric matrix lists one triangle; write 'general' where all elements are listed"
                                  : "write the file again");
   }

@@ -8,7 +8,8 @@
 namespace jointid::models {
 namespace {
 
-constexpr const char* write_units = "write a length and a force, and a mass where it is another one: \"mm, N, t\", \"mm, N, kg\", \"in, lbf\"";
+constexpr const char* write_units =
+    "write a length and a force, and a mass where it is another one: \"mm, N, t\", \"mm, N, kg\", \"in, lbf\"";
 
 std::vector<std::string> words_of_units(const std::string& text) {
   std::vector<std::string> words(1);

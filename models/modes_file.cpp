@@ -143,14 +143,15 @@ bool is_angular(const std::string& name) {
 /// "lambda", which may be ω² or iω.
 bool is_eigenvalue(const std::string& name) {
   const std::string own = frf::lower_case(name.substr(name.rfind('.') + 1));
-  return own.find("lam") != std::string::npos || own.find("eigenval") != std::string::npos || own.find("omega2") != std::string::npos ||
-         own.find("squared") != std::string::npos;
+  return own.find("lam") != std::string::npos || own.find("eigenval") != std::string::npos ||
+         own.find("omega2") != std::string::npos || own.find("squared") != std::string::npos;
 }
 
 /// In Hz, by the unit that the file or the name states.
 Eigen::VectorXd read_frequencies(const FileVariable& named) {
   const std::string place = "variable " + named.variable;
-  if (is_eigenvalue(named.variable)) refuse_file(named.file, place, "eigenvalues are no frequencies", "give the frequencies in Hz");
+  if (is_eigenvalue(named.variable))
+    refuse_file(named.file, place, "eigenvalues are no frequencies", "give the frequencies in Hz");
   const Array array = read_array(named);
   const std::string unit = array.unit.empty() && is_angular(named.variable) ? "rad/s" : array.unit;
   const Eigen::VectorXd values = read_vector(named, array.values, 0);
@@ -162,7 +163,8 @@ Eigen::VectorXd read_masses(const FileVariable& named, Eigen::Index count) {
   const Array array = read_array(named);
   const auto unit = frf::parse_unit(array.unit);
   if (!array.unit.empty() && !(unit && unit->same_dimension({1.0, -1, 2, 1})))
-    refuse_file(named.file, "variable " + named.variable, "'" + frf::shown_label(array.unit) + "' is no unit of a mass", "give kg");
+    refuse_file(named.file, "variable " + named.variable, "'" + frf::shown_label(array.unit) + "' is no unit of a mass",
+                "give kg");
   return read_vector(named, array.values, count) * (unit ? unit->si : 1.0);
 }
 
@@ -196,7 +198,8 @@ void require_unit_masses(const FileVariable& named, const Eigen::MatrixXd& shape
   if (shapes.cols() < 2 || shapes.rows() < 2) return;
   const Eigen::ArrayXd largest = shapes.cwiseAbs().colwise().maxCoeff().transpose().array();
   if (((largest - 1.0).abs() < of_rounding).all())
-    refuse_file(named.file, "variable " + named.variable, "the largest number of every shape is 1, so their modal masses are not 1",
+    refuse_file(named.file, "variable " + named.variable,
+                "the largest number of every shape is 1, so their modal masses are not 1",
                 "give modal_masses, or shapes scaled to modal masses of 1 kg");
 }
 

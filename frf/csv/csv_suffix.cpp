@@ -17,12 +17,14 @@ bool is_one_word(std::string_view word, const std::array<std::string_view, Size>
 
 /// As they are written: in lower case N may be a number of something.
 bool begins_ratio(std::string_view word) {
-  constexpr auto motions = std::to_array<std::string_view>({"m", "mm", "um", "g", "G", "in", "ft", "cm", "nm", "mg", "rad", "deg", "inch"});
+  constexpr auto motions =
+      std::to_array<std::string_view>({"m", "mm", "um", "g", "G", "in", "ft", "cm", "nm", "mg", "rad", "deg", "inch"});
   return is_one_word(word, motions);
 }
 
 bool ends_ratio(std::string_view word) {
-  constexpr auto forces = std::to_array<std::string_view>({"N", "kN", "mN", "daN", "MN", "lbf", "LBF", "lb", "kgf", "Nm", "newton"});
+  constexpr auto forces =
+      std::to_array<std::string_view>({"N", "kN", "mN", "daN", "MN", "lbf", "LBF", "lb", "kgf", "Nm", "newton"});
   return is_one_word(word, forces);
 }
 
@@ -48,7 +50,8 @@ void take_ratio(CsvTitle& title) {
     if (!begins_ratio(words[first])) continue;
     for (std::size_t last = first + 1; last < std::min(words.size(), first + most_words); ++last) {
       if (!ends_ratio(words[last])) continue;
-      const std::string unit = ratio_of_words({words.begin() + static_cast<std::ptrdiff_t>(first), words.begin() + static_cast<std::ptrdiff_t>(last) + 1});
+      const std::string unit = ratio_of_words(
+          {words.begin() + static_cast<std::ptrdiff_t>(first), words.begin() + static_cast<std::ptrdiff_t>(last) + 1});
       if (!quantity_of_unit(unit)) continue;
       std::string rest;
       for (std::size_t i = 0; i < words.size(); ++i) {

@@ -54,7 +54,8 @@ bool is_of_nodes(std::string_view titles, char separator) { return is_name_of_no
 
 /// "PART-1-1.21".
 bool ends_in_number(std::string_view cell) {
-  return !cell.empty() && std::isalpha(static_cast<unsigned char>(cell.front())) != 0 && std::isdigit(static_cast<unsigned char>(cell.back())) != 0;
+  return !cell.empty() && std::isalpha(static_cast<unsigned char>(cell.front())) != 0 &&
+         std::isdigit(static_cast<unsigned char>(cell.back())) != 0;
 }
 
 }  // namespace
@@ -67,7 +68,8 @@ bool is_name_of_nodes(std::string_view title) {
 
 std::string remedy_of_text(std::string_view cell) {
   const bool plain = cell.find_first_not_of("0123456789:.,-/TZ+ ") == std::string_view::npos;
-  const bool clock = plain && cell.find(':') != std::string_view::npos && std::isdigit(static_cast<unsigned char>(cell.front())) != 0;
+  const bool clock =
+      plain && cell.find(':') != std::string_view::npos && std::isdigit(static_cast<unsigned char>(cell.front())) != 0;
   return clock ? "write times in s, e.g. time [s], or leave the column out and give the samples per second by --rate"
                : "begin lines that are no numbers with #";
 }
@@ -113,7 +115,8 @@ void ColumnTitles::end() {
 /// Lines that may state what the titles do not.
 void ColumnTitles::remember(std::string_view text, const std::string& place) {
   constexpr std::size_t most = 100, longest = 200;
-  if (!text.empty() && text.size() <= longest && columns_.remarks.size() < most) columns_.remarks.push_back({place, std::string(text)});
+  if (!text.empty() && text.size() <= longest && columns_.remarks.size() < most)
+    columns_.remarks.push_back({place, std::string(text)});
 }
 
 char ColumnTitles::separator_in(std::string_view line) const { return separator_ != '\0' ? separator_ : separator_of(line); }
@@ -128,7 +131,8 @@ bool ColumnTitles::is_of_numbers(std::string_view line) const {
   if (texts_.empty()) return all;
   const auto count = std::ranges::count_if(cells, [&](std::string_view cell) { return !cell.empty() && number(cell); });
   const bool sentence = separator == ' ' && cells.size() > 1 && count == 1;  // "3 channels"
-  const bool named = cells.size() > 2 && count + 1 == std::ssize(cells) && is_of_nodes(texts_.back().text, separator) && ends_in_number(cells.front());
+  const bool named = cells.size() > 2 && count + 1 == std::ssize(cells) && is_of_nodes(texts_.back().text, separator) &&
+                     ends_in_number(cells.front());
   return named || (count > 0 && !sentence && number(cells.front()) && (all || !cells.front().empty()));
 }
 
@@ -156,8 +160,8 @@ void ColumnTitles::settle(std::string_view numbers) {
 
 void ColumnTitles::refuse(const TextLine& line, const std::string& why) const {
   const std::string cell(table_cells(line.text, separator_in(line.text)).front().substr(0, 40));
-  throw InputError({ErrorKind::data, columns_.file, line.place + ", column 1", "'" + cell + "' is not a number",
-                    remedy_of_text(cell) + why});
+  throw InputError(
+      {ErrorKind::data, columns_.file, line.place + ", column 1", "'" + cell + "' is not a number", remedy_of_text(cell) + why});
 }
 
 void ColumnTitles::require_few(std::size_t columns, const std::string& place) const {

@@ -93,7 +93,8 @@ std::vector<Node> nodes_of(const Columns& table) {
     }
   }
   if (stated > 0 && stated < axes.size())
-    refuse_table(table, {}, "some of x, y and z have a unit, and the others none", "write the unit into the titles of all three, e.g. x [mm]");
+    refuse_table(table, {}, "some of x, y and z have a unit, and the others none",
+                 "write the unit into the titles of all three, e.g. x [mm]");
   if (stated == 0 && count > 0) {
     require_no_other_length(table);
     require_size(table, out);

@@ -89,8 +89,8 @@ std::optional<OtherFormat> other_format(std::string_view head) {
 void require_read_format(const std::filesystem::path& path, std::string_view head) {
   const auto other = other_format(head);
   if (!other) return;
-  throw InputError({ErrorKind::data, path.string(), {}, "is " + std::string(other->name) + ", which is not read",
-                    std::string(other->remedy)});
+  throw InputError(
+      {ErrorKind::data, path.string(), {}, "is " + std::string(other->name) + ", which is not read", std::string(other->remedy)});
 }
 
 }  // namespace jointid::frf

@@ -103,8 +103,7 @@ class TextColumns {
       if (!unit) value = number_of_label(i, cells[i]);
       if (std::isnan(value) && !states_no_value(cells[i])) {
         fail(out_.file, place() + ", column " + std::to_string(i + 1),
-             "'" + std::string(cells[i].substr(0, 40)) + "' is not a number",
-             remedy_of_text(cells[i]));
+             "'" + std::string(cells[i].substr(0, 40)) + "' is not a number", remedy_of_text(cells[i]));
       }
       out_.columns[i].values.push_back(value);
     }
@@ -117,7 +116,9 @@ class TextColumns {
     const NumberColumn& column = out_.columns[i];
     const std::size_t last = cell.find_last_not_of(digits);
     double value = none;
-    if (!is_name_of_nodes(column.name) || last == std::string_view::npos || last + 1 == cell.size() || !parse_cell(cell.substr(last + 1), false, value)) return none;
+    if (!is_name_of_nodes(column.name) || last == std::string_view::npos || last + 1 == cell.size() ||
+        !parse_cell(cell.substr(last + 1), false, value))
+      return none;
     const std::string before(cell.substr(0, last + 1));
     if (std::ranges::none_of(before, [](unsigned char c) { return std::isalpha(c) != 0; })) return none;
     const auto [known, fresh] = labels_.emplace(i, before);

@@ -31,9 +31,9 @@ std::vector<std::string_view> words_of_remark(std::string_view text) {
 /// Words that are units in any sentence; "in" and single letters are not.
 bool is_unit_in_sentence(std::string_view word) {
   constexpr auto words = std::to_array<std::string_view>(
-      {"mm", "cm",  "um",  "µm",  "μm",   "nm", "mil",    "mils", "micron",     "microns",     "inch",       "inches", "millimeter", "millimeters",
-       "kN", "mN",  "daN", "MN",  "lbf",  "lb", "lbs",    "kip",  "kips",       "kgf",         "kilonewton", "ft",     "feet",       "millimetre",
-       "tonne", "tonnes", "ms", "us",  "deg", "mrad", "Nmm", "kNm"});
+      {"mm",         "cm",          "um",   "µm",         "μm",    "nm",     "mil", "mils", "micron", "microns", "inch", "inches",
+       "millimeter", "millimeters", "kN",   "mN",         "daN",   "MN",     "lbf", "lb",   "lbs",    "kip",     "kips", "kgf",
+       "kilonewton", "ft",          "feet", "millimetre", "tonne", "tonnes", "ms",  "us",   "deg",    "mrad",    "Nmm",  "kNm"});
   return std::ranges::find(words, word) != words.end();
 }
 
@@ -82,7 +82,8 @@ std::optional<UnreadUnit> unread_unit(const Columns& columns, const std::functio
 
 void require_no_factor(const Columns& columns) {
   for (const TableRemark& remark : columns.remarks) {
-    const std::string_view text = std::string_view(remark.text).substr(std::min(remark.text.find_first_not_of("#% \t"), remark.text.size()));
+    const std::string_view text =
+        std::string_view(remark.text).substr(std::min(remark.text.find_first_not_of("#% \t"), remark.text.size()));
     const auto factor = factor_of_remark(text);
     if (factor && *factor != 1.0 && *factor != 0.0) refuse_factor(columns, remark.place, text);
   }

@@ -14,12 +14,13 @@ struct UnreadUnit {
   std::string place, unit;
 };
 
-/// The first unit other than SI of a kind that is asked for in remarks: a word ("all in mm", "units: mm, kN"), none behind a number
+/// The first unit other than SI of a kind that is asked for in remarks: a word ("all in mm", "units: mm, kN"), none behind a
+/// number
 /// ("thickness 5 mm"), and what stands in brackets at the end or behind a colon ("ylabel: Acceleration [g]").
 std::optional<UnreadUnit> unread_unit(const Columns& columns, const std::function<bool(const Unit&)>& is_asked_for);
 
-/// Throws InputError where a remark, a title or an attribute states a factor that nothing applies: "scale = 0.1", "values x 1000",
-/// "F x1000 [N]".
+/// Throws InputError where a remark, a title or an attribute states a factor that nothing applies: "scale = 0.1", "values x
+/// 1000", "F x1000 [N]".
 void require_no_factor(const Columns& columns);
 
 }  // namespace jointid::frf

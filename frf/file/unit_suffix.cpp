@@ -24,7 +24,8 @@ struct QuantityWords {
 constexpr std::array quantity_words = std::to_array<QuantityWords>({
     {NamedQuantity::axis, " x y z ax ay az rx ry rz "},
     {NamedQuantity::displacement,
-     " u disp displ displacement pos position coord weg verschiebung slip deflection deformation extension stroke gap amplitude amp delta "
+     " u disp displ displacement pos position coord weg verschiebung slip deflection deformation extension stroke gap amplitude "
+     "amp delta "
      "lvdt travel elongation d s "},
     {NamedQuantity::velocity, " v vel velocity speed geschwindigkeit ldv laser "},
     {NamedQuantity::acceleration, " a acc accel acceleration accelerance accelerometer beschl beschleunigung inertance "},
@@ -89,16 +90,18 @@ bool fits(NamedQuantity quantity, const Unit& unit) {
 /// Units that are nothing else behind an underscore, as they are written.
 bool is_plain_unit(std::string_view word) {
   constexpr auto words = std::to_array<std::string_view>(
-      {"N",  "kN",  "mN",  "daN", "MN",  "lbf", "LBF", "kgf",  "kip", "mm", "MM", "um", "nm",   "cm",  "micron", "microns",
-       "Nm", "kNm", "Nmm", "ms",  "us",  "sec", "msec", "usec", "Hz",  "kHz", "deg", "rad", "mrad", "rpm", "V",      "mV",
-       "Pa", "kPa", "MPa", "bar", "µm",  "μm"});
+      {"N",   "kN",     "mN",      "daN", "MN",  "lbf", "LBF", "kgf", "kip", "mm",   "MM",   "um", "nm",
+       "cm",  "micron", "microns", "Nm",  "kNm", "Nmm", "ms",  "us",  "sec", "msec", "usec", "Hz", "kHz",
+       "deg", "rad",    "mrad",    "rpm", "V",   "mV",  "Pa",  "kPa", "MPa", "bar",  "µm",   "μm"});
   return std::ranges::find(words, word) != words.end();
 }
 
 /// What the last words of a name state behind the others, `before`; empty where they state nothing.
 std::string unit_of_words(const std::vector<std::string_view>& words, NamedQuantity before) {
   const bool product = before == NamedQuantity::moment && words.size() == 2;
-  const std::string label = words.size() == 1 ? std::string(words.front()) : product ? std::string(words[0]) + "*" + std::string(words[1]) : ratio_of_words(words);
+  const std::string label = words.size() == 1 ? std::string(words.front())
+                            : product         ? std::string(words[0]) + "*" + std::string(words[1])
+                                              : ratio_of_words(words);
   const auto unit = parse_unit(label);
   if (words.size() == 1) {
     constexpr std::string_view letters = "msgG";  // N is a plain one
@@ -147,7 +150,8 @@ std::string stiffness_or_mass_suffix(std::string_view name) {
 }
 
 void take_unit_suffixes(Columns& columns) {
-  const bool both = std::ranges::any_of(columns.columns, [](const NumberColumn& c) { return lower_case(c.name).ends_with("_out"); });
+  const bool both =
+      std::ranges::any_of(columns.columns, [](const NumberColumn& c) { return lower_case(c.name).ends_with("_out"); });
   for (NumberColumn& column : columns.columns) {
     if (!column.unit.empty() || (both && lower_case(column.name).ends_with("_in"))) continue;
     column.unit = suffixed_name(column.name).unit;

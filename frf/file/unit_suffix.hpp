@@ -13,8 +13,8 @@ struct SuffixedName {
   std::string unit;       ///< "m/s2", "mm"; empty where the name states none
 };
 
-/// By names as programs write them, without brackets: "F_N", "u_mm", "acc_m_s2", "vel_mm_per_s", "t_ms", "Axial Force kN". A unit of one
-/// letter, "in", "ft", "min" and the like count only behind a word of their own quantity: "x_in" is in inches, "F_in" and
+/// By names as programs write them, without brackets: "F_N", "u_mm", "acc_m_s2", "vel_mm_per_s", "t_ms", "Axial Force kN". A unit
+/// of one letter, "in", "ft", "min" and the like count only behind a word of their own quantity: "x_in" is in inches, "F_in" and
 /// "peak_g" are names. Two words are a ratio, and N_m behind a torque a product.
 SuffixedName suffixed_name(std::string_view name);
 

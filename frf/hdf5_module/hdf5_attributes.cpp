@@ -83,7 +83,8 @@ std::optional<std::string> joined_texts(const Object& object, const char* name) 
   if (H5Tget_class(type.get()) != H5T_STRING || count < 1 || count > most) return std::nullopt;
   const std::vector<std::string> texts = texts_of(id, type, space, static_cast<std::size_t>(count));
   if (texts.empty()) return std::nullopt;
-  return std::accumulate(texts.begin() + 1, texts.end(), texts.front(), [](std::string all, const std::string& next) { return all + "," + next; });
+  return std::accumulate(texts.begin() + 1, texts.end(), texts.front(),
+                         [](std::string all, const std::string& next) { return all + "," + next; });
 }
 
 std::vector<std::string> names_of_scales(const Object& object) {

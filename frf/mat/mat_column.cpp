@@ -18,7 +18,8 @@ std::string scope_of(const std::string& name) { return lower_case(name.substr(0,
 /// "N, g", "N; g", "N g" and ["N", "g"] as so many units; nothing where they are not.
 std::vector<std::string> listed_units(std::string text, std::size_t count) {
   constexpr std::string_view frames = "[]()'\"";
-  if (text.starts_with('[') || text.starts_with('(')) std::erase_if(text, [&](char c) { return frames.find(c) != std::string_view::npos; });
+  if (text.starts_with('[') || text.starts_with('('))
+    std::erase_if(text, [&](char c) { return frames.find(c) != std::string_view::npos; });
   for (const char sign : {';', ',', '|', '\n', ' '}) {
     const std::vector<std::string_view> parts = split(text, sign);
     if (parts.size() == count) return {parts.begin(), parts.end()};
@@ -85,7 +86,8 @@ std::string ColumnUnits::of_axis(const std::string& scope, char axis) const {
 std::vector<std::pair<std::string, std::string>> ColumnUnits::unread() const {
   constexpr std::size_t most = 100, longest = 64;
   const auto is_of_units = [](const std::string& name) {
-    return name.find("unit") != std::string::npos || name.find("label") != std::string::npos || name.find("title") != std::string::npos;
+    return name.find("unit") != std::string::npos || name.find("label") != std::string::npos ||
+           name.find("title") != std::string::npos;
   };
   std::vector<std::pair<std::string, std::string>> out;
   const auto add = [&](const std::string& name, const std::string& text) {
@@ -129,8 +131,7 @@ std::vector<std::string> ColumnUnits::of(const MatInfo& info) const {
     if (const std::string own = of_axis(scope, field == "x" ? 'x' : 'y'); !own.empty()) return every(own);
   }
   const auto beside = texts(scope);
-  if (beside.size() == 1 && !scope.empty() && is_values(field))
-    return every(used(scope, beside).front());
+  if (beside.size() == 1 && !scope.empty() && is_values(field)) return every(used(scope, beside).front());
   if (count > 1 && beside.size() == count && alike_.at({scope, count}) == 1) return used(scope, beside);
   return every("");
 }

@@ -27,9 +27,9 @@ class ColumnUnits {
 
   /// One for each column of a real vector or matrix, empty where nothing is stated: an attribute unit or units of an HDF5
   /// dataset, one or one for each column ("N, g"); a text NAME_unit, NAME_units or units.NAME; of fields NAME.values, NAME.value,
-  /// NAME.data or NAME.y a text NAME.unit or NAME.units; as many texts unit or units as a matrix, the only one of that size beside
-  /// them, has columns; of x and y the texts xunit, x_unit and xlabel ("Time [ms]") beside them. Case does not matter. Throws
-  /// InputError where a text cannot be read.
+  /// NAME.data or NAME.y a text NAME.unit or NAME.units; as many texts unit or units as a matrix, the only one of that size
+  /// beside them, has columns; of x and y the texts xunit, x_unit and xlabel ("Time [ms]") beside them. Case does not matter.
+  /// Throws InputError where a text cannot be read.
   std::vector<std::string> of(const MatInfo& info) const;
 
   /// Texts and attributes by the name of a unit or a label that were of no column yet: their names and the texts.
@@ -42,7 +42,7 @@ class ColumnUnits {
   std::string of_axis(const std::string& scope, char axis) const;
 
   MatFile& file_;
-  mutable std::set<std::string> used_;  ///< names of texts in lower case
+  mutable std::set<std::string> used_;                                ///< names of texts in lower case
   std::map<std::string, const MatInfo*> texts_;                       ///< by name in lower case
   std::map<std::pair<std::string, std::size_t>, std::size_t> alike_;  ///< matrices of a struct by their number of columns
 };

@@ -18,7 +18,8 @@ class TurnedPoints {
   /// Receptances of whole lines, lines × responses × references.
   void add(std::span<const Complex> values);
 
-  /// The driving points whose imaginary parts are above 0 by a hundred times what is below, in absolute values summed over the lines.
+  /// The driving points whose imaginary parts are above 0 by a hundred times what is below, in absolute values summed over the
+  /// lines.
   std::vector<Dof> found() const;
 
  private:

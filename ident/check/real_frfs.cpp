@@ -33,12 +33,14 @@ std::vector<Suspect> find_real_assemblies(const std::vector<CheckedFile>& files)
   std::vector<Suspect> found;
   for (const CheckedFile& file : files) {
     if (!file.assembly || file.frfs.size() < least_lines || !is_real(file)) continue;
-    found.push_back({.kind = SuspectKind::quantity,
-                     .file = file.name,
-                     .dofs = {},
-                     .evidence = "its FRFs are real throughout, and those of the parts are not: magnitudes, decibels or one part of complex FRFs",
-                     .confidence = 0.99,
-                     .remedy = "# export real and imaginary part of " + file.name});
+    found.push_back(
+        {.kind = SuspectKind::quantity,
+         .file = file.name,
+         .dofs = {},
+         .evidence =
+             "its FRFs are real throughout, and those of the parts are not: magnitudes, decibels or one part of complex FRFs",
+         .confidence = 0.99,
+         .remedy = "# export real and imaginary part of " + file.name});
   }
   return found;
 }

@@ -24,8 +24,8 @@ constexpr std::array<std::string_view, 11> rate_names = {
     "fs",           "samplerate",       "samplingrate", "samplefrequency", "samplefreq",  "samplingfrequency",
     "samplingfreq", "samplespersecond", "scanrate",     "abtastrate",      "sampleratehz"};
 constexpr std::array<std::string_view, 13> step_names = {
-    "dt", "deltat", "timestep", "sampleinterval", "samplinginterval", "sampleperiod", "samplingperiod", "sampletime", "samplingtime",
-    "wfincrement", "timeincrement", "timeinterval", "tsample"};
+    "dt",         "deltat",       "timestep",    "sampleinterval", "samplinginterval", "sampleperiod", "samplingperiod",
+    "sampletime", "samplingtime", "wfincrement", "timeincrement",  "timeinterval",     "tsample"};
 
 [[noreturn]] void refuse_rate(const std::string& file, std::string problem, std::string remedy) {
   throw InputError({ErrorKind::data, file, {}, std::move(problem), std::move(remedy)});
@@ -62,7 +62,8 @@ std::optional<double> rate_stated_by(const frf::NumberColumn& column) {
 std::optional<double> rate_beside(const frf::Columns& table) {
   std::optional<double> out;
   std::vector<frf::NumberColumn> numbers = table.attributes;
-  std::ranges::copy_if(table.columns, std::back_inserter(numbers), [](const frf::NumberColumn& c) { return c.values.size() == 1; });
+  std::ranges::copy_if(table.columns, std::back_inserter(numbers),
+                       [](const frf::NumberColumn& c) { return c.values.size() == 1; });
   for (const frf::NumberColumn& column : numbers) {
     const auto rate = rate_stated_by(column);
     if (!rate) continue;

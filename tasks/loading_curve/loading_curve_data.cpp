@@ -69,7 +69,8 @@ std::vector<double> si_values(const frf::Columns& columns, const frf::NumberColu
   const std::string stated = is_time ? records::stated_time_unit(column) : column.unit,
                     label = unit.given.empty() ? stated : unit.given;
   const auto is_allowed = [&](const frf::Unit& of) {
-    return std::ranges::any_of(allowed, [&](const Dimension& d) { return of.length == d.length && of.time == d.time && of.force == d.force; });
+    return std::ranges::any_of(
+        allowed, [&](const Dimension& d) { return of.length == d.length && of.time == d.time && of.force == d.force; });
   };
   if (frf::states_no_unit(label)) {
     if (const auto unread = frf::unread_unit(columns, is_allowed)) refuse_unread(columns, column, *unread, unit);
@@ -139,9 +140,11 @@ class Reader {
   }
 
   const frf::NumberColumn& displacement_column(const frf::Columns& columns) const {
-    const Wanted wanted{"--displacement", "a displacement", task_.displacement,
-                        {"displacement", "disp", "position", "pos", "deformation", "angle", "rotation", "amplitude", "u", "x", "extension", "stroke",
-                         "slip", "weg", "standardweg", "verschiebung", "spostamento", "desplazamiento"}};
+    const Wanted wanted{"--displacement",
+                        "a displacement",
+                        task_.displacement,
+                        {"displacement", "disp", "position", "pos", "deformation", "angle", "rotation", "amplitude", "u", "x",
+                         "extension", "stroke", "slip", "weg", "standardweg", "verschiebung", "spostamento", "desplazamiento"}};
     return chosen(columns, wanted);
   }
 
@@ -168,8 +171,12 @@ class Reader {
 
   Record record_of(const frf::Columns& columns) const {
     const frf::NumberColumn& motions = task_.velocity ? velocity_column(columns) : displacement_column(columns);
-    const Wanted force{"--force", "a force", task_.force, {"force", "friction", "tangential", "torque", "moment", "f", "load", "kraft", "standardkraft", "forza", "fuerza"},
-                       {"normal", "normalkraft"}};
+    const Wanted force{
+        "--force",
+        "a force",
+        task_.force,
+        {"force", "friction", "tangential", "torque", "moment", "f", "load", "kraft", "standardkraft", "forza", "fuerza"},
+        {"normal", "normalkraft"}};
     const frf::NumberColumn& forces = chosen(columns, force);
     require_different(columns, motions, "displacement", forces, "force");
     if (task_.velocity) require_different(columns, time_column(columns), "time", forces, "force");
@@ -227,9 +234,10 @@ class Reader {
     const auto [low, high] = std::ranges::minmax(record.displacement);
     const double nearest = std::ranges::min(record.displacement, {}, [](double u) { return std::abs(u); });
     if (std::abs(nearest) > far * (high - low))
-      out_.notes.push_back(fmt::format("{}: the displacements go from {:g} to {:g} m. A loading curve begins at rest, at 0: take the "
-                                       "offset out of displacements and forces",
-                                       file, low, high));
+      out_.notes.push_back(
+          fmt::format("{}: the displacements go from {:g} to {:g} m. A loading curve begins at rest, at 0: take the "
+                      "offset out of displacements and forces",
+                      file, low, high));
   }
 
   Curve series(const frf::Columns& columns, const std::string& name) const {

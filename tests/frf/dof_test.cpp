@@ -29,13 +29,31 @@ TEST(Dof, TheSignDoesNotMakeAnotherCoordinate) {
 }
 
 TEST(Dof, WhatMayBeMeantIsProposed) {
-  const std::vector<std::pair<std::string, std::string>> labels = {
-      {"12X+", "12:+X"},      {"12+X", "12:+X"},       {"12:x", "12:+X"},     {"12X", "12:+X"},    {"12-X", "12:-X"},
-      {"12 : -rz", "12:-RZ"}, {"12:X-", "12:-X"},      {"12.3", "12:+Z"},     {"12:-6", "12:-RZ"}, {"Pt1Z-", "1:-Z"},
-      {"Node 7 Y", "7:+Y"},   {"12:\u2212Y", "12:-Y"}, {"\"4\"/+ry", "4:+RY"},
-      {"H1 2Z+", "2:+Z"},     {"FRF plate:1:+Z", "1:+Z"}, {"plate:12:-x", "12:-X"},
-      {"21:T3", "21:+Z"},     {"21:U3", "21:+Z"},      {"PART-1-1.21:UR1", "21:+RX"}, {"21 R3", "21:+RZ"}, {"U2 at node 21", "21:+Y"},
-      {"GRID 21 COMP 3", "21:+Z"}, {"UZ_21", "21:+Z"}, {"U:U3 PI: PART-1-1 N: 21", "21:+Z"}, {"N21_ROTX", "21:+RX"}};
+  const std::vector<std::pair<std::string, std::string>> labels = {{"12X+", "12:+X"},
+                                                                   {"12+X", "12:+X"},
+                                                                   {"12:x", "12:+X"},
+                                                                   {"12X", "12:+X"},
+                                                                   {"12-X", "12:-X"},
+                                                                   {"12 : -rz", "12:-RZ"},
+                                                                   {"12:X-", "12:-X"},
+                                                                   {"12.3", "12:+Z"},
+                                                                   {"12:-6", "12:-RZ"},
+                                                                   {"Pt1Z-", "1:-Z"},
+                                                                   {"Node 7 Y", "7:+Y"},
+                                                                   {"12:\u2212Y", "12:-Y"},
+                                                                   {"\"4\"/+ry", "4:+RY"},
+                                                                   {"H1 2Z+", "2:+Z"},
+                                                                   {"FRF plate:1:+Z", "1:+Z"},
+                                                                   {"plate:12:-x", "12:-X"},
+                                                                   {"21:T3", "21:+Z"},
+                                                                   {"21:U3", "21:+Z"},
+                                                                   {"PART-1-1.21:UR1", "21:+RX"},
+                                                                   {"21 R3", "21:+RZ"},
+                                                                   {"U2 at node 21", "21:+Y"},
+                                                                   {"GRID 21 COMP 3", "21:+Z"},
+                                                                   {"UZ_21", "21:+Z"},
+                                                                   {"U:U3 PI: PART-1-1 N: 21", "21:+Z"},
+                                                                   {"N21_ROTX", "21:+RX"}};
   for (const auto& [text, near] : labels) {
     try {
       Dof::parse(text);

@@ -46,7 +46,8 @@ TEST_F(ModelUnitsFile, AreAppliedToTranslationsAndRotations) {
   const std::string mm = "mass = [[0.002, 0.1], [0.1, 40]]\nstiffness = [[600, 2e4], [2e4, 3e6]]\nloss_factor = 0.02\n" + names;
   // kg, kg·mm, kg·mm²
   const std::string kg = "mass = [[2, 100], [100, 4e4]]\nstiffness = [[600, 2e4], [2e4, 3e6]]\nloss_factor = 0.02\n" + names;
-  const std::vector<Complex> expected = frfs(si), tonnes = frfs(mm + "units = \"mm, N\"\n"), kilograms = frfs(kg + "units = \"N, mm, kg\"\n");
+  const std::vector<Complex> expected = frfs(si), tonnes = frfs(mm + "units = \"mm, N\"\n"),
+                             kilograms = frfs(kg + "units = \"N, mm, kg\"\n");
   ASSERT_EQ(tonnes.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {
     EXPECT_LT(std::abs(tonnes[i] - expected[i]), 1e-12 * std::abs(expected[i])) << i;
@@ -61,7 +62,8 @@ TEST_F(ModelUnitsFile, OfMatricesThatStateThemAreAsked) {
   write("m.mtx", "%%MatrixMarket matrix coordinate real symmetric\n1 1 1\n1 1 0.002\n");
   const std::string toml = "mass = \"m.mtx\"\nstiffness = \"k.mtx\"\ndofs = [\"1:+Y\"]\n";
   EXPECT_THAT(error(toml), HasSubstr("the unit 'mm' in line 2; models are in SI units"));
-  const std::vector<Complex> mm = frfs(toml + "units = \"mm, N, t\"\n"), same = frfs("mass = [[2]]\nstiffness = [[6e5]]\ndofs = [\"1:+Y\"]\n");
+  const std::vector<Complex> mm = frfs(toml + "units = \"mm, N, t\"\n"),
+                             same = frfs("mass = [[2]]\nstiffness = [[6e5]]\ndofs = [\"1:+Y\"]\n");
   for (std::size_t i = 0; i < mm.size(); ++i) EXPECT_LT(std::abs(mm[i] - same[i]), 1e-12 * std::abs(same[i]));
 }
 
@@ -70,9 +72,12 @@ TEST_F(ModelUnitsFile, PercentagesOfDampingAreRefused) {
 }
 
 TEST_F(ModelUnitsFile, MatrixMarketHasExponentsOfFortranAndListsNothingTwice) {
-  const auto read = [&](const std::string& text) { return read_symmetric_matrix(write("a.mtx", "%%MatrixMarket matrix coordinate real " + text)); };
+  const auto read = [&](const std::string& text) {
+    return read_symmetric_matrix(write("a.mtx", "%%MatrixMarket matrix coordinate real " + text));
+  };
   EXPECT_EQ(read("symmetric\n2 2 2\n1 1 1.5D+03\n2 1 -2d0\n")(0, 0), 1500.0);
-  for (const std::string text : {"symmetric\n2 2 3\n1 1 1\n2 1 3\n1 2 3\n", "general\n1 1 2\n1 1 1\n1 1 1\n", "general\n1 1 1\n1 1 1x\n"}) {
+  for (const std::string text :
+       {"symmetric\n2 2 3\n1 1 1\n2 1 3\n1 2 3\n", "general\n1 1 2\n1 1 1\n1 1 1\n", "general\n1 1 1\n1 1 1x\n"}) {
     try {
       read(text);
       ADD_FAILURE() << text;

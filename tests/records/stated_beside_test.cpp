@@ -1,5 +1,5 @@
-// What other programs state beside the columns of a record (tests/records/foreign/make.py): rates and factors as attributes, a unit
-// for each channel, labels of axes.
+// What other programs state beside the columns of a record (tests/records/foreign/make.py): rates and factors as attributes, a
+// unit for each channel, labels of axes.
 #include <gmock/gmock.h>
 
 #include "base/error.hpp"
@@ -34,7 +34,8 @@ TEST(StatedBeside, AttributesGiveTheRateAndAUnitForEachChannel) {
   EXPECT_EQ(records[0].rate_hz, 1000.0);
   EXPECT_THAT(records[0].channels[0].samples, testing::ElementsAre(0.0, 5.0, 1.0));
   EXPECT_NEAR(records[0].channels[1].samples[1], 9.80665, 1e-12);
-  EXPECT_THAT(error("attributes.h5", {"data(1)=1:+Z N", "data(2)=1:+Z m/s^2"}), HasSubstr("the file states g, and m/s^2 is given"));
+  EXPECT_THAT(error("attributes.h5", {"data(1)=1:+Z N", "data(2)=1:+Z m/s^2"}),
+              HasSubstr("the file states g, and m/s^2 is given"));
   EXPECT_THAT(error("attributes.h5", {"data(1)=1:+Z", "data(2)=1:+Z"}, 2000.0), HasSubstr("states 1000 samples per second"));
 }
 

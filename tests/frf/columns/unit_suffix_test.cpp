@@ -20,16 +20,41 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 TEST(UnitSuffix, IsReadWhereTheNameAllowsNothingElse) {
-  const std::vector<std::pair<std::string, std::string>> names = {
-      {"F_N", "N"},          {"u_mm", "mm"},          {"F_kN", "kN"},         {"acc_m_s2", "m/s2"},      {"acc_mm_s2", "mm/s2"},
-      {"vel_mm_s", "mm/s"},  {"acc_g", "g"},          {"t_ms", "ms"},         {"time_s", "s"},           {"disp_in", "in"},
-      {"X_in", "in"},        {"force_lbf", "lbf"},    {"ch1_V", "V"},         {"Acc1_Z_m_per_s2", "m/per"},
-      {"run.u_mm", "mm"},    {"fs_khz", "khz"},       {"f_khz", "khz"},       {"T_N_m", ""},             {"torque_N_m", "N*m"},
-      {"F_in", ""},          {"F_m", ""},             {"peak_g", ""},         {"F_n", ""},               {"sample_no", ""},
-      {"force", ""},         {"_mm", ""},             {"u_", ""},             {"Axial Force kN", "kN"},  {"Standardweg mm", "mm"},
-      {"node_N", "N"},       {"x_out", ""},           {"a_ms", ""},           {"acc_m_s_2", "m/s2"},     {"channel_g", ""}};
-  for (const auto& [name, unit] : names)
-    EXPECT_EQ(suffixed_name(name).unit, unit == "m/per" ? "m/s2" : unit) << name;
+  const std::vector<std::pair<std::string, std::string>> names = {{"F_N", "N"},
+                                                                  {"u_mm", "mm"},
+                                                                  {"F_kN", "kN"},
+                                                                  {"acc_m_s2", "m/s2"},
+                                                                  {"acc_mm_s2", "mm/s2"},
+                                                                  {"vel_mm_s", "mm/s"},
+                                                                  {"acc_g", "g"},
+                                                                  {"t_ms", "ms"},
+                                                                  {"time_s", "s"},
+                                                                  {"disp_in", "in"},
+                                                                  {"X_in", "in"},
+                                                                  {"force_lbf", "lbf"},
+                                                                  {"ch1_V", "V"},
+                                                                  {"Acc1_Z_m_per_s2", "m/per"},
+                                                                  {"run.u_mm", "mm"},
+                                                                  {"fs_khz", "khz"},
+                                                                  {"f_khz", "khz"},
+                                                                  {"T_N_m", ""},
+                                                                  {"torque_N_m", "N*m"},
+                                                                  {"F_in", ""},
+                                                                  {"F_m", ""},
+                                                                  {"peak_g", ""},
+                                                                  {"F_n", ""},
+                                                                  {"sample_no", ""},
+                                                                  {"force", ""},
+                                                                  {"_mm", ""},
+                                                                  {"u_", ""},
+                                                                  {"Axial Force kN", "kN"},
+                                                                  {"Standardweg mm", "mm"},
+                                                                  {"node_N", "N"},
+                                                                  {"x_out", ""},
+                                                                  {"a_ms", ""},
+                                                                  {"acc_m_s_2", "m/s2"},
+                                                                  {"channel_g", ""}};
+  for (const auto& [name, unit] : names) EXPECT_EQ(suffixed_name(name).unit, unit == "m/per" ? "m/s2" : unit) << name;
   EXPECT_EQ(suffixed_name("acc_m_s2").name, "acc");
   EXPECT_EQ(suffixed_name("run.u_mm").name, "run.u");
   EXPECT_EQ(stiffness_or_mass_suffix("K_N_mm"), "N/mm");
@@ -103,18 +128,29 @@ TEST_F(TableText, NodesOfFiniteElementProgramsAreTheirNumbers) {
   ASSERT_EQ(read.size(), 2u);
   EXPECT_EQ(read[0].id, 21);
   EXPECT_NEAR(read[1].position[1], 0.05, 1e-15);
-  EXPECT_THAT(message_of([&] { nodes("node,x,y,z\nPART-1-1.21,1,0,0\nPART-2-1.21,0,5,0\n"); }), HasSubstr("'PART-2-1.21' is not a number"));
+  EXPECT_THAT(message_of([&] { nodes("node,x,y,z\nPART-1-1.21,1,0,0\nPART-2-1.21,0,5,0\n"); }),
+              HasSubstr("'PART-2-1.21' is not a number"));
   EXPECT_THAT(message_of([&] { nodes("node,x [mm],y,z\n1,1,0,0\n"); }), HasSubstr("some of x, y and z have a unit"));
   EXPECT_THAT(message_of([&] { nodes("# all in mm\nnode,x,y,z\n1,1,0,0\n"); }), HasSubstr("line 1: states the unit 'mm'"));
 }
 
 TEST_F(TableText, PackedFilesAndOtherFormatsNameTheirRemedy) {
-  const std::vector<std::pair<std::string, std::string>> heads = {
-      {std::string("\x1F\x8B\x08\0abc", 7), "gunzip"}, {"BZh91AY", "bunzip2"},      {std::string("\xFD" "7zXZ\0a", 7), "unxz"},
-      {"\x28\xB5\x2F\xFD..", "unzstd"},                {"RIFF....WAVE", "numpy.savez"}, {"MDF     4.10", "asammdf"},
-      {"TDSm....", "npTDMS"},                          {"PAR1....", "CSV"},         {"SQLite format 3", "CSV"},
-      {"PK\x03\x04....a.csv", "unzip"},                {"PK\x03\x04....xl/workbook", "CSV"}, {"{\"frequency\": [1]}", "CSV"},
-      {"<?xml version=\"1.0\"?>", "CSV"}};
+  const std::vector<std::pair<std::string, std::string>> heads = {{std::string("\x1F\x8B\x08\0abc", 7), "gunzip"},
+                                                                  {"BZh91AY", "bunzip2"},
+                                                                  {std::string("\xFD"
+                                                                               "7zXZ\0a",
+                                                                               7),
+                                                                   "unxz"},
+                                                                  {"\x28\xB5\x2F\xFD..", "unzstd"},
+                                                                  {"RIFF....WAVE", "numpy.savez"},
+                                                                  {"MDF     4.10", "asammdf"},
+                                                                  {"TDSm....", "npTDMS"},
+                                                                  {"PAR1....", "CSV"},
+                                                                  {"SQLite format 3", "CSV"},
+                                                                  {"PK\x03\x04....a.csv", "unzip"},
+                                                                  {"PK\x03\x04....xl/workbook", "CSV"},
+                                                                  {"{\"frequency\": [1]}", "CSV"},
+                                                                  {"<?xml version=\"1.0\"?>", "CSV"}};
   for (const auto& [head, remedy] : heads) {
     const auto path = write_file("a.dat", head + std::string(300, 'x'));
     EXPECT_THAT(message_of([&] { open(path); }), HasSubstr(remedy)) << head;
