@@ -147,29 +147,33 @@ class Descent {
     }
   }
 
-  /// Descends from a point; how far the last step went in deviations, or nothing where it did not end.
+  /// Descends from a point; whether it came to its end. That is the smallest step, or a gain below what the sum of all conditions is
+  /// rounded by: the stiffer a joint, the coarser.
   bool descend(Point& point) {
-    constexpr double enough = 1e-5;
+    constexpr double enough = 1e-5, nothing = 1e-8, least_gain = 0.01;  // deviations; a tenth of one, squared
     constexpr int most = 60;
     minimise::Damping damping({.first = 1e-4, .least = 1e-8, .most = 1e12, .again = 1e-6});
     for (int i = 0; i < most; ++i) {
       const minimise::SparseSymmetric information = normal_.sum(point.groups);
       const std::vector<double> gradient = normal_.gradient(point.groups), scale = unit_scales(information);
-      double size = 0.0;
+      double size = 0.0, rounding = 0.0;
+      std::optional<double> gain;
       bool at_end = false;
       const bool lowered = damping.search([&](double value) {
         const auto step = step_of(information, gradient, scale, value);
         if (!step) return false;
         size = largest(*step, scale);
+        if (!gain) gain = -std::inner_product(step->begin(), step->end(), gradient.begin(), 0.0);
         std::vector<double> theta = point.theta;
         for (std::size_t c = 0; c < theta.size(); ++c) theta[c] += (*step)[c];
         Point next = at_joint(std::move(theta));
         at_end = size < enough && value <= 1.0;
+        if (size < nothing) rounding = std::max(rounding, std::abs(next.cost - point.cost));
         if (!(next.cost < point.cost) && !(at_end && next.cost <= point.cost * (1.0 + 1e-9))) return at_end;
         point = std::move(next);
         return true;
       });
-      if (!lowered) return false;
+      if (!lowered) return gain && *gain < least_gain && *gain < rounding;
       accept(point);
       ++steps_;
       if (options_.step) options_.step(result(point));
