@@ -132,9 +132,12 @@ endfunction()
 # part, by default the command's.
 add_custom_target(modules)
 set(JOINTID_MODULES "${PROJECT_BINARY_DIR}/modules")
-# Of each target's own folder, so that what is linked has the same bytes wherever the clone is; installation leaves the room of a longer path.
-set(CMAKE_BUILD_RPATH "\$ORIGIN/../modules;\$ORIGIN/../../modules;\$ORIGIN/../../../modules")
-set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
+set(CMAKE_BUILD_RPATH "${JOINTID_MODULES}")
+option(JOINTID_SAME_BYTES "What is linked has the same bytes in every clone; programs then find modules from their own folder alone" OFF)
+if(JOINTID_SAME_BYTES) # installation replaces a path, and leaves the room that a longer one took
+  set(CMAKE_BUILD_RPATH "\$ORIGIN/../modules;\$ORIGIN/../../modules")
+  set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
+endif()
 set(JOINTID_INSTALL_MODULES "${CMAKE_INSTALL_LIBDIR}/jointid")
 
 function(jointid_module name)

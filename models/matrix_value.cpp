@@ -1,7 +1,7 @@
 #include "models/matrix_value.hpp"
 
 #include "base/eigen.hpp"
-#include "models/matrix_file.hpp"
+#include "models/files/matrix_file.hpp"
 
 namespace jointid::models {
 namespace {

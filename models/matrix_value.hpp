@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "models/file_matrix.hpp"
+#include "models/files/file_matrix.hpp"
 #include "scene/reader.hpp"
 
 namespace jointid::models {

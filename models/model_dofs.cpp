@@ -12,7 +12,7 @@
 #include "frf/file/variables.hpp"
 #include "frf/set/frf_set.hpp"
 #include "frf/text/number_text.hpp"
-#include "models/failure.hpp"
+#include "models/files/failure.hpp"
 #include "models/matrix_value.hpp"
 
 namespace jointid::models {

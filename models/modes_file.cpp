@@ -20,7 +20,7 @@
 #include "frf/uff/uff_file.hpp"
 #include "frf/uff/uff_geometry.hpp"
 #include "frf/uff/uff_scan.hpp"
-#include "models/failure.hpp"
+#include "models/files/failure.hpp"
 
 namespace jointid::models {
 namespace {

@@ -18,7 +18,7 @@ def built(folder: pathlib.Path, targets: list[str]) -> dict[str, bytes]:
     subprocess.run(["tar", "-xf", "sources.tar"], cwd=folder, check=True)
     environment = {**os.environ, "CCACHE_DISABLE": "1"}
     run = lambda *words: subprocess.run(words, cwd=folder, env=environment, check=True, stdout=subprocess.DEVNULL)
-    run("cmake", "--preset", "release", "-DJOINTID_BUILD_BENCH=OFF")
+    run("cmake", "--preset", "release", "-DJOINTID_BUILD_BENCH=OFF", "-DJOINTID_SAME_BYTES=ON")
     run("cmake", "--build", "build/release", "--target", *targets)
     made = folder / "build/release"
     return {str(path.relative_to(made)): path.read_bytes() for path in sorted(made.rglob("*"))

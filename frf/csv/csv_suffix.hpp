@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "frf/csv/csv_titles.hpp"
+#include "frf/csv/csv_parts.hpp"
 
 namespace jointid::frf {
 

@@ -7,8 +7,8 @@
 
 #include "base/error.hpp"
 #include "frf/csv/csv_titles.hpp"
+#include "frf/file/column_units.hpp"
 #include "frf/file/number_cell.hpp"
-#include "frf/file/unit_suffix.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/text/label_text.hpp"
 #include "frf/text/number_text.hpp"

@@ -149,13 +149,4 @@ std::string stiffness_or_mass_suffix(std::string_view name) {
   return {};
 }
 
-void take_unit_suffixes(Columns& columns) {
-  const bool both =
-      std::ranges::any_of(columns.columns, [](const NumberColumn& c) { return lower_case(c.name).ends_with("_out"); });
-  for (NumberColumn& column : columns.columns) {
-    if (!column.unit.empty() || (both && lower_case(column.name).ends_with("_in"))) continue;
-    column.unit = suffixed_name(column.name).unit;
-  }
-}
-
 }  // namespace jointid::frf

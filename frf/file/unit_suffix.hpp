@@ -3,8 +3,6 @@
 #include <string>
 #include <string_view>
 
-#include "frf/file/columns.hpp"
-
 namespace jointid::frf {
 
 /// A name and the unit that it ends in behind an underscore or a blank.
@@ -20,8 +18,5 @@ SuffixedName suffixed_name(std::string_view name);
 
 /// "N/mm" of the name of a matrix, "K_N_mm", and "tonne" of "M_tonne"; empty where it states no force over length and no mass.
 std::string stiffness_or_mass_suffix(std::string_view name);
-
-/// The units that the names of columns without one end in. Of a column "x_in" beside one "x_out" none is taken.
-void take_unit_suffixes(Columns& columns);
 
 }  // namespace jointid::frf

@@ -2,7 +2,7 @@
 
 #include "base/error.hpp"
 #include "frf/file/column_titles.hpp"
-#include "frf/file/unit_suffix.hpp"
+#include "frf/file/column_units.hpp"
 #include "frf/mat/mat_column.hpp"
 #include "records/file/channel_choice.hpp"
 #include "records/file/sample_streams.hpp"

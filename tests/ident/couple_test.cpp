@@ -263,7 +263,7 @@ TEST_F(CoupleIdentified, RefusesWhatHasNoOneMatrixOrOtherErrors) {
   };
   EXPECT_THAT(refused("method = ", "bounds = { \"K(1,1)\" = \"positive\" }\n"), HasSubstr("bounds and ties"));
   EXPECT_THAT(refused("[joint]", "bands = [[400, 550], [550, 1000]]\n"), HasSubstr("a joint with bands has no one matrix"));
-  EXPECT_THAT(refused("", "\n[[data.gains]]\ngain = 0.01\n"), HasSubstr("gains and masses"));
+  EXPECT_THAT(refused("", "\n[[data.gains]]\ngain = 0.01\n"), HasSubstr("gains, masses"));
   EXPECT_THAT(refused("[data]", "regenerate = [\"substructures\"]\n"), HasSubstr("[data] regenerate"));
   write("mount.toml", "[data]\nparts = [\"a.h5\"]\n[couple]\njoin = [[\"1:+Y\", \"2:+Y\"]]\n");
   EXPECT_THAT(error_of(identified), HasSubstr("mount.toml"));

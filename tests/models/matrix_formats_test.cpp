@@ -14,7 +14,7 @@
 
 #include "base/complex.hpp"
 #include "base/error.hpp"
-#include "models/matrix_file.hpp"
+#include "models/files/matrix_file.hpp"
 #include "models/model_file.hpp"
 #include "tests/test_folder.hpp"
 

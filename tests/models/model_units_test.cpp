@@ -5,7 +5,7 @@
 
 #include "base/error.hpp"
 #include "frf/set/frf_source.hpp"
-#include "models/matrix_file.hpp"
+#include "models/files/matrix_file.hpp"
 #include "models/model_file.hpp"
 #include "models/model_source.hpp"
 #include "tests/test_folder.hpp"

@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "frf/file/variables.hpp"
 #include "frf/mat/mat_module.hpp"
-#include "models/matrix_file.hpp"
+#include "models/files/matrix_file.hpp"
 #include "models/model_file.hpp"
 #include "tests/require.hpp"
 #include "tests/test_folder.hpp"

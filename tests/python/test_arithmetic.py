@@ -137,7 +137,7 @@ def test_hits_give_factors_and_their_answers():
 
 def test_zero_hertz_is_told(tmp_path):
     """A line at 0 Hz of an accelerance is no receptance, and does not become NaN without a word."""
-    made = jointid.FrfSet(np.ones((3, 1, 1)), [0.0, 1.0, 2.0], ["1:+X"], quantity="accelerance", name="beam")
+    made = jointid.FrfSet(np.ones((3, 1, 1)) + 0j, [0.0, 1.0, 2.0], ["1:+X"], quantity="accelerance", name="beam")
     for quantity in ("receptance", "mobility"):
         with pytest.warns(jointid.DataWarning, match="0 Hz the accelerance fixes no " + quantity) as caught:
             turned = made.to(quantity)
@@ -150,7 +150,7 @@ def test_zero_hertz_is_told(tmp_path):
         warnings.simplefilter("error")
         read.to("receptance")  # was told
         receptance = made.sel(band=(1, 2)).to("receptance")
-        jointid.FrfSet(np.ones((3, 1, 1)), [0.0, 1.0, 2.0], ["1:+X"]).to("accelerance")
+        jointid.FrfSet(np.ones((3, 1, 1)) + 0j, [0.0, 1.0, 2.0], ["1:+X"]).to("accelerance")
     assert np.isfinite(receptance.frfs).all()
 
 

@@ -151,7 +151,7 @@ def test_quantities_are_powers_of_omega():
 
 
 def test_units_are_converted():
-    made = jointid.FrfSet(np.ones((1, 1, 1)), [1.0], ["1:+X"], unit="g/N")
+    made = jointid.FrfSet(np.ones((1, 1, 1)) + 0j, [1.0], ["1:+X"], unit="g/N")
     assert made.quantity == "accelerance" and made.frfs[0, 0, 0] == 9.80665
     assert made.values_in("mm/s^2/N")[0, 0, 0] == pytest.approx(9806.65)
     assert made.values_in("m/N")[0, 0, 0] == pytest.approx(-9.80665 / (2 * np.pi) ** 2)

@@ -87,7 +87,7 @@ bool LikelihoodEstimator::takes_linearised(const std::vector<double>& start) {
 std::optional<LikelihoodFit> LikelihoodEstimator::approached(const std::vector<double>& start, const FitWatcher& watch) {
   constexpr std::size_t every = 8;
   const FittedLines& lines = all_.lines;
-  const bool is_long = lines.layout().is_large() && lines.used() >= many_lines;
+  const bool is_long = lines.layout().is_large() && lines.are_own() && lines.used() >= many_lines;
   if (!is_long || lines.layout().asm_jn.empty() || lines.variances_by_law()) return std::nullopt;
   PenalisedLines some{lines.spread(every), all_.priors, all_.unknowns, all_.joint_unknowns};
   StepMemory memory;

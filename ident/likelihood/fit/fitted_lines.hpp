@@ -21,6 +21,8 @@ class FittedLines {
   /// Every so many of those in use alone, as if the others said nothing; no line is anywhere yet.
   FittedLines spread(std::size_t every) const { return {*this, every}; }
   std::size_t used() const;
+  /// Whether all of them are this process's.
+  bool are_own() const { return own_.size() == lines_.size(); }
 
   /// Called before each line of every pass with how many of how many are begun, by any thread; may throw to stop.
   void set_watch(std::function<void(std::size_t begun, std::size_t lines)> watch) { watch_ = std::move(watch); }

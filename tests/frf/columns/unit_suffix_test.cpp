@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "frf/csv/csv_suffix.hpp"
+#include "frf/file/column_units.hpp"
 #include "frf/file/file_format.hpp"
 #include "frf/file/node_table.hpp"
 #include "frf/file/other_format.hpp"

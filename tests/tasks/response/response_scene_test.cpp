@@ -10,7 +10,7 @@
 #include "base/control.hpp"
 #include "base/error.hpp"
 #include "frf/set/frf_source.hpp"
-#include "models/matrix_file.hpp"
+#include "models/files/matrix_file.hpp"
 #include "report/response/response_text.hpp"
 #include "response/structure/modal_damping.hpp"
 #include "tasks/response/read_response_scene.hpp"

@@ -1,4 +1,4 @@
-#include "models/nastran_op4.hpp"
+#include "models/files/nastran_op4.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 #include "base/temporary_file.hpp"
 #include "base/text.hpp"
 #include "frf/text/number_text.hpp"
-#include "models/failure.hpp"
+#include "models/files/failure.hpp"
 
 namespace jointid::models {
 namespace {

@@ -1,4 +1,4 @@
-#include "models/variable_matrix.hpp"
+#include "models/files/variable_matrix.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 #include "frf/file/unit_suffix.hpp"
 #include "frf/mat/mat_column.hpp"
 #include "frf/set/unit_label.hpp"
-#include "models/failure.hpp"
+#include "models/files/failure.hpp"
 
 namespace jointid::models {
 namespace {

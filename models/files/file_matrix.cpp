@@ -1,10 +1,10 @@
-#include "models/file_matrix.hpp"
+#include "models/files/file_matrix.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
-#include "models/failure.hpp"
+#include "models/files/failure.hpp"
 
 namespace jointid::models {
 namespace {

@@ -1,4 +1,4 @@
-#include "models/labelled_matrix.hpp"
+#include "models/files/labelled_matrix.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "base/text.hpp"
-#include "models/failure.hpp"
+#include "models/files/failure.hpp"
 
 namespace jointid::models {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "frf/mat/mat_variable.hpp"
-#include "models/file_matrix.hpp"
+#include "models/files/file_matrix.hpp"
 
 namespace jointid::models {
 

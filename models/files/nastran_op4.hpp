@@ -1,6 +1,6 @@
 #pragma once
 
-#include "models/file_matrix.hpp"
+#include "models/files/file_matrix.hpp"
 
 namespace jointid::models {
 

@@ -1,4 +1,4 @@
-#include "models/matrix_file.hpp"
+#include "models/files/matrix_file.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -16,10 +16,10 @@
 #include "frf/file/columns.hpp"
 #include "frf/file/table_remarks.hpp"
 #include "frf/file/variables.hpp"
-#include "models/failure.hpp"
-#include "models/labelled_matrix.hpp"
-#include "models/nastran_op4.hpp"
-#include "models/variable_matrix.hpp"
+#include "models/files/failure.hpp"
+#include "models/files/labelled_matrix.hpp"
+#include "models/files/nastran_op4.hpp"
+#include "models/files/variable_matrix.hpp"
 
 namespace jointid::models {
 namespace {
