@@ -180,6 +180,8 @@ MODELS = Kind("model", "Descriptions of parts that are models", ["plan"], ["mode
       stated={"damping_ratio": "a number", "residual_flexibility": "a matrix, or a string: its file"},
       variants={"modes of a universal file": {"modes": '"x.uff"'},
                 "modes in arrays": {"shapes": '"x.mat:s"', "frequencies": '"x.mat:f"'}}),
+    *(T(key, {"range": "[0, 500]", "error": "0.01"}, several=True, stated={"range": "`[lo, hi]`", "error": "a number"})
+      for key in ("stiffness_error", "mass_error")),
 ])
 
 KINDS = [SOLVE, LINES, LAWS, COUPLE, DECOUPLE, EQUIVALENT, RESPONSE, OSCILLATE, HISTORY, MODELS]
