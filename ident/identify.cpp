@@ -56,8 +56,7 @@ std::unique_ptr<Plan> plan_start(const Plan& plan, const StartChoices& choices) 
 
 constexpr const char* errors_taken_for_known =
     "Gains of [[data.gains]] are taken for 1, masses of [[data.masses]] for known and models for exact: only method "
-    "\"likelihood\" "
-    "estimates them.";
+    "\"likelihood\" estimates them.";
 
 bool ignores_systematic_errors(const Scene& scene) {
   return scene.identify.method != Method::likelihood && are_errors_unknown(scene.data);

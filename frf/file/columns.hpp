@@ -44,8 +44,7 @@ struct Columns {
 /// Reads real columns of a file:
 ///   - text: lines of numbers below titles (ColumnTitles), separated by semicolon, tab, comma or blanks; with semicolons or tabs
 ///     numbers may have decimal commas (DecimalMark). Lines that begin with # or % are comments. An empty cell is NaN;
-///   - MATLAB v4 to v7.3, HDF5 (datasets of the root) and numpy: every real vector; of a real matrix NAME, whose longer axis
-///   counts the
+///   - MATLAB v4 to v7.3, HDF5 (datasets of the root) and numpy: every real vector; of a real matrix NAME, whose longer axis counts the
 ///     samples, NAME(1), NAME(2), … Units: ColumnUnits.
 /// Throws InputError with line and column of a cell that is no number. Also for more than most_columns or 268 million numbers.
 /// Also for a file of a format that is not read (other_format()), and for factors that titles or remarks state and nothing

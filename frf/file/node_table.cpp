@@ -33,6 +33,10 @@ const NumberColumn& column_of(const Columns& table, const std::vector<std::strin
   return *found;
 }
 
+const NumberColumn& ids_of(const Columns& table) {
+  return column_of(table, {"node", "id", "point", "nr", "knoten", "punkt", "grid", "label", "no"});
+}
+
 std::string row_of(std::size_t i) { return "row " + std::to_string(i + 1) + " of numbers"; }
 
 std::int64_t node_of(const Columns& table, const NumberColumn& nodes, std::size_t i) {
@@ -70,7 +74,7 @@ void require_no_other_length(const Columns& table) {
 }
 
 std::vector<Node> nodes_of(const Columns& table) {
-  const NumberColumn& ids = column_of(table, {"node", "id", "point", "nr", "knoten", "punkt", "grid", "label", "no"});
+  const NumberColumn& ids = ids_of(table);
   const std::array<const NumberColumn*, 3> axes = {&column_of(table, {"x"}), &column_of(table, {"y"}), &column_of(table, {"z"})};
   const std::size_t count = ids.values.size();
   std::vector<Node> out(count);
@@ -109,7 +113,7 @@ bool names_end(std::string name) {
 }
 
 std::vector<NodeLine> lines_of(const Columns& table) {
-  const NumberColumn& ids = column_of(table, {"node", "id", "point", "nr", "knoten"});
+  const NumberColumn& ids = ids_of(table);
   std::vector<NodeLine> out;
   for (const NumberColumn& column : table.columns) {
     if (!names_end(column.name)) continue;

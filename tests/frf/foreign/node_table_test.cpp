@@ -47,6 +47,7 @@ TEST_F(NodeTable, ColumnsToAreLines) {
   const auto lines = [&](const std::string& text) { return read_node_lines(write_file("lines.csv", text)); };
   EXPECT_THAT(lines("node,x [mm],y [mm],z [mm],to,To2\n4,900,0,0,11,12\n11,0,0,0,,4\n12,0,1,0,0,\n"),
               ElementsAre(NodeLine{4, 11}, NodeLine{4, 12}, NodeLine{11, 4}));
+  EXPECT_THAT(lines("Label,x,y,z,to\n4,1,0,0,11\n"), ElementsAre(NodeLine{4, 11}));
   EXPECT_TRUE(lines("node,x,y,z,torque\n4,1,0,0,11\n").empty());
   EXPECT_THAT(message_of([&] { lines("node,x,y,z,to\n4,1,0,0,1.5\n"); }), HasSubstr("no whole number"));
   EXPECT_EQ(read("node,x,y,z,to\n4,1,0,0,11\n").size(), 1U) << "positions are as without lines";
