@@ -37,8 +37,7 @@ std::string turned_points_text(const std::vector<Dof>& found) {
   return "The driving point" + std::string(found.size() > 1 ? "s " : " ") + found.front().name() +
          (found.size() > 1 ? " and " + std::to_string(found.size() - 1) + " more are" : " is") +
          " not passive: the imaginary part of the receptance is above 0. Either the FRFs are conjugates (of exp(-iωt)), or force "
-         "and "
-         "motion are positive in opposite directions. Export FRFs of exp(+iωt), or give one of the two the other sign.";
+         "and motion are positive in opposite directions. Export FRFs of exp(+iωt), or give one of the two the other sign.";
 }
 
 }  // namespace jointid::frf
