@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/error.hpp"
 #include "base/text.hpp"
 #include "gui/geometry/motion_bar.hpp"
 #include "gui/geometry/structure_view.hpp"
