@@ -56,19 +56,17 @@ TEST(RelativeMotions, AStiffJointLeavesTheOthersTheirIntervals) {
   Control control;
   control.judgement = Judgement::data;
   const problems::ManyJoints structure = problems::chain_of_beams({.joints = 3, .spacing = 1});
-  for (const double stiffer : {1e3, 1e5}) {
-    const problems::Problem problem = row_of_beams(stiffer);
-    const Solution found = solve(*problems::plan(scene_with(problem, Method::likelihood), problems::polluted(problem, 1, 0)), control);
-    EXPECT_EQ(found.status, Status::doubtful) << found.message;
-    EXPECT_THAT(found.message, testing::HasSubstr("no valid digit"));
-    EXPECT_THAT(found.message, testing::HasSubstr("j2.K"));
-    for (const Estimate& each : found.unknowns) {
-      ASSERT_TRUE(each.std_error) << each.name;
-      if (each.name.starts_with("j2") || each.name[3] != 'K') continue;
-      const auto& stiffness = structure.joints[each.name.starts_with("j1") ? 0 : 2].relative_stiffness;
-      const double truth = each.name.ends_with('a') ? stiffness[0][0] : each.name.ends_with('b') ? stiffness[0][1] : stiffness[1][1];
-      EXPECT_LT(std::abs(each.value - truth), 4.0 * *each.std_error) << each.name << ' ' << each.value << ' ' << truth;
-    }
+  const problems::Problem problem = row_of_beams(1e3);
+  const Solution found = solve(*problems::plan(scene_with(problem, Method::likelihood), problems::polluted(problem, 1, 0)), control);
+  EXPECT_EQ(found.status, Status::doubtful) << found.message;
+  EXPECT_THAT(found.message, testing::HasSubstr("no valid digit"));
+  EXPECT_THAT(found.message, testing::HasSubstr("j2.K"));
+  for (const Estimate& each : found.unknowns) {
+    ASSERT_TRUE(each.std_error) << each.name;
+    if (each.name.starts_with("j2") || each.name[3] != 'K') continue;
+    const auto& stiffness = structure.joints[each.name.starts_with("j1") ? 0 : 2].relative_stiffness;
+    const double truth = each.name.ends_with('a') ? stiffness[0][0] : each.name.ends_with('b') ? stiffness[0][1] : stiffness[1][1];
+    EXPECT_LT(std::abs(each.value - truth), 4.0 * *each.std_error) << each.name << ' ' << each.value << ' ' << truth;
   }
 }
 
