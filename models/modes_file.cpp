@@ -91,17 +91,13 @@ bool is_of_matlab(const Path& file) {
   return head == "MATLAB";
 }
 
-template <std::size_t Count>
-bool has_any_of(std::string_view text, const std::array<std::string_view, Count>& parts) {
-  return std::ranges::any_of(parts, [&](std::string_view part) { return text.find(part) != std::string_view::npos; });
-}
+bool has(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
 /// Of a text of the file that is of no other variable, "frequency_unit"; empty where there is none.
 std::string unread_unit(const frf::ColumnUnits& units) {
-  constexpr std::array<std::string_view, 1> frequency = {"freq"}, unit = {"unit"};
   for (const auto& [name, text] : units.unread()) {
     const std::string own = frf::lower_case(name);
-    if (has_any_of(own, frequency) && has_any_of(own, unit)) return text;
+    if (has(own, "freq") && has(own, "unit")) return text;
   }
   return {};
 }
@@ -150,7 +146,7 @@ bool is_angular(const std::string& name) {
 bool is_eigenvalue(const std::string& name) {
   const std::string own = frf::lower_case(name.substr(name.rfind('.') + 1));
   constexpr std::array<std::string_view, 4> parts = {"lam", "eigenval", "omega2", "squared"};
-  return has_any_of(own, parts);
+  return std::ranges::any_of(parts, [&](std::string_view part) { return has(own, part); });
 }
 
 /// In Hz, by the unit that the file or the name states.

@@ -90,9 +90,9 @@ bool ColumnTitles::begins_with(std::string_view line, const std::string& place) 
     settle(line);
     take_unit_suffixes(columns_);
     if (empty()) {
-      require_few(table_cells(line, separator_).size(), place);
-      for (std::size_t i = 0; i < table_cells(line, separator_).size(); ++i)
-        columns_.columns.push_back({std::to_string(i + 1), {}, {}});
+      const std::size_t count = table_cells(line, separator_).size();
+      require_few(count, place);
+      for (std::size_t i = 0; i < count; ++i) columns_.columns.push_back({std::to_string(i + 1), {}, {}});
     }
     return true;
   }
