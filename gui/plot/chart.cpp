@@ -2,9 +2,7 @@
 
 #include <qcustomplot.h>
 
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -12,6 +10,7 @@
 #include "gui/plot/chart_drawing.hpp"
 #include "gui/plot/curve_drawing.hpp"
 #include "gui/plot/panel_drawing.hpp"
+#include "gui/plot/saving_row.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -43,26 +42,10 @@ Chart::Chart(const char* name, const QString& accessible_name, const QString& hi
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(plot_, 1);
-  add_controls();
+  add_saving_row(
+      *column, readout_, "chart", [this] { copy_plot(saveable()); },
+      [this] { ask_and_save(this, saveable(), inputs_, plot_->objectName() + QStringLiteral(".png")); });
   redraw();
-}
-
-void Chart::add_controls() {
-  auto* copy = named(new QToolButton, "chart_copy", tr("Copy the numbers for a spreadsheet, and the picture"));
-  copy->setText(tr("Copy"));
-  auto* save = named(new QToolButton, "chart_save", tr("Save as PNG, SVG, PDF or CSV"));
-  save->setText(tr("Save…"));
-  auto* row = new QHBoxLayout;
-  row->addWidget(readout_, 1);
-  for (QToolButton* each : {copy, save}) {
-    each->setFocusPolicy(Qt::StrongFocus);
-    row->addWidget(each);
-  }
-  static_cast<QVBoxLayout*>(layout())->addLayout(row);
-  connect(copy, &QToolButton::clicked, this, [this] { copy_plot(saveable()); });
-  connect(save, &QToolButton::clicked, this, [this] {
-    ask_and_save(this, saveable(), inputs_, plot_->objectName() + QStringLiteral(".png"));
-  });
 }
 
 Saveable Chart::saveable() const {

@@ -57,7 +57,6 @@ class Chart : public QWidget {
  private:
   using Place = std::pair<std::size_t, std::size_t>;
 
-  void add_controls();
   void forget();
   void redraw();
   void ring();

@@ -50,7 +50,6 @@ class HeatChart : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void add_controls();
   void redraw();
   void fill(QCPColorMap& map) const;
   std::size_t column_count() const;

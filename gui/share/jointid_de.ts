@@ -794,22 +794,6 @@ Fügestelle: %1</translation>
         <translation>Der Wert unter der Maus</translation>
     </message>
     <message>
-        <source>Copy the numbers for a spreadsheet, and the picture</source>
-        <translation>Zahlen für eine Tabellenkalkulation und das Bild kopieren</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>Kopieren</translation>
-    </message>
-    <message>
-        <source>Save as PNG, SVG, PDF or CSV</source>
-        <translation>Als PNG, SVG, PDF oder CSV speichern</translation>
-    </message>
-    <message>
-        <source>Save…</source>
-        <translation>Speichern…</translation>
-    </message>
-    <message>
         <source>log10 of %1</source>
         <translation>log10 von %1</translation>
     </message>
