@@ -253,9 +253,10 @@ class MatV73 final : public MatFile {
                             .integers = type_class(dataset) == H5T_INTEGER});
       place_of_.emplace(name, std::move(place));
     }
+    require_distinct_names();
   }
 
-  MatVariable read(const MatInfo& info) override {
+  MatVariable read_variable(const MatInfo& info) override {
     const hdf5::Silence silence;
     const Dataset dataset = open(info.name, place_of_.at(info.name));
     MatVariable variable{.info = info, .values = {}, .texts = {}};

@@ -1,5 +1,8 @@
 #include "frf/mat/mat_file.hpp"
 
+#include <set>
+#include <string_view>
+
 #include "base/error.hpp"
 #include "frf/mat/mat_lookup.hpp"
 #include "frf/mat/mat_reader.hpp"
@@ -20,6 +23,26 @@ const std::multimap<std::string, const MatInfo*>& MatFile::by_lower_name() const
     for (const MatInfo& info : variables_) by_lower_name_.emplace(lower_case(info.name), &info);
   }
   return by_lower_name_;
+}
+
+MatVariable MatFile::read(const MatInfo& info) {
+  MatVariable variable = read_variable(info);
+  if (info.kind != MatKind::real && info.kind != MatKind::complex) return variable;
+  std::size_t size = 1;
+  for (const std::size_t extent : variable.info.dims) size *= extent;
+  if (variable.values.size() != size)
+    fail(info.name, "holds " + std::to_string(variable.values.size()) + " numbers where its size states " + std::to_string(size),
+         "the file is damaged; save it again");
+  return variable;
+}
+
+void MatFile::require_distinct_names() const {
+  std::set<std::string_view> known;
+  for (const MatInfo& info : variables_) {
+    if (!info.name.empty() && !known.insert(info.name).second)
+      fail(info.name, "is there twice, and the file does not state which of the two holds",
+           "save the variables again, each with a name of its own");
+  }
 }
 
 std::string MatFile::note(const MatInfo*, std::string_view) { return {}; }

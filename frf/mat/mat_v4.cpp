@@ -71,9 +71,10 @@ class MatV4 final : public MatFile {
  public:
   explicit MatV4(const std::filesystem::path& path) : MatFile(path.string()), bytes_(read_text(path)) {
     for (std::string_view rest = bytes_; !rest.empty();) take(rest);
+    require_distinct_names();
   }
 
-  MatVariable read(const MatInfo& info) override {
+  MatVariable read_variable(const MatInfo& info) override {
     const auto found = std::ranges::find(variables_, info.name, &MatInfo::name);
     const auto& [header, numbers] = content_[static_cast<std::size_t>(found - variables_.begin())];
     MatVariable out{.info = info, .values = {}, .texts = {}};

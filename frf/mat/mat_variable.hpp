@@ -45,8 +45,8 @@ class MatFile {
   /// The same by their names in lower case, those of one name in the order of the file; until another variable is added.
   const std::multimap<std::string, const MatInfo*>& by_lower_name() const;
 
-  /// Reads one of `variables`. Throws InputError when the file breaks its promises.
-  virtual MatVariable read(const MatInfo& info) = 0;
+  /// Reads one of `variables`: as many numbers as its size says. Throws InputError when the file breaks its promises.
+  MatVariable read(const MatInfo& info);
 
   /// Whether the program that wrote the file counts the last index fastest (C, numpy): `dims` and numbers of a variable then are
   /// in MATLAB's order of the transposed array.
@@ -72,11 +72,15 @@ class MatFile {
  protected:
   explicit MatFile(std::string file) : file_(std::move(file)) {}
   [[noreturn]] void fail(const std::string& variable, std::string problem, std::string remedy = {}) const;
+  /// Of `variables`, which are read by their names. Throws InputError.
+  void require_distinct_names() const;
 
   std::string file_;
   std::vector<MatInfo> variables_;
 
  private:
+  virtual MatVariable read_variable(const MatInfo& info) = 0;
+
   mutable std::multimap<std::string, const MatInfo*> by_lower_name_;  ///< made when it is asked for
 };
 

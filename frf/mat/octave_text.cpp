@@ -43,10 +43,11 @@ class OctaveText final : public MatFile {
   explicit OctaveText(const std::filesystem::path& path) : MatFile(path.string()), text_(read_text(path)), rest_(text_) {
     while (next_name()) variable(std::string(name_), 0);
     for (const MatVariable& each : content_) variables_.push_back(each.info);
+    require_distinct_names();
     rest_ = {}, text_.clear();
   }
 
-  MatVariable read(const MatInfo& info) override {
+  MatVariable read_variable(const MatInfo& info) override {
     const auto found = std::ranges::find(variables_, info.name, &MatInfo::name);
     return content_[static_cast<std::size_t>(found - variables_.begin())];
   }

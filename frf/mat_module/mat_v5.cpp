@@ -211,9 +211,10 @@ class MatV5 final : public MatFile {
     while (const Variable next{Mat_VarReadNextInfo(mat_.get())}) {
       if (next->name != nullptr) list(*next, next->name, 0, variables_);
     }
+    require_distinct_names();
   }
 
-  MatVariable read(const MatInfo& info) override {
+  MatVariable read_variable(const MatInfo& info) override {
     const std::size_t end = std::min(info.name.find_first_of(".("), info.name.size());
     load(info.name.substr(0, end));
     matvar_t* variable = field_of(loaded_.get(), info.name);

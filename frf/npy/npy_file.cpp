@@ -71,11 +71,12 @@ class NpzFile final : public NumpyFile {
       variables_.push_back(npy_info(header, entry.name.substr(0, entry.name.size() - ending.size())));
       arrays_.push_back({std::move(header), std::move(entry)});
     }
+    require_distinct_names();
     if (variables_.empty())
       fail_file(file_, "is a zip archive without arrays of numpy", "give one that numpy.savez() wrote; save a workbook as CSV");
   }
 
-  MatVariable read(const MatInfo& info) override {
+  MatVariable read_variable(const MatInfo& info) override {
     const auto found = std::ranges::find(variables_, info.name, &MatInfo::name);
     const auto& [header, entry] = arrays_[static_cast<std::size_t>(found - variables_.begin())];
     const std::string bytes = npz_bytes(entry, file_);
@@ -123,7 +124,7 @@ class NpyFile final : public NumpyFile {
     return read_functions(header, std::string_view(bytes).substr(header.begin), file_, options);
   }
 
-  MatVariable read(const MatInfo& info) override {
+  MatVariable read_variable(const MatInfo& info) override {
     const auto& [header, bytes] = arrays_[info.name == variables_.front().name ? 0 : 1];
     return npy_variable(header, info, std::string_view(bytes).substr(header.begin));
   }

@@ -102,6 +102,18 @@ TEST(NamedArrays, WhatIsNoFrfOrLeftOpenIsRefused) {
   EXPECT_THAT(error("stored.npz", options), HasSubstr("has no variable G; there are frf [4x2x3]"));
 }
 
+/// Which of them holds is said by no format.
+TEST(NamedArrays, TwoOfOneNameAreRefused) {
+  EXPECT_THAT(error("twice.npz"), HasSubstr("variable frequency: is there twice"));
+  if (!has_matio()) JOINTID_SKIP("this build lacks matio");
+  std::ifstream in(foreign("letters.mat"), std::ios::binary);
+  const std::string whole{std::istreambuf_iterator<char>(in), {}};
+  constexpr std::size_t header = 128;
+  const TestFolder folder;
+  std::ofstream(folder / "a.mat", std::ios::binary) << whole << whole.substr(header);
+  EXPECT_THAT(message_of([&] { open(folder / "a.mat"); }), HasSubstr("is there twice"));
+}
+
 TEST(NamedArrays, Hdf5ThatMatlabDidNotWriteIsNotTransposed) {
   const FrfSet set = read("h5py.h5", given({}, {"1:+Z", "2:+Z"}));
   expect_stored(set, one_g, 1e-15, 2);
@@ -225,8 +237,10 @@ TEST(NamedArrays, AxesInTheOrderThatHdf5States) {
 TEST(NamedArrays, TheNameOfAFileOfFrequenciesStatesTheirUnit) {
   const TestFolder folder;
   std::filesystem::copy_file(foreign("frf.npy"), folder / "frf.npy");
-  for (const auto& [name, hz] : {std::pair{"f.npy", 10.0}, {"omega.npy", 10.0 / (2.0 * std::numbers::pi)},
-                                 {"w.npy", 10.0 / (2.0 * std::numbers::pi)}, {"freq_khz.npy", 1e4}}) {
+  for (const auto& [name, hz] : {std::pair{"f.npy", 10.0},
+                                 {"omega.npy", 10.0 / (2.0 * std::numbers::pi)},
+                                 {"w.npy", 10.0 / (2.0 * std::numbers::pi)},
+                                 {"freq_khz.npy", 1e4}}) {
     std::filesystem::copy_file(foreign("frequency.npy"), folder / name);
     OpenOptions options = given(Quantity::receptance, {"1:+Z", "2:+Z"}, {"1:+Z", "2:+Z", "3:-X"});
     options.frequency_variable = name;

@@ -5,6 +5,7 @@ references 1:+Z 2:+Z 3:-X. Where a unit stands beside them they are accelerances
 """
 import os
 import sys
+import zipfile
 
 import h5py
 import numpy as np
@@ -23,6 +24,10 @@ np.savez_compressed("packed.npz", H=np.asfortranarray(H.astype(">c8")), freq=f.a
 np.savez("square.npz", frf=H[:, :, :2], f=f.astype("i4"), quantity="receptance", dofs=responses)
 np.savez("real.npz", frf=abs(H), frequency=f, quantity="receptance", **dofs)
 np.savez("flat.npz", frf=H.reshape(4, 6), frequency=f, quantity="receptance", **dofs)
+with open("stored.npz", "rb") as stored, open("twice.npz", "wb") as twice:
+    twice.write(stored.read())
+with zipfile.ZipFile("twice.npz", "a") as twice, twice.open("frequency.npy", "w") as member:
+    np.save(member, 1000.0 * f)
 np.save("frf.npy", H)
 np.save("frequency.npy", f)
 

@@ -45,7 +45,8 @@ class MatV4File : public FileTest {
 };
 
 TEST_F(MatV4File, FrfsOfEveryTypeAndByteOrder) {
-  const std::vector<double> numbers = {2, 3, 5, 6, -1, 4, 7, 8};  // two responses at two lines: real parts, then imaginary ones; axes stated, as both are two
+  const std::vector<double> numbers = {
+      2, 3, 5, 6, -1, 4, 7, 8};  // two responses at two lines: real parts, then imaginary ones; axes stated, as both are two
   for (const bool big : {false, true}) {
     const std::string frequency = variable<std::int16_t>("f", 30, 2, 1, {10, 20}, false, big);
     for (const bool single : {false, true}) {
@@ -69,10 +70,23 @@ TEST_F(MatV4File, CutOffOrDamaged) {
               AllOf(HasSubstr("variable H"), HasSubstr("is 2 by 1, and the file ends before that")));
   EXPECT_THAT(message_of([&] { open(write_file("a.mat", whole + "more"), at({"1:+Z"})); }),
               HasSubstr("has no header of a MATLAB v4 variable at byte " + std::to_string(whole.size())));
-  EXPECT_THAT(message_of([&] { open(write_file("a.mat", variable<double>("H", 0, 2'000'000'000, 2'000'000'000, {})), at({"1:+Z"})); }),
-              HasSubstr("no FRF file"));
-  EXPECT_THAT(message_of([&] { open(write_file("a.mat", variable<double>("H", 0, 900'000'000, 900'000'000, {})), at({"1:+Z"})); }),
-              HasSubstr("ends before that"));
+  EXPECT_THAT(
+      message_of([&] { open(write_file("a.mat", variable<double>("H", 0, 2'000'000'000, 2'000'000'000, {})), at({"1:+Z"})); }),
+      HasSubstr("no FRF file"));
+  EXPECT_THAT(
+      message_of([&] { open(write_file("a.mat", variable<double>("H", 0, 900'000'000, 900'000'000, {})), at({"1:+Z"})); }),
+      HasSubstr("ends before that"));
+}
+
+/// The second of one name is read in place of the first, or the first with the size of the second.
+TEST_F(MatV4File, TwoVariablesOfOneName) {
+  const auto force = [](const std::vector<double>& numbers) {
+    return variable<double>("force", 0, static_cast<std::int32_t>(numbers.size()), 1, numbers);
+  };
+  for (const std::string& content : {force({1, 2, 3}) + force({4, 5, 6}), force({}) + force({1, 2, 3})}) {
+    EXPECT_THAT(message_of([&] { read_columns(write_file("a.mat", content)); }),
+                AllOf(HasSubstr("variable force"), HasSubstr("is there twice"), HasSubstr("a name of its own")));
+  }
 }
 
 TEST_F(MatV4File, FormatsThatAreNotReadAreNamed) {
