@@ -41,7 +41,9 @@ inline constexpr std::size_t most_judged_frfs = std::size_t{1} << 18;  ///< seve
 /// the frequency.
 ///   - large: |H| > 500 M. A resonance between two lines is left out: |H_{l±1}| ≥ 1.3 |H_{l±2}| on both sides and
 ///     |H_{l−1} + H_{l+1}| < 0.7 |H_{l−1} − H_{l+1}|, unless |H| > 10⁵ M; on the two lines at either end, where a third of all
-///     other FRFs are 10 times their nearest neighbours;
+///     other FRFs are 10 times their nearest neighbours. What passes a row of joints on this line alone is left out, too: a third
+///     of all other FRFs rise so, two of them by |H|'s own rise over 100 or more, and the median of those that are large on the
+///     lines beside, 1 % of the largest or more, rises by less than 500, and |H| is less than 500 times the largest there;
 ///   - small: |H| < M/1000 and its nearest neighbours that are not small themselves, one on each side, agree: their difference is
 ///   at most
 ///     their mean. So an antiresonance, where they have opposite signs, is left out, and so are the ends, and where H_ji of H_ij
@@ -68,8 +70,9 @@ class WildSearch {
   void judge(std::size_t line, std::size_t entry, double floor);
   bool is_resonance(std::size_t line, std::size_t entry);
   bool others_rise(std::size_t line, std::size_t entry);
-  /// Of an FRF that can be compared with its neighbours: whether it is 10 times the larger one.
-  std::optional<bool> rises(std::size_t line, std::size_t entry) const;
+  bool passes_joints(std::size_t line, std::size_t entry);
+  /// The larger one of its nearest neighbours, where there is such a number; else 0.
+  double beside(std::size_t line, std::size_t entry) const;
   bool mirror_falls(std::size_t line, std::size_t entry) const;
   bool is_dropout(std::size_t line, std::size_t entry, double typical) const;
   Complex value(std::size_t line, std::size_t entry) const { return values_[line % kept][entry]; }
@@ -88,11 +91,17 @@ class WildSearch {
   std::vector<WildValue> found_;
   std::size_t more_ = 0;
 
-  /// Of all FRFs of the line that is judged, once it was asked.
-  struct Rise {
-    std::size_t line, risen = 0, compared = 0;
+  /// Of FRFs over the larger one of their nearest neighbours, on the line that is judged, once it was asked; 0 where there is
+  /// none.
+  struct Rises {
+    std::size_t line;
+    std::vector<double> own{}, sorted{};
+    double of_large = 0.0;  ///< the median of those that are large beside the line
+    double largest = 0.0;   ///< of the FRFs beside it
+    std::size_t above(double least) const;
   };
-  std::optional<Rise> rise_;
+  const Rises& rises(std::size_t line);
+  std::optional<Rises> rises_;
 };
 
 }  // namespace jointid::frf

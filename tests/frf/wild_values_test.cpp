@@ -101,6 +101,34 @@ TEST(WildValues, ResonanceOnTheFirstOrLastLinesLiftsAllFrfsAndIsNone) {
   }
 }
 
+/// A row of joints that lets waves pass on one line alone: 10 times less beside it from sensor to sensor. What is wild besides is
+/// found.
+TEST(WildValues, WhatPassesARowOfJointsOnOneLineIsNone) {
+  constexpr std::size_t lines = 9, sensors = 12, passing = 4;
+  FrfSet set = set_of(lines, sensors, 100.0, 20.0);
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> spread(0.5, 1.5);
+  for (std::size_t l = 0; l < lines; ++l) {
+    for (std::size_t r = 0; r < sensors; ++r) {
+      const double loss = l == passing ? 0.0 : static_cast<double>(r);
+      set.values[set.index(l, r, 0)] = std::polar(1e-6 * spread(random) * std::pow(10.0, -loss), 6.0 * spread(random));
+    }
+  }
+  EXPECT_TRUE(search(set).found.empty()) << search(set).found.front().response;
+  for (const std::size_t line : {passing, std::size_t{2}}) {
+    FrfSet wild = set;
+    wild.values[wild.index(line, 3, 0)] *= 1e12;
+    const WildValues found = search(wild);
+    ASSERT_EQ(found.found.size(), 1U) << line;
+    EXPECT_EQ(found.found[0].response, 3U);
+    EXPECT_EQ(found.found[0].line, line);
+  }
+  FrfSet damaged = set;  // the whole line
+  for (std::size_t r = 0; r < sensors; ++r) damaged.values[damaged.index(2, r, 0)] *= 1e6;
+  ASSERT_EQ(search(damaged).found.size(), 1U);
+  EXPECT_EQ(search(damaged).found[0].response, npos);
+}
+
 TEST(WildValues, FrfThatIsSmallBothWaysIsAnAntiresonance) {
   FrfSet set = square_structure(1, 0.8);
   const Complex there = set.values[set.index(6, 0, 1)];
