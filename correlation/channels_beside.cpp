@@ -156,7 +156,7 @@ class Comparison {
                             .alike = std::nullopt};
       agreements.push_back(channel.agreement);
       if (channel.agreement < little) find_alike(response, channel);
-      out.channels.push_back(std::move(channel));
+      out.channels.push_back(channel);
     }
     out.agreement = median(agreements);
   }

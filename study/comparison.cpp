@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <optional>
 
 #include "base/error.hpp"
@@ -28,7 +29,9 @@ ident::Scene scene_for(ident::Scene scene, const Way& way) {
   return scene;
 }
 
-bool same_data(const Way& a, const Way& b) { return a.method == b.method && a.equations == b.equations && a.regenerate == b.regenerate; }
+bool same_data(const Way& a, const Way& b) {
+  return a.method == b.method && a.equations == b.equations && a.regenerate == b.regenerate;
+}
 
 Spread spread_of(const std::vector<Trial>& trials, std::size_t matrix, double ident::Quality::*figure) {
   std::vector<double> values;
@@ -161,22 +164,22 @@ std::shared_ptr<const TrialData> with_way(const TrialData& data, const Way& way)
   return changed;
 }
 
-Comparison compare(const ident::Scene& scene, const std::vector<Way>& ways, const TrialSource& source, const TrialOptions& options,
-                   const std::function<void(const Comparison&)>& so_far) {
+Comparison compare(const ident::Scene& scene, const std::vector<Way>& ways, const TrialSource& source,
+                   const TrialOptions& options, const std::function<void(const Comparison&)>& so_far) {
   require_truth(scene);
   Comparison out;
-  std::optional<InputError> refused;
+  std::exception_ptr refused;
   Comparer comparer(scene, source);
   for (std::size_t i = 0; i < ways.size(); ++i) {
     try {
       out.combinations.push_back(comparer.run(ways[i], counting_parts(options, i, ways.size())));
     } catch (const InputError& error) {
       out.left_out.push_back({ways[i], error.what()});
-      if (!refused) refused = error;
+      if (!refused) refused = std::current_exception();
     }
     if (so_far) so_far(out);
   }
-  if (out.combinations.empty() && refused) throw *refused;
+  if (out.combinations.empty() && refused) std::rethrow_exception(refused);
   mark_fronts(out.combinations);
   return out;
 }

@@ -1,8 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
-#include <cstring>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -49,7 +50,8 @@ PartFile read_part(const ident::Path& path) {
   out.trials = *trials;
   const frf::IndexRange range = trials_of(out.part, out.trials);
   if (out.table->rows() != range.end - range.first)
-    fail(path.string(), "", fmt::format("it has {} trials, not {}", out.table->rows(), range.end - range.first), "run this part again");
+    fail(path.string(), "", fmt::format("it has {} trials, not {}", out.table->rows(), range.end - range.first),
+         "run this part again");
   return out;
 }
 
@@ -60,14 +62,16 @@ frf::TableHeader whole_header(frf::TableHeader header) {
 }
 
 bool is_same(const frf::TableColumn& a, const frf::TableColumn& b) {
-  return a.name == b.name && a.unit == b.unit && std::memcmp(&a.truth, &b.truth, sizeof a.truth) == 0;
+  return a.name == b.name && a.unit == b.unit && std::bit_cast<std::uint64_t>(a.truth) == std::bit_cast<std::uint64_t>(b.truth);
 }
 
 /// What two parts differ in, in words; empty where they are of one study.
 std::string difference(const PartFile& one, const PartFile& other) {
   frf::TableHeader a = whole_header(one.table->header()), b = whole_header(other.table->header());
   for (frf::TableHeader* each : {&a, &b}) each->texts.erase("provenance");
-  for (const auto& [name, called] : {std::pair("scene_hash", "scene"), {"data_hash", "set of data"}, {"seed", "seed"},
+  for (const auto& [name, called] : {std::pair("scene_hash", "scene"),
+                                     {"data_hash", "set of data"},
+                                     {"seed", "seed"},
                                      {"jointid_version", "version of jointid"}}) {
     if (part_text(a, name) != part_text(b, name)) return called;
   }
@@ -83,7 +87,8 @@ void require_one_study(const std::vector<PartFile>& parts) {
   for (const PartFile& each : parts) {
     const std::string other = difference(parts.front(), each);
     if (!other.empty())
-      fail(each.path.string(), "--merge", "it is of another " + other + " than " + parts.front().path.string(), "merge parts of one study");
+      fail(each.path.string(), "--merge", "it is of another " + other + " than " + parts.front().path.string(),
+           "merge parts of one study");
   }
 }
 
@@ -92,8 +97,8 @@ void require_each_once(const std::vector<PartFile>& parts) {
   const std::size_t count = parts.front().part.count;
   for (std::size_t i = 1; i < parts.size(); ++i) {
     if (parts[i].part.number == parts[i - 1].part.number)
-      fail(parts[i].path.string(), "--merge", "part " + name_of(parts[i].part) + " is there twice, also in " + parts[i - 1].path.string(),
-           "give each part once");
+      fail(parts[i].path.string(), "--merge",
+           "part " + name_of(parts[i].part) + " is there twice, also in " + parts[i - 1].path.string(), "give each part once");
   }
   std::string missing;
   std::size_t next = 0;

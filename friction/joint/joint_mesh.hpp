@@ -29,6 +29,6 @@ struct JointMesh {
 };
 
 /// `count` equal members with the same interface.
-JointMesh uniform_mesh(MemberKind kind, std::size_t count, const Member& whole, std::shared_ptr<const Element> interface);
+JointMesh uniform_mesh(MemberKind kind, std::size_t count, const Member& whole, const std::shared_ptr<const Element>& interface);
 
 }  // namespace jointid::friction

@@ -56,7 +56,7 @@ class ElementParts {
     const Eigen::MatrixXcd* covariance = nullptr;
     const LineErrors* system = nullptr;
     std::size_t member = 0;
-    auto operator<=>(const Group&) const = default;
+    auto operator<=>(const Group&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 sees a 0 in it
   };
 
   template <class Between>
@@ -100,7 +100,8 @@ std::shared_ptr<const minimise::Correlation> correlation_of(const LineLayout& la
   });
   Eigen::VectorXcd variances(at(parts.elements().size()));
   for (Eigen::Index i = 0; i < variances.size(); ++i) variances[i] = variance[parts.elements()[static_cast<std::size_t>(i)]];
-  minimise::Correlation out = minimise::Correlation::of(element, parts.elements(), parts.covariance(), parts.relation(), variances);
+  minimise::Correlation out =
+      minimise::Correlation::of(element, parts.elements(), parts.covariance(), parts.relation(), variances);
   return out.groups().empty() ? nullptr : std::make_shared<const minimise::Correlation>(std::move(out));
 }
 

@@ -103,7 +103,8 @@ LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, JointIter
   all_.lines.take_variances_as_measured();
   const bool linearised = takes_linearised(start);
   const auto near = linearised ? std::nullopt : approached(start, watch);
-  LikelihoodFit fit = iteration.begin(near ? near->theta : std::move(start), linearised);
+  if (near) start = near->theta;
+  LikelihoodFit fit = iteration.begin(std::move(start), linearised);
   if (near) {
     fit.iterations = near->iterations;
     iteration.run_near(fit, known);

@@ -87,7 +87,8 @@ JOINTID_INLINE void put_y(const RowShape& shape, const double* l, const double* 
 }
 
 template <std::size_t lanes>
-JOINTID_INLINE void put_unknowns(const RowShape& shape, const double* lambda, const double* a, std::size_t first, const Place<lanes>& to) {
+JOINTID_INLINE void put_unknowns(const RowShape& shape, const double* lambda, const double* a, std::size_t first,
+                                 const Place<lanes>& to) {
   for (const restrictions::ImpedanceShape& each : shape.shapes) {
     Numbers<lanes> sum{};
     for (std::size_t t = each.first_term; t < each.last_term; ++t) {
@@ -101,7 +102,8 @@ JOINTID_INLINE void put_unknowns(const RowShape& shape, const double* lambda, co
     }
     for (std::size_t i = each.first_part; i < each.last_part; ++i) {
       const auto& [factor, unknown] = shape.parts[i];
-      const Numbers<lanes> derivative{factor.real() * sum.re - factor.imag() * sum.im, factor.real() * sum.im + factor.imag() * sum.re};
+      const Numbers<lanes> derivative{factor.real() * sum.re - factor.imag() * sum.im,
+                                      factor.real() * sum.im + factor.imag() * sum.re};
       put_real(to, first + unknown, derivative);
     }
   }
@@ -152,8 +154,8 @@ JOINTID_INLINE void dots(double* c, std::size_t stride, const RowColumns& a, con
 }
 
 template <std::size_t lanes, std::size_t M>
-JOINTID_INLINE void column_dots(double* c, std::size_t stride, const RowColumns& a, const RowColumns& b, std::size_t first, std::size_t n,
-                                std::size_t rows) {
+JOINTID_INLINE void column_dots(double* c, std::size_t stride, const RowColumns& a, const RowColumns& b, std::size_t first,
+                                std::size_t n, std::size_t rows) {
   std::size_t j = first;
   for (; j + 2 <= n; j += 2) dots<lanes, M, 2>(c + j, stride, a, {b.data + j * b.stride, b.stride}, rows);
   if (j < n) dots<lanes, M, 1>(c + j, stride, a, {b.data + j * b.stride, b.stride}, rows);
@@ -161,13 +163,14 @@ JOINTID_INLINE void column_dots(double* c, std::size_t stride, const RowColumns&
 
 /// From the diagonal on, or all.
 template <std::size_t lanes>
-JOINTID_INLINE void all_dots(const RowColumns& c, const RowColumns& a, std::size_t m, const RowColumns& b, std::size_t n, std::size_t rows,
-                             bool lower) {
+JOINTID_INLINE void all_dots(const RowColumns& c, const RowColumns& a, std::size_t m, const RowColumns& b, std::size_t n,
+                             std::size_t rows, bool lower) {
   std::size_t i = 0;
   for (; i + 4 <= m; i += 4) {
     column_dots<lanes, 4>(c.data + i * c.stride, c.stride, {a.data + i * a.stride, a.stride}, b, lower ? i : 0, n, rows);
   }
-  for (; i < m; ++i) column_dots<lanes, 1>(c.data + i * c.stride, c.stride, {a.data + i * a.stride, a.stride}, b, lower ? i : 0, n, rows);
+  for (; i < m; ++i)
+    column_dots<lanes, 1>(c.data + i * c.stride, c.stride, {a.data + i * a.stride, a.stride}, b, lower ? i : 0, n, rows);
 }
 
 template <std::size_t lanes>
@@ -196,7 +199,8 @@ JOINTID_INLINE void write_lanes(const RowShape& shape, const ElementTables& tabl
     const Numbers<lanes> residual{base.re - off.re, base.im - off.im};
     load(group.weight_re + e, weight.re);
     load(group.weight_im + e, weight.im);
-    const Place<lanes> tail{tails.data + e, tails.stride, group.count, weight}, head{heads.data + e, heads.stride, group.count, weight};
+    const Place<lanes> tail{tails.data + e, tails.stride, group.count, weight},
+        head{heads.data + e, heads.stride, group.count, weight};
     put_y(shape, l, g, tail);
     put_unknowns(shape, lambda, a, 2 * shape.y_row.size(), tail);
     put_real(tail, shape.residual(), residual);
@@ -217,8 +221,8 @@ JOINTID_INLINE void dot_lower_lanes(RowColumns c, RowColumns a, std::size_t m, s
 }  // namespace
 
 JOINTID_KERNEL_OF_LANES(void write_rows,
-                        (const RowShape& shape, const ElementTables& tables, const ElementGroup& group, std::span<const std::uint32_t> run,
-                         RowColumns tails, RowColumns heads, double* room),
+                        (const RowShape& shape, const ElementTables& tables, const ElementGroup& group,
+                         std::span<const std::uint32_t> run, RowColumns tails, RowColumns heads, double* room),
                         write_lanes, (shape, tables, group, run, tails, heads, room))
 JOINTID_KERNEL_OF_LANES(void add_dots, (RowColumns c, RowColumns a, std::size_t m, RowColumns b, std::size_t n, std::size_t rows),
                         dot_lanes, (c, a, m, b, n, rows))
@@ -228,11 +232,13 @@ JOINTID_KERNEL_OF_LANES(void add_dots_lower, (RowColumns c, RowColumns a, std::s
 JOINTID_KERNEL void put_cross(RowColumns c, const double* g, std::span<const std::uint32_t> first, const double* l,
                               std::span<const std::uint32_t> second, double square_re, double square_im) {
   for (std::size_t i = 0; i < first.size(); ++i) {
-    const double g_re = g[2 * first[i]], g_im = g[2 * first[i] + 1];
+    const std::size_t at_first = 2 * std::size_t{first[i]};
+    const double g_re = g[at_first], g_im = g[at_first + 1];
     double* const of_re = c.data + 2 * i * c.stride;
     double* const of_im = of_re + c.stride;
     for (std::size_t j = 0; j < second.size(); ++j) {
-      const double l_re = l[2 * second[j]], l_im = l[2 * second[j] + 1];
+      const std::size_t at_second = 2 * std::size_t{second[j]};
+      const double l_re = l[at_second], l_im = l[at_second + 1];
       of_re[2 * j] = square_re * g_re * l_re + square_im * g_im * l_im;
       of_re[2 * j + 1] = square_im * g_im * l_re - square_re * g_re * l_im;
       of_im[2 * j] = square_im * g_re * l_im - square_re * g_im * l_re;
