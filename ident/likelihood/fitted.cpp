@@ -80,7 +80,8 @@ Fitted fitted(const Plan& plan, const Control& control, const std::shared_ptr<st
   BestJoint best(plan, out, control);
   FollowOptions options;
   if (control.so_far) options.listener = [&best](const LikelihoodFit& found, double loss) { best.tell(found, loss); };
-  if (control.judgement == Judgement::data) {
+  options.gives_up = !has_scales(plan);
+  if (control.judgement == Judgement::data && options.gives_up) {
     options.second_opinion = [&plan](const std::vector<double>& theta) { return beyond_any_joint(plan, theta); };
   }
   LinearisedLikelihood found =

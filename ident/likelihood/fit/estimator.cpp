@@ -130,7 +130,7 @@ LinearisedLikelihood LikelihoodEstimator::run(const Starts& starts, const FitWat
     if (options.follow != Follow::all && !ends.fits() &&
         (times_as_far(ends.best.loss, ends.far) >= enough || opinion.is_beyond_any_joint(all_, ends.best.theta))) {
       ends.best.hopeless = true;
-      break;
+      if (options.gives_up) break;
     }
     if (ends.is_enough(options)) break;
     ends.keep(all_);

@@ -42,7 +42,7 @@ class LikelihoodEstimator {
   /// run() may ask, too.
   double misfit_at(std::vector<double> theta);
 
-  /// Starts are of the joint's unknowns, systematic errors begin at zero.
+  /// Starts are of the joint's unknowns, or of all; systematic errors begin at zero otherwise.
   /// From the first start, and from the next while χ² tells that the fit is not the right minimum, or from all; the best of them.
   LinearisedLikelihood run(const Starts& starts, const FitWatcher& watch, FollowOptions options = {}) &&;
 

@@ -57,6 +57,7 @@ struct FollowOptions {
   /// Asked at most once, and only where most lines are far from fitting: whether the data contradict every joint, as something else
   /// than this fit tells. Then one start is followed, and no longer than steps mend the misfit by a third.
   std::function<bool(const std::vector<double>& theta)> second_opinion{};
+  bool gives_up = true;  ///< no other start is followed once some have ended about as far from fitting
 };
 
 }  // namespace jointid::ident

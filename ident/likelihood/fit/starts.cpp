@@ -63,8 +63,8 @@ Starts guessed_starts(const Plan& plan, LikelihoodEstimator& estimator, const st
   return predicted_starts(plan, std::move(direct), points, most);
 }
 
-/// Linear estimates, that which fits best first, then random changes of that one. Where the first nearly fits no other is worked out
-/// to compare it with.
+/// Linear estimates, that which fits best first, then random changes of that one. Where the first nearly fits no other is worked
+/// out to compare it with.
 Starts linear_starts(const Plan& plan, LikelihoodEstimator& estimator, const Control& control, std::size_t most) {
   constexpr double near = 1.0;
   std::vector<std::vector<double>> found;
@@ -87,11 +87,43 @@ Starts linear_starts(const Plan& plan, LikelihoodEstimator& estimator, const Con
   };
 }
 
-}  // namespace
+/// In deviations of the scales.
+constexpr std::array<double, 4> other_scales = {1.0, -1.0, 2.0, -2.0};
 
-bool joint_is_reached(const Plan& plan) { return likelihood_plan(plan)->observations->layout().reaches_joint(); }
+const SystematicPlan* with_scales(const Plan& plan) {
+  const SystematicPlan* systematic = likelihood_plan(plan)->observations->systematic_plan();
+  for (std::size_t part = 0; systematic != nullptr && part < plan.scene.data.substructures.size(); ++part) {
+    if (!systematic->scales(part).empty()) return systematic;
+  }
+  return nullptr;
+}
 
-Starts starts_of(const Plan& plan, LikelihoodEstimator& estimator, const Control& control) {
+/// All models as much off: in stiffness, where an error of it is stated, else in mass.
+void move_scales(const Plan& plan, const SystematicPlan& systematic, double deviations, std::vector<double>& theta) {
+  const std::size_t joint = plan.columns->size();
+  theta.resize(joint + systematic.all().size(), 0.0);
+  for (std::size_t part = 0; part < plan.scene.data.substructures.size(); ++part) {
+    const std::vector<ScaleUnknown>& scales = systematic.scales(part);
+    const bool of_mass = std::ranges::all_of(scales, &ScaleUnknown::is_mass);
+    for (const ScaleUnknown& scale : scales) {
+      if (scale.is_mass == of_mass) theta[joint + scale.unknown] = (of_mass ? -deviations : deviations) * scale.band.deviation;
+    }
+  }
+}
+
+/// The first with other scales after it, then the others.
+Starts in_scales(const Plan& plan, Starts starts) {
+  const SystematicPlan* systematic = with_scales(plan);
+  if (systematic == nullptr) return starts;
+  return [&plan, systematic, starts = std::move(starts)](std::size_t k) -> std::optional<std::vector<double>> {
+    if (k == 0 || k > other_scales.size()) return starts(k == 0 ? 0 : k - other_scales.size());
+    auto start = starts(0);
+    if (start) move_scales(plan, *systematic, other_scales[k - 1], *start);
+    return start;
+  };
+}
+
+Starts starts_of_joint(const Plan& plan, LikelihoodEstimator& estimator, const Control& control) {
   const LikelihoodPlan& own = *likelihood_plan(plan);
   const std::size_t wanted = plan.scene.identify.starts;
   const std::size_t of_sizes = wanted > 0 ? wanted : 2 * minimise::StartPoints::sizes;
@@ -101,6 +133,16 @@ Starts starts_of(const Plan& plan, LikelihoodEstimator& estimator, const Control
     if (!springs.empty()) return guessed_starts(plan, estimator, springs, control, of_sizes);
   }
   return linear_starts(plan, estimator, control, wanted > 0 ? wanted : linear_ways.size());
+}
+
+}  // namespace
+
+bool joint_is_reached(const Plan& plan) { return likelihood_plan(plan)->observations->layout().reaches_joint(); }
+
+bool has_scales(const Plan& plan) { return with_scales(plan) != nullptr; }
+
+Starts starts_of(const Plan& plan, LikelihoodEstimator& estimator, const Control& control) {
+  return in_scales(plan, starts_of_joint(plan, estimator, control));
 }
 
 }  // namespace jointid::ident
