@@ -92,7 +92,7 @@ void judge_levels(const LawScene& scene, LawIdentification& found) {
     if (joint.is_told()) told.push_back(one_sided_text(joint, scene.joints[joint.joint].beside.name));
   }
   if (!joints.empty()) {
-    const response::LawUnknowns unknowns = response::unknowns_of(std::move(joints), scene.constraints);
+    const response::LawUnknowns unknowns = response::unknowns_of(joints, scene.constraints);
     found.drifts = response::test_level_drift(found.data.structure, found.data.states, found.data.level, unknowns, fit);
     if (!found.drifts.empty() && found.drifts.front().is_told())
       told.push_back(drift_text(found.drifts.front(), scene, unknowns));

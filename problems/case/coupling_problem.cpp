@@ -148,7 +148,7 @@ std::filesystem::path write(const CouplingProblem& problem, const std::filesyste
     const std::size_t at = scene_text.find(set.header.file);
     if (at != std::string::npos) scene_text.replace(at, set.header.file.size(), file);
   };
-  for (std::size_t i = 0; i < parts.size(); ++i) write_set(parts[i]);
+  for (const frf::FrfSet& part : parts) write_set(part);
   write_set(problem.assembly);
   write_text(directory / "truth.json", truth_text(problem));
   const std::filesystem::path scene = directory / (problem.name + ".toml");

@@ -29,7 +29,8 @@ struct Block {
 
   /// Number of the node at (i, j, k) elements from the lowest corner: first_node + i, then j, then k.
   std::int64_t node(int i, int j, int k) const {
-    return first_node + i + (elements[0] + 1) * (j + (elements[1] + 1) * k);
+    const std::int64_t in_row = elements[0] + 1, in_column = elements[1] + 1;
+    return first_node + i + in_row * (j + in_column * k);
   }
 };
 

@@ -59,7 +59,7 @@ Matrix frame_stiffness(const BarSection& section, const std::array<double, 3>& a
   Matrix3d axes;
   axes << along.transpose(), across.transpose(), along.cross(across).transpose();
   Matrix12d turn = Matrix12d::Zero();
-  for (int block = 0; block < 4; ++block) turn.block<3, 3>(3 * block, 3 * block) = axes;
+  for (Eigen::Index block = 0; block < 4; ++block) turn.block<3, 3>(3 * block, 3 * block) = axes;
   const Matrix12d global = turn.transpose() * local_stiffness(section, length_of(axis)) * turn;
   Matrix out(12, std::vector<double>(12));
   for (Eigen::Index i = 0; i < 12; ++i) {

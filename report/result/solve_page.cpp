@@ -82,7 +82,7 @@ void add_summary(const ident::Solution& solution, ReportPage& page) {
   for (const auto& [phase, seconds] : ident::run_time_phases) {
     if (time.*seconds > 0.0) facts.rows.push_back({fmt::format("run time, {}", phase), duration(time.*seconds)});
   }
-  page.add(std::move(facts));
+  page.add(facts);
 }
 
 /// Values first … last − 1, of those that may be shown.
@@ -185,10 +185,10 @@ void add_quality(const ident::Solution& solution, const tasks::SolutionDetails& 
 
 /// An unknown that still moves while the objective no longer falls is not determined.
 void add_iterations(const tasks::UnknownsByIteration& found, ReportPage& page) {
-  PlotGroup plots = iteration_plots(found);
+  const PlotGroup plots = iteration_plots(found);
   if (plots.choices.empty()) return;
   page.section("Over the iterations");
-  page.add(std::move(plots));
+  page.add(plots);
   page.add(Text{
       "An unknown that still moves while the objective no longer falls is not determined by the data. --by-iteration writes all.",
       true});

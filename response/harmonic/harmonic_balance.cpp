@@ -12,7 +12,7 @@
 namespace jointid::response {
 namespace {
 
-constexpr int looked_ahead = 3;  ///< harmonics beyond the last one, of each kind that the force calls for
+constexpr Eigen::Index looked_ahead = 3;  ///< harmonics beyond the last one, of each kind that the force calls for
 
 [[noreturn]] void fail(std::string place, std::string problem, std::string remedy) {
   throw InputError({.kind = ErrorKind::usage,

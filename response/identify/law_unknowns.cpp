@@ -23,9 +23,9 @@ std::vector<friction::Parameter> parameters_of(const Joint& joint) {
   const std::vector<std::string> names = joint.parameter_names();
   const std::vector<double> values = joint.values();
   const std::vector<std::string> units = {"N/m", "N·s/m", "N/m³"};
-  for (std::size_t i = 0; i < units.size(); ++i) {
+  for (const std::string& unit : units) {
     const std::size_t place = all.size();
-    all.push_back({names[place], units[i], values[place], 0.0, friction::infinity, false});
+    all.push_back({names[place], unit, values[place], 0.0, friction::infinity, false});
   }
   return all;
 }

@@ -136,7 +136,7 @@ Iteration iterate(Scheme scheme, const CondensedEquations& equations, const Harm
     if (distance <= options.tolerance * run.motion.norm()) run.state = IterationState::converged;
     if (run.state == IterationState::converged || run.steps == options.most_steps) return run;
     if (!next.allFinite()) break;
-    VectorXd reached = next, after = map(reached);
+    VectorXd reached = next, after = map(next);
     double now = (after - reached).norm();
     if (options.search && scheme != Scheme::direct && !(now <= distance)) {
       const VectorXd step = next - run.motion;
