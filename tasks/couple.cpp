@@ -10,6 +10,7 @@
 #include "coupling/assembly_reader.hpp"
 #include "frf/hdf5/hdf5_writer.hpp"
 #include "ident/plan/data_source.hpp"
+#include "tasks/convert/source_doubts.hpp"
 #include "tasks/identified_joint.hpp"
 #include "weighting/line_selection.hpp"
 
@@ -239,6 +240,11 @@ CoupleResult coupled(const ident::CoupleScene& scene, const std::vector<coupling
     FoundJoint found = identify_joint(scene, joint, control);
     assembly.joints.push_back(std::move(found.joint));
     result.notes.push_back(std::move(found.note));
+  }
+  for (const coupling::Part& part : parts) {
+    for (std::size_t s = 0; s < part.system->source_count(); ++s) {
+      for (const std::string& doubt : source_doubts(part.system->source(s))) result.notes.push_back(part.name + ": " + doubt);
+    }
   }
   std::vector<std::size_t> lines;
   if (scene.find_dependent || with_all) {

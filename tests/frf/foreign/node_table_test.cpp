@@ -68,6 +68,7 @@ TEST_F(NodeTable, ARowForEachDofIsRefusedWithARemedy) {
   for (const char* title : {"dof", "node", "DOF"})
     EXPECT_THAT(error(title + std::string(",x,y,z\n21:+X,0.1,0.2,0\n21:+Y,0.1,0.2,0\n")),
                 HasSubstr("'21:+X' is not a number; of a table of nodes give each node one row, with its number"));
+  EXPECT_THAT(error("node,dof,x,y,z\n21,+X,0.1,0.2,0\n21,+Y,0.1,0.2,0\n"), HasSubstr("'+X' is not a number; of a table of nodes"));
 }
 
 }  // namespace
