@@ -10,8 +10,8 @@
 #include "coupling/assembly_reader.hpp"
 #include "frf/hdf5/hdf5_writer.hpp"
 #include "ident/plan/data_source.hpp"
-#include "tasks/convert/source_doubts.hpp"
 #include "tasks/identified_joint.hpp"
+#include "tasks/source_doubts.hpp"
 #include "weighting/line_selection.hpp"
 
 namespace jointid::tasks {
@@ -144,7 +144,8 @@ class Sink {
 
 class FileSink final : public Sink {
  public:
-  FileSink(const ident::Path& path, const frf::FrfHeader& header, bool covariance) : writer_(path, header, {.covariance = covariance}) {}
+  FileSink(const ident::Path& path, const frf::FrfHeader& header, bool covariance)
+      : writer_(path, header, {.covariance = covariance}) {}
 
   /// Whole chunks.
   std::size_t step() const override {
@@ -288,7 +289,8 @@ CoupleResult couple(const ident::CoupleScene& scene, const ident::Path& out, boo
   const auto to_file = [](const ident::Path& path) -> MakeSink {
     return [path](const frf::FrfHeader& header, bool covariance) { return std::make_unique<FileSink>(path, header, covariance); };
   };
-  CoupleResult result = coupled(scene, open_parts(scene), bounds ? to_file(with_all_path(out)) : MakeSink(), to_file(out), control);
+  CoupleResult result =
+      coupled(scene, open_parts(scene), bounds ? to_file(with_all_path(out)) : MakeSink(), to_file(out), control);
   result.result.path = out;
   if (result.with_all) result.with_all->path = with_all_path(out);
   return result;

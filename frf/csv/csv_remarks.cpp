@@ -41,6 +41,16 @@ bool counts(std::string_view label, const std::string& line) {
          line.find("beschl") != std::string::npos;
 }
 
+/// A unit of a force or a motion in the brackets at the end of a line of a channel, "Response channel: 2 (g)"; else empty.
+std::string_view unit_of_channel(const std::string& text) {
+  const std::string plain = lower_case(text);
+  if (plain.find("resp") == std::string::npos && plain.find("ref") == std::string::npos) return {};
+  for (const std::string_view label : labels_in(text)) {
+    if (label.size() < text.size() && is_motion_or_force(label)) return without_brackets(label);
+  }
+  return {};
+}
+
 /// Empty where there is none.
 std::string_view unread_unit(const std::string& text) {
   const std::string plain = lower_case(text);
@@ -56,7 +66,7 @@ std::string_view unread_unit(const std::string& text) {
     if (in != std::string_view::npos) piece = without_brackets(without_padding(piece.substr(in + 4)));
     if (is_motion_or_force(piece) && counts(piece, plain)) return piece;
   }
-  return {};
+  return unit_of_channel(text);
 }
 
 /// "mm, N, s": nothing but units, a length other than m and a force among them.

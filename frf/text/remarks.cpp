@@ -232,8 +232,11 @@ std::optional<double> stated_factor(std::string_view text) {
 bool states_sensitivity(std::string_view remark) {
   constexpr std::array<std::string_view, 4> parts = {"sensitiv", "calib", "kalibrier", "empfindlich"};
   constexpr std::array<std::string_view, 2> whole = {"sens", "cal"};
+  constexpr std::array<std::string_view, 2> volts = {"volt", "volts"};
   const NameWords words = words_of_name(remark);
-  return (has_part_of(words, parts) || has_one_word(words, whole)) && states_other_number(remark);
+  const std::string plain = lower_case(trimmed(remark));
+  if (has_one_word(words, volts) || plain.ends_with(" in v") || plain.ends_with(" in mv")) return true;
+  return (has_part_of(words, parts) || has_one_word(words, whole) || is_of_sensor(plain)) && states_other_number(remark);
 }
 
 bool doubts_numbers(std::string_view remark) {

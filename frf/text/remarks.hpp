@@ -26,7 +26,7 @@ std::optional<double> stated_factor(std::string_view text);
 /// sensitivities of sensors ("100 mV/g"), which analysers apply, are none.
 bool doubts_numbers(std::string_view remark);
 
-/// Whether a remark states a sensitivity or calibration with a number, as of a sensor: "# sensitivity 10 mV/N".
+/// Whether a remark states a sensitivity or calibration with a number, as of a sensor, or volts: "# sensitivity 10 mV/N", "data in V".
 bool states_sensitivity(std::string_view remark);
 
 /// The power of ten that a title of a column states beside its unit: "Real x1000 [g/N]", "Re (x10e-3)", "Im ×10^3". "x1" and

@@ -56,7 +56,8 @@ TEST_F(CoupleInMemory, NotesWhatSpeaksAgainstTheParts) {
   problem_.parts[1].header.doubts = {"line 1 states 'gain = 2.5'"};
   const std::vector<std::string> notes = couple(scene_, problem_.parts).result.notes;
   ASSERT_EQ(notes.size(), 2u);
-  EXPECT_THAT(notes[0], testing::AllOf(testing::StartsWith(scene_.names[0] + ": The driving point"), testing::HasSubstr("not passive")));
+  EXPECT_THAT(notes[0],
+              testing::AllOf(testing::StartsWith(scene_.names[0] + ": The driving point"), testing::HasSubstr("not passive")));
   EXPECT_EQ(notes[1], scene_.names[1] + ": line 1 states 'gain = 2.5'");
 }
 
