@@ -77,6 +77,12 @@ std::optional<UnreadUnit> unread_unit(const Columns& columns, const std::functio
       const auto unit = label.size() < remark.text.size() ? parse_unit(label) : std::nullopt;
       if (unit && unit->si != 1.0 && is_asked_for(*unit)) return UnreadUnit{remark.place, std::string(label)};
     }
+    const std::size_t in = remark.text.rfind(" in ");  // "mass in g"
+    if (in != std::string::npos) {
+      const std::string_view label = trimmed(std::string_view(remark.text).substr(in + 4));
+      const auto unit = parse_unit(label);
+      if (unit && unit->si != 1.0 && is_asked_for(*unit)) return UnreadUnit{remark.place, std::string(label)};
+    }
     std::string_view before;
     for (const std::string_view word : words_of_remark(remark.text)) {
       const auto unit = is_unit_in_sentence(word) && !is_plain_number(before) ? parse_unit(word) : std::nullopt;
