@@ -210,6 +210,9 @@ TEST_F(CsvOfOthers, LabViewMeasurementFiles) {
   EXPECT_THAT(error(lvm("Multi", "Frequency", "X_Value\tMag\tX_Value\tPhase\n10\t1\t11\t2\n"), at_one_point()),
               HasSubstr("channels 1 and 2 have different X_Value"));
   EXPECT_THAT(error(lvm("One", "Frequency", ""), at_one_point()), HasSubstr("has no row of titles that begins with X_Value"));
+  std::string rows = "X_Value\tMag\tPhase\n";
+  for (const char* hz : {"10", "20", "30", "40", "50", "60"}) rows += std::string(hz) + "\t2.00000\t-26.56505\n";
+  EXPECT_THAT(error(lvm("One", "Frequency", rows.substr(0, rows.size() - 4)), at_one_point()), HasSubstr("the last line has no end"));
 }
 
 TEST_F(CsvOfOthers, FactorsThatNothingAppliesAndConjugatesAreErrors) {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "frf/set/frf_source.hpp"
+#include "tests/frf/file_fixture.hpp"
 #include "tests/frf/uff_samples.hpp"
 
 namespace jointid::frf {
