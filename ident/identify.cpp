@@ -6,9 +6,10 @@
 #include "base/stopwatch.hpp"
 #include "ident/automatic_method.hpp"
 #include "ident/check/check.hpp"
+#include "ident/check/real_frfs.hpp"
 #include "ident/check/rest.hpp"
-#include "ident/judgement/loose_joints.hpp"
 #include "ident/judgement/judge.hpp"
+#include "ident/judgement/loose_joints.hpp"
 #include "ident/judgement/tell_errors.hpp"
 #include "ident/likelihood/data/systematic_plan.hpp"
 #include "ident/modal_regeneration.hpp"
@@ -20,8 +21,8 @@
 namespace jointid::ident {
 namespace {
 
-/// The likelihood by parts, for the whole likelihood of assemblies that were not excited at their joints; null where the data or the
-/// scene do not allow it.
+/// The likelihood by parts, for the whole likelihood of assemblies that were not excited at their joints; null where the data or
+/// the scene do not allow it.
 std::unique_ptr<Plan> plan_start_by_parts(const Plan& plan, Scene scene) {
   if (plan.scene.identify.method != Method::likelihood) return nullptr;
   scene.identify.method = Method::likelihood;
@@ -79,13 +80,16 @@ void check_briefly(const Plan& plan, const Control& control, Solution& out) {
   const Stopwatch watch(out.runtime_s.check);
   out.check = quick_check(plan, control);
   tell_check(*out.check, out);
+  if (std::ranges::find(out.check->notes, all_frfs_are_real) != out.check->notes.end())
+    out.warnings.emplace_back(all_frfs_are_real);
   const auto is_unexplained = [](const Suspect& suspect) { return suspect.kind == SuspectKind::nonlinear; };
   if (out.status != Status::poor_fit || !std::ranges::all_of(out.check->suspects, is_unexplained)) return;
   const std::string band = out.fit.chi_square ? worst_band(plan.lines, out.fit.chi_square->by_line) : "";
   out.message += (band.empty() ? " " : " The misfit is" + band.substr(1) + ". ") + other_causes(plan.scene) + ".";
 }
 
-/// A plan like this one without some of its lines, on the same files; null where FRFs are synthesised or parts were coupled before.
+/// A plan like this one without some of its lines, on the same files; null where FRFs are synthesised or parts were coupled
+/// before.
 std::unique_ptr<Plan> plan_without(const Plan& plan, const std::vector<double>& lines_hz) {
   constexpr double rounding = 1e-9;
   if (!plan.regenerated.empty() || !plan.scene.couple_first.pairs.empty()) return nullptr;
@@ -131,7 +135,8 @@ std::unique_ptr<Plan> make_plan(const Scene& scene) {
     return std::make_unique<frf::FrfSystem>(name, std::move(sources), composition, scene.data.reciprocity);
   };
   const Regeneration chosen = scene.data.regenerate;
-  auto substructures = system_of("substructures", std::move(opened.substructures), frf::Composition::uncoupled, chosen.substructures);
+  auto substructures =
+      system_of("substructures", std::move(opened.substructures), frf::Composition::uncoupled, chosen.substructures);
   auto assembly = system_of("assembly", std::move(opened.assembly), frf::Composition::merged, chosen.assembly);
   auto plan = make_plan(scene, std::move(substructures), std::move(assembly));
   for (const ModalRegeneration& each : regenerated) plan->notes.push_back(note(each));
@@ -212,7 +217,7 @@ Solution solve(Plan& plan, const Control& asked) {
   warn_of_shared_errors(plan, out);
   choose_weighting(plan, control, out.runtime_s);
   out.warnings.insert(out.warnings.end(), plan.warnings.begin(), plan.warnings.end());
-  out.used = {plan.scene.identify.method, plan.equations, plan.scene.identify.weighting,
+  out.used = {plan.scene.identify.method, plan.equations,    plan.scene.identify.weighting,
               plan.scene.identify.delta,  name(plan.solver), plan.chosen};
   plan.method->solve(plan, control, out);
   find_loose_joints(plan, out);

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 
 #include "base/eigen.hpp"
+#include "base/text.hpp"
 #include "models/matrix_value.hpp"
 #include "models/model_units.hpp"
 
@@ -31,6 +33,27 @@ Sparse placed(const Sparse& matrix, const std::vector<RowLabel>& own, const std:
   Sparse out(at(labels.size()), at(labels.size()));
   out.setFromTriplets(entries.begin(), entries.end());
   return out;
+}
+
+/// Throws where two coordinates alone would move with negative energy: a number was cut off, or a sign is turned. Below a
+/// millionth of the largest element it is rounding.
+void require_energy(const scene::Item& item, const Sparse& matrix) {
+  constexpr double rounding = 1e-6;
+  const Eigen::VectorXd diagonal = matrix.diagonal();
+  const double least = matrix.nonZeros() > 0 ? rounding * matrix.coeffs().abs().maxCoeff() : 0.0;
+  for (Eigen::Index j = 0; j < matrix.outerSize(); ++j) {
+    for (Sparse::InnerIterator entry(matrix, j); entry; ++entry) {
+      const double first = diagonal[entry.row()], second = diagonal[j],
+                   bound = std::sqrt(std::max(0.0, first) * std::max(0.0, second));
+      const bool negative = entry.row() == j && entry.value() < -least;
+      if (!negative && std::abs(entry.value()) <= bound + least) continue;
+      const std::string place = "element (" + std::to_string(entry.row() + 1) + ", " + std::to_string(j + 1) + ") is ";
+      item.fail(
+          place + digits(entry.value(), "%.6g") +
+              (negative ? "" : ", and those on the diagonal are " + digits(first, "%.6g") + " and " + digits(second, "%.6g")),
+          "mass, damping and stiffness have no negative energy. Look for a number that is cut off, or for a sign");
+    }
+  }
 }
 
 NamedCoordinates named(const std::vector<RowLabel>& labels) {
@@ -84,6 +107,8 @@ LabelledStructure read_structure(const scene::Table& table, const std::filesyste
       item.fail("the matrix is complex", "only the stiffness of a model may be: K + iD");
     if (is_complex && read.contains("hysteretic_damping"))
       item.fail("the stiffness is complex, K + iD, and there is a hysteretic_damping, too", "give one of them");
+    require_energy(item, value.real);
+    if (is_complex) require_energy(item, value.imaginary);
     *places[i] = placed(value.real, value.labels, labels);
     if (is_complex) to.hysteretic_damping = placed(value.imaginary, value.labels, labels);
     if (places[i]->rows() != to.mass.rows())

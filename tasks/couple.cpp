@@ -11,6 +11,7 @@
 #include "frf/hdf5/hdf5_writer.hpp"
 #include "ident/plan/data_source.hpp"
 #include "tasks/identified_joint.hpp"
+#include "tasks/source_doubts.hpp"
 #include "weighting/line_selection.hpp"
 
 namespace jointid::tasks {
@@ -143,7 +144,8 @@ class Sink {
 
 class FileSink final : public Sink {
  public:
-  FileSink(const ident::Path& path, const frf::FrfHeader& header, bool covariance) : writer_(path, header, {.covariance = covariance}) {}
+  FileSink(const ident::Path& path, const frf::FrfHeader& header, bool covariance)
+      : writer_(path, header, {.covariance = covariance}) {}
 
   /// Whole chunks.
   std::size_t step() const override {
@@ -240,6 +242,11 @@ CoupleResult coupled(const ident::CoupleScene& scene, const std::vector<coupling
     assembly.joints.push_back(std::move(found.joint));
     result.notes.push_back(std::move(found.note));
   }
+  for (const coupling::Part& part : parts) {
+    for (std::size_t s = 0; s < part.system->source_count(); ++s) {
+      for (const std::string& doubt : source_doubts(part.system->source(s))) result.notes.push_back(part.name + ": " + doubt);
+    }
+  }
   std::vector<std::size_t> lines;
   if (scene.find_dependent || with_all) {
     coupling::Options mtc;
@@ -282,7 +289,8 @@ CoupleResult couple(const ident::CoupleScene& scene, const ident::Path& out, boo
   const auto to_file = [](const ident::Path& path) -> MakeSink {
     return [path](const frf::FrfHeader& header, bool covariance) { return std::make_unique<FileSink>(path, header, covariance); };
   };
-  CoupleResult result = coupled(scene, open_parts(scene), bounds ? to_file(with_all_path(out)) : MakeSink(), to_file(out), control);
+  CoupleResult result =
+      coupled(scene, open_parts(scene), bounds ? to_file(with_all_path(out)) : MakeSink(), to_file(out), control);
   result.result.path = out;
   if (result.with_all) result.with_all->path = with_all_path(out);
   return result;

@@ -17,7 +17,7 @@ struct CoupledFile {
 struct CoupleResult {
   ident::Status status = ident::Status::ok;  ///< rank_deficient: no line is usable
   std::string message;
-  std::vector<std::string> notes;  ///< origin of joints that other scenes identify
+  std::vector<std::string> notes;  ///< what speaks against FRFs of parts, and the origin of joints that other scenes identify
   std::size_t lines = 0, unusable_lines = 0, lines_without_partner = 0;
   std::size_t responses = 0, references = 0;
   std::vector<double> frequency_hz;           ///< [lines]

@@ -39,11 +39,12 @@ ExitCode execute(const ConvertArguments& arguments, std::ostream& out) {
   for (const auto& file : arguments.in) inputs.push_back({file, "IN"});
   check_targets(inputs, {{"OUT", arguments.out.string()}});
   const auto source = with_progress("reading", [&] { return frf::open_as_one(arguments.in, arguments.open); });
+  const frf::FrfHeader& header = source->header();
+  frf::TurnedPoints turned(header);
   {
     Progress progress;
-    if (!tasks::convert(*source, arguments.out, progress.control())) return ExitCode::interrupted;
+    if (!tasks::convert(*source, arguments.out, progress.control(), &turned)) return ExitCode::interrupted;
   }
-  const frf::FrfHeader& header = source->header();
   out << "wrote " << arguments.out.string() << ": " << header.lines() << " lines, " << header.response.size() << " × "
       << header.reference.size() << " FRFs";
   if (source->has_covariance() && !tasks::is_hdf5(arguments.out)) out << ", without their covariances, which HDF5 alone holds";
@@ -51,6 +52,7 @@ ExitCode execute(const ConvertArguments& arguments, std::ostream& out) {
     out << ", without the axes of its nodes, which HDF5 alone holds";
   out << '\n';
   for (const std::string& doubt : header.doubts) out << "  note: " << printable(doubt) << '\n';
+  if (const std::string text = frf::turned_points_text(turned.found()); !text.empty()) out << "  note: " << text << '\n';
   return ExitCode::done;
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "frf/csv/csv_keys.hpp"
+#include "frf/csv/csv_remarks.hpp"
 #include "frf/csv/csv_titles.hpp"
 #include "frf/polar/polar_search.hpp"
 #include "frf/set/line_scale.hpp"
@@ -84,6 +85,7 @@ class AnalyserText {
     read_labels(rest);
     assign_dofs();
     read_rows(rest);
+    read_stated();
     if (set_.header.frequency_hz.empty()) fail({}, "holds no lines of numbers", "export the FRF again");
     validate(set_.header);
     fill();
@@ -109,11 +111,22 @@ class AnalyserText {
       ++line_;
       if (is_heading_row(line)) return read_headings(line);
       const std::string label = lower_case(line.substr(0, std::min(line.find('\t'), line.size())));
-      if (label.find("ref") == std::string::npos || label.find("resp") == std::string::npos) continue;
+      if (label.find("ref") == std::string::npos || label.find("resp") == std::string::npos) {
+        take_label(line);
+        continue;
+      }
       response_first_ = label.find("resp") < label.find("ref");
       channels_ = split(line, '\t');
     }
     fail({}, "has no row of headings that begins with Frequency", "export frequency, real and imaginary part");
+  }
+
+  /// "Units: Ratio" is of any FRF.
+  void take_label(std::string_view line) {
+    CsvNote note = csv_note(line, line_, '\t');
+    if (trimmed(line).empty() || lower_case(note.value) == "ratio") return;
+    labels_.push_back(std::move(note));
+    remarks_.push_back({line_, as_utf8(trimmed(line))});
   }
 
   void read_headings(std::string_view line) {
@@ -197,6 +210,33 @@ class AnalyserText {
     }
   }
 
+  /// What the labels above the headings state of units and factors, where no row of units does.
+  void read_stated() {
+    CsvKeys keys;
+    std::vector<std::string> units = units_;
+    units.insert(units.begin(), axis_stated_ ? "Hz" : "");
+    const bool given = !options_.unit.empty();
+    read_csv_notes(labels_, set_.header.file, units, given, keys);
+    const auto unit = keys.find("unit"), axis = keys.find("frequency_unit");
+    if (unit != keys.end()) {
+      for (std::string& own : units_) own = own.empty() ? unit->second : own;
+    }
+    if (axis != keys.end() && !axis_stated_ && options_.frequency_unit.empty()) {
+      hz_per_unit_ = hertz_per(axis->second).value_or(1.0);
+      for (double& line : set_.header.frequency_hz) line *= hz_per_unit_;
+    }
+    const std::string& stated = units_.front();
+    if (stated.empty() && !given) require_no_unit_in_remarks(remarks_, set_.header.file);
+    for (const CsvRemark& remark : remarks_) {
+      add_doubt(factor_not_applied(remark));
+      if (!given) add_doubt(stated.empty() ? sensitivity_stated(remark) : other_unit_stated(remark, stated, hz_per_unit_));
+    }
+  }
+
+  void add_doubt(std::string doubt) {
+    if (!doubt.empty()) set_.header.doubts.push_back(std::move(doubt));
+  }
+
   static bool is_label(const std::vector<std::string_view>& cells) {
     double value = 0.0;
     return !parse_cell(cells[0], true, value) || cells[0].empty();
@@ -205,6 +245,7 @@ class AnalyserText {
   void read_units(const std::vector<std::string_view>& cells) {
     const std::string of_axis = lower_case(cells[0]);
     if (of_axis.empty() || of_axis.starts_with("units")) return;
+    axis_stated_ = true;
     if (options_.frequency_unit.empty())
       hz_per_unit_ = located(set_.header.file, here(), [&] { return hertz_per(cells[0]).value_or(1.0); });
     for (std::size_t k = 0; k < frfs_ && 2 * k + 1 < cells.size(); ++k) units_[k] = as_ratio(as_utf8(cells[2 * k + 1]));
@@ -272,10 +313,11 @@ class AnalyserText {
   FrfSet set_;
   std::size_t line_ = 0, frfs_ = 0;
   double hz_per_unit_ = 1.0;
-  bool response_first_ = false;
+  bool response_first_ = false, axis_stated_ = false;
   std::vector<std::string_view> channels_;
   std::vector<std::string> units_;
-  std::vector<CsvNote> footers_;
+  std::vector<CsvNote> labels_, footers_;
+  std::vector<CsvRemark> remarks_;
   std::vector<Pair> pairs_;
   std::vector<double> cells_;  ///< [line, FRF, 2]
 };

@@ -17,7 +17,7 @@ bool looks_like_analyser_text(std::span<const char> head);
 ///
 ///     Units: Ratio
 ///     Ref Chan:Resp Chan ⇥ 1+Z:4-Z        reference:response, node and direction; or Resp Chan:Ref Chan
-///     …                                   other labels are passed over
+///     …                                   other labels: units and factors that they state (read_csv_notes())
 ///     Frequency ⇥ Real ⇥ Imaginary        a pair of columns per FRF
 ///     Units:
 ///     Hz ⇥ (m/s²)(N) ⇥                    of the frequencies; motion over force, (A)(B) meaning A/B; tells the quantity

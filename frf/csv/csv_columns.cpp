@@ -37,8 +37,8 @@ Title title_of(std::string_view name) {
   return leads ? Title{trimmed(name.substr(first)), name.substr(0, first)} : Title{name.substr(0, last), name.substr(last + 1)};
 }
 
-/// "H1", "AI 1/AI 2": a name of another program, of which the options say what it is; "2X/1X" is a slip of the pen. "1Z:1Z" where they
-/// say that of one FRF.
+/// "H1", "AI 1/AI 2": a name of another program, of which the options say what it is; "2X/1X" is a slip of the pen. "1Z:1Z" where
+/// they say that of one FRF.
 bool is_foreign(std::string_view label, bool one) {
   const bool pair = label.find('/') != std::string_view::npos && !label.empty() && label.front() >= '0' && label.front() <= '9';
   const bool open = one || label.find('/') == std::string_view::npos;
@@ -113,7 +113,7 @@ class HeaderRow {
     const std::string_view label = dofs.empty() ? own : dofs;
     const bool one = options_.response.size() == 1 && options_.reference.size() < 2;
     const bool named = !label.empty() && (options_.response.empty() || (!is_foreign(label, one) && !is_misspelt(label)));
-    require_frf_itself(column, label);
+    require_frf_itself(column, own);
     const CsvPart part = parse_part(column, word);
     if (column > 1 && named != named_) fail(column, "columns with and without DOFs", "name all of them or none");
     named_ = named;
@@ -129,7 +129,8 @@ class HeaderRow {
     const std::string_view other = other_function(label);
     const std::string_view quantity = other_quantity(label);
     if (!quantity.empty())
-      fail(column, "'" + table_.columns[column] + "' is " + std::string(quantity) + " by its title, and no FRF of motion over force",
+      fail(column,
+           "'" + table_.columns[column] + "' is " + std::string(quantity) + " by its title, and no FRF of motion over force",
            "export motion over force; if it is, rename the column");
     if (!other.empty())
       fail(column, "'" + table_.columns[column] + "' is of " + std::string(other) + " of an FRF",
@@ -163,7 +164,8 @@ class HeaderRow {
            "export degrees [deg] or radians [rad]");
     const AngleUnit by_numbers = unit_by_numbers();
     if (by_numbers != AngleUnit::unstated) return by_numbers == AngleUnit::degrees ? phase_deg : phase_rad;
-    fail(column, "'" + table_.columns[column] + "' does not state whether it is in degrees or radians, and its numbers may be either",
+    fail(column,
+         "'" + table_.columns[column] + "' does not state whether it is in degrees or radians, and its numbers may be either",
          "name it phase_deg or phase_rad");
   }
 
@@ -243,12 +245,15 @@ class HeaderRow {
 
   /// A label that names DOFs as others write them names those that are given at its place.
   void require_order(std::size_t column, std::string_view label, const Pair& pair) const {
-    const std::size_t slash = label.find('/');
+    const std::size_t slash = label.find('/') != std::string_view::npos ? label.find('/') : label.rfind(' ');
     if (slash == std::string_view::npos) return;
+    const bool blank = label[slash] == ' ';  // "FRF 2Z 1Z"
+    if (blank && (proposed_dof(label.substr(0, slash)).empty() || proposed_dof(label.substr(slash + 1)).empty())) return;
     const auto require = [&](const std::vector<Dof>& given, std::size_t at, std::string_view text) {
       const std::string meant = proposed_dof(text);
       if (meant.empty() || given[at].name() == meant) return;
-      fail(column, "'" + table_.columns[column] + "' is of " + meant + " by its title, and " + given[at].name() + " was given for it",
+      fail(column,
+           "'" + table_.columns[column] + "' is of " + meant + " by its title, and " + given[at].name() + " was given for it",
            has_name(given, meant) ? "give the DOFs in the order of the columns" : "give " + meant + ", which a scene may rename");
     };
     require(header_.response, pair.first, label.substr(0, slash));
@@ -285,8 +290,10 @@ class HeaderRow {
     fail(0,
          "the columns hold " + std::to_string(pairs_.size()) + " FRFs, and " + std::to_string(header_.response.size()) +
              " responses and " + std::to_string(header_.reference.size()) + " references " +
-             (options_.reference.empty() ? "(the responses) " : "") + "were given, which are " + std::to_string(header_.entries()),
-         "give as many: --response 4:+Y --reference 1:+Y, in a scene dofs and reference_dofs, or name the columns, e.g. 4:+Y/1:+Y re");
+             (options_.reference.empty() ? "(the responses) " : "") + "were given, which are " +
+             std::to_string(header_.entries()),
+         "give as many: --response 4:+Y --reference 1:+Y, in a scene dofs and reference_dofs, or name the columns, e.g. "
+         "4:+Y/1:+Y re");
   }
 
   /// Two parts of one FRF stand at the same place of both.

@@ -29,13 +29,15 @@ std::string word_before_number(std::string_view text) {
 }
 
 bool is_word_of_reference(std::string_view word) {
-  constexpr std::array<std::string_view, 11> words = {"ref", "reference", "in",         "input",  "impact", "force",
-                                                      "f",   "exc",       "excitation", "hammer", "from"};
+  constexpr std::array<std::string_view, 18> words = {"ref",     "reference", "in",         "input",  "impact",   "force",
+                                                      "f",       "exc",       "excitation", "hammer", "from",     "shaker",
+                                                      "exciter", "excited",   "anregung",   "kraft",  "impactor", "hit"};
   return std::ranges::find(words, word) != words.end();
 }
 
-/// Letters, then two digits, or two numbers with a sign between them: "H21", "H2,1", "FRF_2_1", "H(2,1)", "2|1". The reference comes first
-/// in "H1->2" and where the word before the first number says so and that before the second another: "ref1 resp2", "in1out2".
+/// Letters, then two digits, or two numbers with a sign between them: "H21", "H2,1", "FRF_2_1", "H(2,1)", "2|1". The reference
+/// comes first in "H1->2" and where the word before the first number says so and that before the second another: "ref1 resp2",
+/// "in1out2".
 std::optional<Numbers> numbers_of(std::string_view label) {
   std::vector<std::string> numbers, before;
   std::string between;
@@ -121,8 +123,9 @@ std::size_t length_of_dof(std::string_view label, std::size_t begin) {
 
 /// Letters, digits behind them and brackets: the name of an FRF, of a point, or nothing.
 bool is_name(std::string_view text) {
-  return text.empty() || (std::isalpha(static_cast<unsigned char>(text.front())) != 0 &&
-                          lower_case(text).find("ref") == std::string::npos && text.find_first_of(":/,;|>") == std::string_view::npos);
+  return text.empty() ||
+         (std::isalpha(static_cast<unsigned char>(text.front())) != 0 && lower_case(text).find("ref") == std::string::npos &&
+          text.find_first_of(":/,;|>") == std::string_view::npos);
 }
 
 }  // namespace
@@ -139,10 +142,15 @@ std::string dofs_in(std::string_view label) {
   const auto [second, second_length] = found[1];
   const std::string_view before = label.substr(0, first), after = label.substr(second + second_length);
   const std::string_view between = label.substr(first + first_length, second - first - first_length);
-  const bool parted = !between.empty() && (between.front() == '/' || between.front() == ',') && is_name(trimmed(between.substr(1)));
+  const bool parted =
+      !between.empty() && (between.front() == '/' || between.front() == ',') && is_name(trimmed(between.substr(1)));
   const bool closed = after.find_first_not_of(" )]}") == std::string_view::npos;
   if (!parted || !closed || !is_name(before)) return {};
-  return std::string(label.substr(first, first_length)) + "/" + std::string(label.substr(second, second_length));
+  const std::string first_word = word_before_number(before), second_word = word_before_number(between);
+  const bool first_excites = is_word_of_reference(first_word) && !is_word_of_reference(second_word);
+  if (first_excites && second_word.empty()) return {};
+  const std::string one(label.substr(first, first_length)), other(label.substr(second, second_length));
+  return first_excites ? other + "/" + one : one + "/" + other;
 }
 
 bool says_direction(std::string_view label) {

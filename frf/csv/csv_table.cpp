@@ -35,6 +35,7 @@ class CsvReader {
 
   CsvTable read(std::string_view rest) {
     take_separator(rest.substr(0, rest.find('\n')));
+    const bool cut = ends_in_a_cut_number(rest);
     header_ = find_csv_header(rest, separator_);
     for (line_ = 1; !rest.empty(); ++line_) {
       stop_point();
@@ -42,13 +43,14 @@ class CsvReader {
       if (!text.empty() && !(line_ == 1 && separator_ != '\0')) take(line, text);
     }
     if (table_.columns.empty()) return std::move(table_);
+    if (cut) table_.fail(line_ - 1, table_.columns.size() - 1, cut_number, whole_file);
     for (const CsvNote& footer : footers_) take_footer(footer);
     require_clear_angles();
     require_clear_commas();
     read_csv_notes(notes_, table_.file, table_.units, given_.unit, table_.keys);
-    judge_remarks();
     require_axis();
     table_.hz_per_unit = hz_per_unit();
+    judge_remarks();
     split_complex();
     return std::move(table_);
   }
@@ -116,8 +118,20 @@ class CsvReader {
     for (const CsvRemark& remark : remarks_) {
       if (std::string told = factor_not_applied(remark); !told.empty()) table_.doubts.push_back(std::move(told));
     }
-    const bool in_titles = std::ranges::any_of(table_.units, [](const std::string& unit) { return quantity_of_unit(unit).has_value(); });
-    if (!given_.unit && !in_titles && !table_.keys.contains("unit")) require_no_unit_in_remarks(remarks_, table_.file);
+    if (given_.unit) return;
+    const auto in_titles =
+        std::ranges::find_if(table_.units, [](const std::string& unit) { return quantity_of_unit(unit).has_value(); });
+    const auto key = table_.keys.find("unit");
+    const bool stated = in_titles != table_.units.end() || key != table_.keys.end();
+    const auto add = [&](std::string told) {
+      if (!told.empty()) table_.doubts.push_back(std::move(told));
+    };
+    if (!stated) {
+      for (const CsvRemark& remark : remarks_) add(sensitivity_stated(remark));
+      return require_no_unit_in_remarks(remarks_, table_.file);
+    }
+    const std::string& unit = in_titles != table_.units.end() ? *in_titles : key->second;
+    for (const CsvRemark& remark : remarks_) add(other_unit_stated(remark, unit, table_.hz_per_unit));
   }
 
   /// Parts alone in a second row of titles, under the names of FRFs: "", "Real", "Imaginary".
@@ -180,7 +194,8 @@ class CsvReader {
     double value = 0.0;
     const bool row = cells.size() > 2 && frequency_title(cells[0]) &&
                      std::all_of(cells.begin() + 1, cells.end(), [&](auto cell) { return !cell.empty() && parse(cell, value); });
-    if (row) table_.fail(line_, 0, "the frequencies are in a row", "exchange rows and columns, so that they are in the first column");
+    if (row)
+      table_.fail(line_, 0, "the frequencies are in a row", "exchange rows and columns, so that they are in the first column");
   }
 
   /// The table has no place for it beside the unit.
@@ -204,16 +219,19 @@ class CsvReader {
   }
 
   [[noreturn]] void refuse_axis(std::string_view name) const {
+    if (name.size() > 1 && name.front() == '\'' && name.back() == '\'')
+      table_.fail(table_.header_line, 0, "cells are in single quotes, " + std::string(name),
+                  "remove these, or write double quotes");
     table_.fail(table_.header_line, 0, "the first column is '" + std::string(name) + "', so it is no table of FRFs",
                 "begin the header row with frequency_hz, or give jointid-frf HDF5, UFF or MATLAB; does it hold frequencies? Give "
                 "their unit: --frequency-unit Hz, in a scene frequency_unit");
   }
 
-  /// A first column that is no title of frequencies, "X", holds them where its unit does, in a row or, of a name for any axis, in a free
-  /// line.
+  /// A first column that is no title of frequencies, "X", holds them where its unit does, in a row or, of a name for any axis, in
+  /// a free line.
   void require_axis() const {
     if (!header_ || !header_->any_axis || !given_.frequency_unit.empty()) return;
-    constexpr std::array<std::string_view, 9> any = {"",       "x",           "x-axis",  "x axis",  "x value",
+    constexpr std::array<std::string_view, 9> any = {"",         "x",        "x-axis", "x axis", "x value",
                                                      "x values", "abscissa", "linear", "x-achse"};
     const std::string &name = table_.columns[0], &unit = table_.units[0];
     const bool by_row = frequency_title((name.empty() ? "axis" : name) + " [" + unit + "]").has_value();
@@ -419,7 +437,7 @@ class CsvReader {
   std::optional<CsvHeaderPlace> header_;
   std::vector<CsvNote> notes_;
   std::vector<CsvRemark> remarks_;
-  std::string_view above_;  ///< the free line above the titles
+  std::string_view above_;                                ///< the free line above the titles
   std::map<std::size_t, std::vector<double>> imaginary_;  ///< by column that holds complex numbers
   std::vector<CsvNote> footers_;
   std::string titles_text_, units_text_, first_words_;

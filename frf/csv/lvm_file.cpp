@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "frf/text/footer.hpp"
 #include "frf/text/number_text.hpp"
 #include "frf/text/special_number.hpp"
 #include "frf/text/unit_names.hpp"
@@ -25,7 +26,9 @@ class LvmReader {
         rest.substr(0, rest.find('\n')).find('\t') == std::string_view::npos && rest.find("Separator,") != std::string_view::npos
             ? ','
             : '\t';
+    const bool cut = ends_in_a_cut_number(rest);
     for (line_ = 1; !rest.empty(); ++line_) take(take_until(rest, '\n'));
+    if (cut) fail(cut_number, whole_file);
     if (out_.channels.empty()) fail("has no row of titles that begins with X_Value", "write it again with column headings");
     finish_axis();
     return std::move(out_);

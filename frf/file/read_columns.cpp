@@ -44,6 +44,7 @@ class TextColumns {
     if (rest.find('\0') != std::string_view::npos) {
       fail(out_.file, {}, "is no text, MATLAB, HDF5 or numpy file", "export the columns as CSV, MATLAB, HDF5 or npz");
     }
+    const bool cut = ends_in_a_cut_number(rest);
     for (line_ = 1; !rest.empty(); ++line_) {
       const std::string_view line = take_until(rest, '\n');
       if (!out_.columns.empty()) {
@@ -56,6 +57,7 @@ class TextColumns {
     if (out_.columns.empty()) titles_.end();
     if (titles_.empty()) fail(out_.file, {}, "holds no numbers", "give columns of numbers, e.g. u,F");
     if (out_.columns.empty()) begin();
+    if (cut) fail(out_.file, "line " + std::to_string(line_ - 1), cut_number, whole_file);
     require_no_factor(out_);
     return std::move(out_);
   }

@@ -13,6 +13,7 @@
 #include "frf/text/label_text.hpp"
 #include "frf/text/number_text.hpp"
 #include "frf/text/remarks.hpp"
+#include "frf/text/unit_names.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -56,6 +57,12 @@ std::optional<double> factor_of_remark(std::string_view text) {
   return stated_factor(text);
 }
 
+std::size_t longest_of(const Columns& columns) {
+  std::size_t longest = 0;
+  for (const NumberColumn& column : columns.columns) longest = std::max(longest, column.values.size());
+  return longest;
+}
+
 [[noreturn]] void refuse_factor(const Columns& columns, std::string place, std::string_view text) {
   throw InputError({ErrorKind::data, columns.file, std::move(place),
                     "states a factor, '" + shown_label(text) + "', which is not applied to the numbers",
@@ -70,12 +77,36 @@ std::optional<UnreadUnit> unread_unit(const Columns& columns, const std::functio
       const auto unit = label.size() < remark.text.size() ? parse_unit(label) : std::nullopt;
       if (unit && unit->si != 1.0 && is_asked_for(*unit)) return UnreadUnit{remark.place, std::string(label)};
     }
+    const std::size_t in = remark.text.rfind(" in ");  // "mass in g"
+    if (in != std::string::npos) {
+      const std::string_view label = trimmed(std::string_view(remark.text).substr(in + 4));
+      const auto unit = parse_unit(label);
+      if (unit && unit->si != 1.0 && is_asked_for(*unit)) return UnreadUnit{remark.place, std::string(label)};
+    }
     std::string_view before;
     for (const std::string_view word : words_of_remark(remark.text)) {
       const auto unit = is_unit_in_sentence(word) && !is_plain_number(before) ? parse_unit(word) : std::nullopt;
       if (unit && is_asked_for(*unit)) return UnreadUnit{remark.place, std::string(word)};
       before = word;
     }
+  }
+  return std::nullopt;
+}
+
+std::optional<UnreadUnit> unapplied_sensitivity(const Columns& columns) {
+  for (const TableRemark& remark : columns.remarks) {
+    const std::string plain = lower_case(remark.text);
+    const bool applied = plain.find("applied") != std::string::npos && plain.find("not applied") == std::string::npos;
+    if ((states_sensitivity(remark.text) || doubts_numbers(remark.text)) && !applied)
+      return UnreadUnit{remark.place, remark.text.substr(std::min(remark.text.find_first_not_of("#% \t"), remark.text.size()))};
+  }
+  constexpr std::size_t most_channels = 64;
+  for (const NumberColumn& column : columns.columns) {
+    const bool few =
+        !column.values.empty() && column.values.size() <= most_channels && column.values.size() < longest_of(columns);
+    if (few && use_of_number(column.name) == NumberUse::multiplies &&
+        std::ranges::any_of(column.values, [](double v) { return v != 1.0; }))
+      return UnreadUnit{"column " + column.name, fmt::format("{} = {:g}", column.name, column.values.front())};
   }
   return std::nullopt;
 }

@@ -23,4 +23,9 @@ std::optional<UnreadUnit> unread_unit(const Columns& columns, const std::functio
 /// 1000", "F x1000 [N]".
 void require_no_factor(const Columns& columns);
 
+/// A sensitivity, a gain or a calibration that a remark states, "# sensitivity: 20 mV/N", "# not calibrated", or a few numbers
+/// beside the columns are, by their name: numbers of columns whose unit nothing states may be volts. None where the remark states
+/// that it is applied. `unit` is the text of the remark.
+std::optional<UnreadUnit> unapplied_sensitivity(const Columns& columns);
+
 }  // namespace jointid::frf

@@ -87,7 +87,8 @@ std::vector<std::pair<std::string, std::string>> ColumnUnits::unread() const {
   constexpr std::size_t most = 100, longest = 64;
   const auto is_of_units = [](const std::string& name) {
     return name.find("unit") != std::string::npos || name.find("label") != std::string::npos ||
-           name.find("title") != std::string::npos;
+           name.find("title") != std::string::npos || name.find("sensitiv") != std::string::npos ||
+           name.find("calib") != std::string::npos;
   };
   std::vector<std::pair<std::string, std::string>> out;
   const auto add = [&](const std::string& name, const std::string& text) {

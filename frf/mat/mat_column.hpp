@@ -32,7 +32,7 @@ class ColumnUnits {
   /// Throws InputError where a text cannot be read.
   std::vector<std::string> of(const MatInfo& info) const;
 
-  /// Texts and attributes by the name of a unit or a label that were of no column yet: their names and the texts.
+  /// Texts and attributes by the name of a unit, a label or a sensitivity that were of no column yet: their names and the texts.
   std::vector<std::pair<std::string, std::string>> unread() const;
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <string>
 
 #include "frf/text/number_text.hpp"
@@ -68,6 +69,24 @@ bool warns_of_data(std::string_view text) {
                                                      "abort",    "incomplete", "truncat",   "error"};
   const std::string plain = lower_case(text);
   return std::ranges::any_of(words, [&](std::string_view word) { return plain.find(word) != std::string::npos; });
+}
+
+bool ends_in_a_cut_number(std::string_view text) {
+  constexpr std::size_t lines = 20, fewest = 4, least_length = 4;
+  if (text.empty() || text.back() == '\n') return false;
+  std::size_t last = 0, common = 0, count = 0;
+  for (; count <= lines && !text.empty(); ++count) {
+    const std::size_t begin = text.rfind('\n') == std::string_view::npos ? 0 : text.rfind('\n') + 1;
+    const std::string_view line = trimmed(text.substr(begin));
+    text = text.substr(0, begin == 0 ? 0 : begin - 1);
+    const std::size_t sign = line.find_last_of(".,;|\t ");
+    const bool decimals = sign != std::string_view::npos && (line[sign] == '.' || line[sign] == ',');
+    const std::size_t length = decimals ? line.size() - sign : 0;
+    if (count == 0) last = length;
+    if (count == 1) common = length;
+    if (count > 0 && (!decimals || length != common || std::isdigit(static_cast<unsigned char>(line.back())) == 0)) break;
+  }
+  return count > fewest && common > least_length && last < common;
 }
 
 }  // namespace jointid::frf

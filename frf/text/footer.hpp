@@ -17,4 +17,10 @@ bool is_page_mark(std::string_view text);
 /// Whether it says that a measurement is not whole or not right: "Overload in channel 3", "aborted by user".
 bool warns_of_data(std::string_view text);
 
+/// Whether a table of numbers breaks off: its last line has no end, and its last number has fewer characters behind the decimal
+/// sign than those above it, all of which have as many.
+bool ends_in_a_cut_number(std::string_view text);
+inline constexpr const char* cut_number = "the last line has no end, and its last number has fewer digits than those above it";
+inline constexpr const char* whole_file = "the file is cut off: export or copy it again. If it is whole, end its last line";
+
 }  // namespace jointid::frf

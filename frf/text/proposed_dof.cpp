@@ -45,9 +45,13 @@ std::string_view without_component(std::string_view text) {
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   if (const std::size_t blank = text.rfind(' '); blank != std::string_view::npos) {
     const std::string_view last = text.substr(blank + 1);
-    if (last.find_first_of("0123456789") != std::string_view::npos && last.find_first_of("XYZxyz") != std::string_view::npos) text = last;
+    if (last.find_first_of("0123456789") != std::string_view::npos && last.find_first_of("XYZxyz") != std::string_view::npos)
+      text = last;
   }
-  const std::size_t colon = text.find(':');
+  const std::size_t colon = text.find(':'), dot = text.substr(0, colon).rfind('.');
+  if (colon != std::string_view::npos && dot != std::string_view::npos &&
+      std::isalpha(static_cast<unsigned char>(text.front())) != 0)
+    return text.substr(dot + 1);  // "Assembly.21:+Z"
   const bool named = colon != std::string_view::npos && text.find(':', colon + 1) != std::string_view::npos &&
                      text.substr(0, colon).find_first_not_of("0123456789") != std::string_view::npos;
   return named ? text.substr(colon + 1) : text;

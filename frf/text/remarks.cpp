@@ -121,6 +121,32 @@ std::optional<double> power_of_ten(std::string_view word) {
   return decades == std::round(decades) && std::abs(decades) >= least ? std::optional(value) : std::nullopt;
 }
 
+/// Whether a text has a number other than 0 and 1 that is no year, behind words that are not of a date or a certificate.
+bool states_other_number(std::string_view text) {
+  constexpr std::string_view between = " \t,;:=()[]";
+  constexpr std::array<std::string_view, 16> of_papers = {"date",   "valid",   "due",    "until",       "serial", "id",
+                                                          "no",     "nr",      "type",   "certificate", "from",   "file",
+                                                          "expire", "expires", "number", "model"};
+  if (has_one_word(words_of_name(text), of_papers)) return false;
+  bool found = false;
+  for (std::size_t at = text.find_first_not_of(between); at != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find_first_of(between, at), text.size());
+    const std::string_view word = text.substr(at, end - at), number = word.substr(0, word.find_first_not_of("0123456789.,+-eE"));
+    double value = 0.0;
+    const bool is_number = !number.empty() && (parse_cell(number, false, value) || parse_cell(number, true, value));
+    const bool year = value >= 1900.0 && value <= 2100.0 && value == std::floor(value);
+    found = found || (is_number && value != 0.0 && value != 1.0 && !year);
+    at = text.find_first_not_of(between, end);
+  }
+  return found;
+}
+
+/// "sensitivity: 100 mV/g" in lower case: of the sensor, which analysers apply.
+bool is_of_sensor(std::string_view plain) {
+  constexpr std::array<std::string_view, 5> electrical = {"mv/", "v/", "pc/", "mv per", "pc per"};
+  return std::ranges::any_of(electrical, [&](std::string_view unit) { return plain.find(unit) != std::string_view::npos; });
+}
+
 }  // namespace
 
 NumberUse use_of_number(std::string_view name) {
@@ -201,6 +227,27 @@ std::optional<double> stated_factor(std::string_view text) {
   double value = 0.0;
   const std::string_view number = trimmed(behind_times(word));
   return !number.empty() && parse_cell(number, false, value) ? std::optional(value) : std::nullopt;
+}
+
+bool states_sensitivity(std::string_view remark) {
+  constexpr std::array<std::string_view, 4> parts = {"sensitiv", "calib", "kalibrier", "empfindlich"};
+  constexpr std::array<std::string_view, 2> whole = {"sens", "cal"};
+  constexpr std::array<std::string_view, 2> volts = {"volt", "volts"};
+  const NameWords words = words_of_name(remark);
+  const std::string plain = lower_case(trimmed(remark));
+  if (has_one_word(words, volts) || plain.ends_with(" in v") || plain.ends_with(" in mv")) return true;
+  return (has_part_of(words, parts) || has_one_word(words, whole) || is_of_sensor(plain)) && states_other_number(remark);
+}
+
+bool doubts_numbers(std::string_view remark) {
+  constexpr std::array<std::string_view, 7> phrases = {"uncalib",      "not calib", "unscaled", "not scaled",
+                                                       "unkalibriert", "adc count", "raw count"};
+  constexpr std::array<std::string_view, 4> others = {"conj", "inverse", "normalized", "normalised"};
+  const std::string plain = lower_case(remark);
+  const NameWords words = words_of_name(remark);
+  if (std::ranges::any_of(phrases, [&](std::string_view phrase) { return plain.find(phrase) != std::string::npos; })) return true;
+  if (has_one_word(words, others) || factor_in_title(remark)) return true;
+  return use_of_number(remark) == NumberUse::multiplies && states_other_number(remark) && !is_of_sensor(plain);
 }
 
 bool states_conjugates(std::string_view text) {

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/text/label_text.hpp"
+#include "frf/text/remarks.hpp"
 #include "frf/text/unit_names.hpp"
 #include "frf/uff/uff_text.hpp"
 
@@ -75,8 +76,7 @@ class RecordLine {
     return *value;
   }
 
-  int code(std::size_t begin, std::size_t width, const char* what, std::int64_t lowest,
-           std::int64_t highest) const {
+  int code(std::size_t begin, std::size_t width, const char* what, std::int64_t lowest, std::int64_t highest) const {
     const std::int64_t value = integer(begin, width, what);
     if (value < lowest || value > highest) fail(what, column(line_, begin, width), begin, width);
     return static_cast<int>(value);
@@ -116,11 +116,10 @@ class RecordLine {
     return text(from, to - from);
   }
 
-  [[noreturn]] void fail(const char* what, std::string_view field, std::size_t begin,
-                         std::size_t width) const {
+  [[noreturn]] void fail(const char* what, std::string_view field, std::size_t begin, std::size_t width) const {
     place_.fail(record_,
-                std::string(what) + " '" + to_utf8(field) + "' in columns " + std::to_string(begin + 1) +
-                    "-" + std::to_string(begin + width) + " is not valid",
+                std::string(what) + " '" + to_utf8(field) + "' in columns " + std::to_string(begin + 1) + "-" +
+                    std::to_string(begin + width) + " is not valid",
                 "the header's fields must be in the columns of the UFF 58 format");
   }
 
@@ -132,8 +131,8 @@ class RecordLine {
     return unit && is_of_type(*unit, type);
   }
 
-  /// Where the unit begins behind a name that fills its field and the blank behind it: there, or one column to the left where only that
-  /// is a unit. From the beginning of the word `word`, which is no unit and will be refused, where both may be.
+  /// Where the unit begins behind a name that fills its field and the blank behind it: there, or one column to the left where
+  /// only that is a unit. From the beginning of the word `word`, which is no unit and will be refused, where both may be.
   std::size_t begin_behind_name(std::size_t word, int type) const {
     if (word == begin || !is_unit_from(begin - 1, type)) return begin;
     const bool alone = column(line_, begin, end - begin).empty();
@@ -185,7 +184,8 @@ void parse_data_form(Header58& header, const std::string& line, const Place& pla
   header.abscissa_step = record.real(30 + wide, wide, "abscissa increment");
 }
 
-/// The unit in the name of an axis, "Acceleration [g]", "NONE g" or "g", where the field of units is blank; empty where it has none.
+/// The unit in the name of an axis, "Acceleration [g]", "NONE g" or "g", where the field of units is blank; empty where it has
+/// none.
 std::string unit_in_name(std::string_view name, int type) {
   if (name.starts_with("NONE ")) name.remove_prefix(5);
   const std::size_t open = name.find_last_of("[(");
@@ -200,8 +200,8 @@ std::string unit_in_name(std::string_view name, int type) {
 
 /// Frequencies times 2π, by the name of their axis.
 bool is_angular(std::string_view name) {
-  constexpr std::array<std::string_view, 8> names = {"omega",         "w",         "\u03C9",     "angular frequency", "circular frequency",
-                                                     "kreisfrequenz", "pulsation", "pulsazione"};
+  constexpr std::array<std::string_view, 8> names = {
+      "omega", "w", "\u03C9", "angular frequency", "circular frequency", "kreisfrequenz", "pulsation", "pulsazione"};
   return std::ranges::find(names, lower_case(name)) != names.end();
 }
 
@@ -228,6 +228,48 @@ std::string polar_text(const Header58& header, const std::string& numerator_line
   texts.insert(texts.end(), header.id.begin(), header.id.end());
   const auto found = std::ranges::find_if(texts, names_polar_parts);
   return found != texts.end() ? *found : std::string();
+}
+
+/// Whether a name of an axis is of a force where it is one of motions, or the other way round.
+bool names_other_kind(std::string_view name, int type) {
+  const std::string plain = lower_case(name);
+  const auto has = [&](std::string_view word) { return plain.find(word) != std::string::npos; };
+  const bool force = has("force") || has("kraft"), motion = has("accel") || has("veloc") || has("displac") || has("beschl");
+  const bool of_motion = type == type_displacement || type == type_velocity || type == type_acceleration;
+  return (of_motion && force && !motion) || (is_force_type(type) && motion && !force);
+}
+
+/// What the name of an axis states against its unit or its type, "Acceleration (g)" beside m/s^2; a phrase, or empty.
+std::string doubt_of_axis(const std::string& line, const AxisRecord& axis, int number) {
+  const std::string name = to_utf8(trim(column(one_byte_per_column(line), 26, 20)));
+  const std::string where = "record " + std::to_string(number) + " names the axis '" + shown_label(name) + "', and ";
+  if (axis.unit.empty()) return names_other_kind(name, axis.data_type) ? where + "its type is of another kind" : std::string();
+  const auto own = parse_unit(axis.unit), named = parse_unit(unit_in_name(name, axis.data_type));
+  const bool other = own && named && own->same_dimension(*named) && own->si != named->si;
+  return other ? where + "its unit is '" + shown_label(axis.unit) + "'" : std::string();
+}
+
+/// Whether a text ends in a unit of FRFs other than `si`, "Units: g/N".
+bool states_other_ratio(std::string_view text, double si) {
+  constexpr double same = 1e-6;
+  return std::ranges::any_of(labels_in(text), [&](std::string_view label) {
+    const Unit unit = label.size() < text.size() ? parse_unit(label).value_or(Unit{}) : Unit{};
+    return unit.force == -1 && std::abs(unit.si - si) > same * unit.si;
+  });
+}
+
+/// What an identification line states of numbers or units that are not those of the axes; a phrase, or empty.
+std::string doubt_of_id(const std::vector<std::string>& id, const Header58& header) {
+  const Unit none, motion = parse_unit(header.numerator.unit).value_or(none),
+                   force = parse_unit(header.denominator.unit).value_or(none);
+  for (const std::string& line : id) {
+    const std::string start = "an identification line states '" + shown_label(line) + "', and ";
+    const bool no_units = header.numerator.unit.empty() && states_sensitivity(line);
+    if (doubts_numbers(line) || no_units) return start + "the numbers are taken as they are";
+    if (motion.length != 0 && force.force == 1 && states_other_ratio(line, motion.si / force.si))
+      return start + "the units of the axes are others";
+  }
+  return {};
 }
 
 AxisRecord parse_axis(const std::string& line, int number, const Place& place) {
@@ -261,14 +303,10 @@ void parse_function(Header58& header, const std::string& line, const Place& plac
 }  // namespace
 
 Dof DofRecord::dof() const {
-  return {.node = node,
-          .direction = static_cast<Direction>(std::abs(direction)),
-          .sign = direction < 0 ? -1 : +1};
+  return {.node = node, .direction = static_cast<Direction>(std::abs(direction)), .sign = direction < 0 ? -1 : +1};
 }
 
-std::string DofRecord::name() const {
-  return direction == 0 ? std::to_string(node) + ":scalar" : dof().name();
-}
+std::string DofRecord::name() const { return direction == 0 ? std::to_string(node) + ":scalar" : dof().name(); }
 
 Header58 parse_header58(const std::array<std::string, header_lines>& lines, const Place& place) {
   Header58 header;
@@ -280,6 +318,9 @@ Header58 parse_header58(const std::array<std::string, header_lines>& lines, cons
   header.numerator = parse_axis(lines[8], 9, place);
   header.denominator = parse_axis(lines[9], 10, place);
   header.polar = polar_text(header, lines[8]);
+  header.doubt = doubt_of_axis(lines[8], header.numerator, 9);
+  if (header.doubt.empty()) header.doubt = doubt_of_axis(lines[9], header.denominator, 10);
+  if (header.doubt.empty()) header.doubt = doubt_of_id(header.id, header);
   return header;
 }
 

@@ -68,6 +68,8 @@ struct Header58 {
   AxisRecord denominator;
   std::string polar;  ///< a text of the header that says magnitudes and phases, "Magnitude/Phase"; empty: none
 
+  std::string doubt{};  ///< what a text of the header states against its units or numbers, as a phrase; empty: none
+
   bool is_complex() const { return ordinate_type >= 5; }
   bool is_double() const { return ordinate_type == 4 || ordinate_type == 6; }
   /// Numbers in the file for each point: abscissa if uneven, real part, imaginary part if complex.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 
@@ -97,7 +98,8 @@ std::string unnamed_frf(const std::vector<Dataset>& datasets) {
       {.kind = ErrorKind::data,
        .file = file,
        .place = {},
-       .problem = "no frequency response functions" + (spectra ? " nor spectra of " + kind : "") + "; the file holds " + contents(datasets),
+       .problem = "no frequency response functions" + (spectra ? " nor spectra of " + kind : "") + "; the file holds " +
+                  contents(datasets),
        .remedy = spectra ? "export the spectra of " + kind + " as dataset 58 with function type 12"
                          : "export the FRFs as dataset 58 with function type 4; of time records `jointid frf` makes them"});
 }
@@ -140,6 +142,7 @@ class CatalogueBuilder {
     const std::string contradiction = units.at(datasets_[records.front()]).contradiction;
     if (!contradiction.empty() && !header_.nodes.empty())
       header_.doubts.push_back(contradiction + ": positions of nodes are read by the factors");
+    add_doubts_of_headers();
     if (!spectra_) attach_coherences(file_, catalogue_);
     validate(header_);
     if (!spectra_) require_parts();
@@ -148,6 +151,18 @@ class CatalogueBuilder {
   }
 
  private:
+  /// What headers state against their numbers, each phrase once with its first record.
+  void add_doubts_of_headers() {
+    constexpr std::size_t most = 3;
+    std::set<std::string_view> known;
+    for (const auto& [entry, record] : catalogue_.grid) {
+      const Dataset& dataset = datasets_[record.dataset];
+      const std::string& doubt = dataset.function->doubt;
+      if (doubt.empty() || known.size() == most || !known.insert(doubt).second) continue;
+      header_.doubts.push_back(dataset.place.dataset + ": " + doubt);
+    }
+  }
+
   /// Of tens of thousands of records that nobody asks for any more they take more memory than all else that is kept of these.
   void forget_id_lines() {
     for (Dataset& dataset : datasets_) {
@@ -173,8 +188,7 @@ class CatalogueBuilder {
     require_readable(first);
     require_plausible_size(file_, first);
     const double to_hz = abscissa_to_hz(*first.function, first.place);
-    header_.frequency_hz =
-        first.function->even ? even_abscissa(*first.function) : read_points(file_, first).abscissa;
+    header_.frequency_hz = first.function->even ? even_abscissa(*first.function) : read_points(file_, first).abscissa;
     for (double& line : header_.frequency_hz) line *= to_hz;
   }
 
@@ -187,9 +201,8 @@ class CatalogueBuilder {
     require_phases(dataset, spectra_);
     if (header.points != header_.lines()) {
       dataset.place.fail("record 7",
-                         std::to_string(header.points) + " points but " +
-                             datasets_[catalogue_.first_record].place.dataset + " has " +
-                             std::to_string(header_.lines()),
+                         std::to_string(header.points) + " points but " + datasets_[catalogue_.first_record].place.dataset +
+                             " has " + std::to_string(header_.lines()),
                          "put FRFs with different axes into different files");
     }
     if (header.even && !is_axis_of_first(header)) require_axis(catalogue_, dataset, even_abscissa(header));
@@ -225,17 +238,16 @@ class CatalogueBuilder {
     const std::size_t c = find_coordinate(header_.reference, reference);
     const auto [at, is_first] = catalogue_.grid.try_emplace(r * header_.reference.size() + c);
     if (!is_first) {
-      dataset.place.fail("record 6",
-                         (spectra_ ? "the spectrum of " + response.name()
-                                   : "the FRF of response " + response.name() + " and reference " + reference.name()) +
-                             " is already in " + datasets_[at->second.dataset].place.dataset,
-                         spectra_ ? "keep one of the two records; write each force level to a file of its own"
-                                  : "keep one of the two records");
+      dataset.place.fail(
+          "record 6",
+          (spectra_ ? "the spectrum of " + response.name()
+                    : "the FRF of response " + response.name() + " and reference " + reference.name()) +
+              " is already in " + datasets_[at->second.dataset].place.dataset,
+          spectra_ ? "keep one of the two records; write each force level to a file of its own" : "keep one of the two records");
     }
     const Ordinate ordinate = interpret(index, factors);
     const int sign = response.sign * header_.response[r].sign * reference.sign * header_.reference[c].sign;
-    at->second = {
-        .dataset = index, .quantity = ordinate.quantity, .factor = sign * ordinate.to_si, .coherence = npos};
+    at->second = {.dataset = index, .quantity = ordinate.quantity, .factor = sign * ordinate.to_si, .coherence = npos};
   }
 
   /// Records are looked at until one has first numbers of both signs, as FRFs have on their first lines, or cannot be read.
@@ -260,7 +272,8 @@ class CatalogueBuilder {
       const Dataset& dataset = datasets_[record.dataset];
       const std::string& label = dataset.function->polar;
       if (label.empty()) continue;
-      dataset.place.fail("header", "'" + shown_label(label) + "' names magnitudes and phases, and no first number of a line is below 0",
+      dataset.place.fail("header",
+                         "'" + shown_label(label) + "' names magnitudes and phases, and no first number of a line is below 0",
                          "export complex FRFs as real and imaginary part; if they are, correct the label");
     }
   }
@@ -291,8 +304,6 @@ class CatalogueBuilder {
 
 }  // namespace
 
-Catalogue build_catalogue(ByteFile& file, const OpenOptions& options) {
-  return CatalogueBuilder(file, options).build();
-}
+Catalogue build_catalogue(ByteFile& file, const OpenOptions& options) { return CatalogueBuilder(file, options).build(); }
 
 }  // namespace jointid::frf::uff

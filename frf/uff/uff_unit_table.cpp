@@ -34,11 +34,15 @@ constexpr std::array coded_units = std::to_array<CodedUnits>({{1, "m and N", 1.0
 std::string contradiction_of(std::int64_t code, double length, double force) {
   constexpr double tolerance = 0.01;
   const auto found = std::ranges::find(coded_units, code, &CodedUnits::code);
+  constexpr double of_largest_unit = 0.099;  // 10 m: a smaller factor is one from the unit to m
+  if (found == coded_units.end() && length < of_largest_unit)
+    return fmt::format("dataset 164 has the factor of length {:.5g}, a unit of {:.5g} m: it is to divide lengths in m by it",
+                       length, 1.0 / length);
   if (found == coded_units.end()) return {};
   const auto off = [](double stated, double coded) { return std::abs(stated - coded) > tolerance * coded; };
   if (!off(length, found->length) && !off(force, found->force)) return {};
-  return fmt::format("dataset 164 has units code {}, {}, whose factors are {:.5g} and {:.5g}, and the factors {:.5g} and {:.5g}", code,
-                     found->name, found->length, found->force, length, force);
+  return fmt::format("dataset 164 has units code {}, {}, whose factors are {:.5g} and {:.5g}, and the factors {:.5g} and {:.5g}",
+                     code, found->name, found->length, found->force, length, force);
 }
 
 UnitFactors parse_factors(ByteFile& file, const Dataset& dataset) {

@@ -34,14 +34,15 @@ std::vector<Suspect> equal_runs(const Scene& scene) {
 CheckResult check_lines(const CheckedSystems& systems, const Dofs& joint, const Control& control, const CheckExtent& most) {
   std::vector<CheckedFile> files = read_checked_files(systems, most, control.interrupted);
   std::vector<Suspect> first = find_real_assemblies(files);
+  const bool all_real = are_all_real(files);
   const bool with_axis = most.lines > short_form.lines;
   const auto parts = static_cast<std::size_t>(std::ranges::count(files, false, &CheckedFile::assembly));
-  CheckResult result =
-      parts > most_parts_at_once ? inquire_by_parts(files, joint, control, with_axis)
-                                 : inquire(std::move(files), joint, control, with_axis);
+  CheckResult result = parts > most_parts_at_once ? inquire_by_parts(files, joint, control, with_axis)
+                                                  : inquire(std::move(files), joint, control, with_axis);
   for (Suspect& each : equal_runs(systems.scene)) first.push_back(std::move(each));
   result.suspects.insert(result.suspects.begin(), first.begin(), first.end());
   if (!first.empty()) result.verdict = Verdict::wrong;
+  if (all_real) result.notes.insert(result.notes.begin(), std::string(all_frfs_are_real));
   return result;
 }
 
@@ -68,8 +69,8 @@ CheckResult quick_check(const Plan& plan, const Control& control) {
   return check_lines(systems_of(plan), plan.coordinates.joint, control, short_form);
 }
 
-CheckResult check_systems(const Scene& scene, std::shared_ptr<frf::FrfSystem> substructures, std::shared_ptr<frf::FrfSystem> assembly,
-                          const Control& control) {
+CheckResult check_systems(const Scene& scene, std::shared_ptr<frf::FrfSystem> substructures,
+                          std::shared_ptr<frf::FrfSystem> assembly, const Control& control) {
   std::vector<std::string> notes;
   Scene reduced = scene;
   const auto parts = couple_first(reduced, std::move(substructures), notes);
@@ -86,22 +87,24 @@ std::string other_causes(const Scene& scene) {
   if (!has(restrictions::Kind::mass)) causes.push_back("mass at the joint ([joint.mass])");
   const bool hysteretic = has(restrictions::Kind::hysteretic_damping), viscous = has(restrictions::Kind::viscous_damping);
   if (!(hysteretic && viscous))
-    causes.push_back(hysteretic ? "another damping law (viscous)" : viscous ? "another damping law (hysteretic)" : "damping of the joint");
+    causes.push_back(hysteretic ? "another damping law (viscous)"
+                     : viscous  ? "another damping law (hysteretic)"
+                                : "damping of the joint");
   causes.push_back("a joint DOF left out");
-  if (scene.data.regenerate.any() || std::ranges::any_of(scene.data.substructures, is_model)) causes.push_back("missing modes of a model");
+  if (scene.data.regenerate.any() || std::ranges::any_of(scene.data.substructures, is_model))
+    causes.push_back("missing modes of a model");
   causes.push_back("bolts at another force level or torque than the scene's other files");
   return "Where no file is wrong, look for: " + one_of(causes);
 }
 
 CheckResult check_scene(const Scene& scene, const Control& control) {
   OpenedScene opened = open_scene(scene);
-  CheckResult result =
-      check_systems(scene,
-                    std::make_shared<frf::FrfSystem>("substructures", std::move(opened.substructures), frf::Composition::uncoupled,
-                                                     scene.data.reciprocity),
-                    std::make_shared<frf::FrfSystem>("assembly", std::move(opened.assembly), frf::Composition::merged,
-                                                     scene.data.reciprocity),
-                    control);
+  CheckResult result = check_systems(
+      scene,
+      std::make_shared<frf::FrfSystem>("substructures", std::move(opened.substructures), frf::Composition::uncoupled,
+                                       scene.data.reciprocity),
+      std::make_shared<frf::FrfSystem>("assembly", std::move(opened.assembly), frf::Composition::merged, scene.data.reciprocity),
+      control);
   check_virtual_points(scene, control, result);
   check_beside_models(scene, control, result);
   return result;

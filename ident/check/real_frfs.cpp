@@ -45,4 +45,8 @@ std::vector<Suspect> find_real_assemblies(const std::vector<CheckedFile>& files)
   return found;
 }
 
+bool are_all_real(const std::vector<CheckedFile>& files) {
+  return !files.empty() && std::ranges::none_of(files, is_complex) && std::ranges::any_of(files, is_real);
+}
+
 }  // namespace jointid::ident

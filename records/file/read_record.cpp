@@ -36,6 +36,17 @@ void require_remarks_agree(const frf::Columns& table, const GivenUnit& given, co
                     "give the unit of the numbers, and write it into the title of the column, or remove what states another"});
 }
 
+/// Numbers of a sensor whose sensitivity is stated, and whose unit is not, may be volts.
+void require_no_sensitivity(const frf::Columns& table, const GivenChannel& given, const std::string& place) {
+  const auto sensor = frf::unapplied_sensitivity(table);
+  if (!sensor || given.factor != 1.0) return;
+  throw InputError(
+      {ErrorKind::data, table.file, place,
+       "states no unit, and " + sensor->place + " states '" + frf::shown_label(sensor->unit) + "', which nothing applies",
+       "write the unit of the numbers into the title of the column; of volts give factor and unit, e.g. " + given.column + "=" +
+           given.dof.name() + " 22.4 N"});
+}
+
 Channel channel_of(const frf::Columns& table, const GivenChannel& given, const RecordOptions& options) {
   const frf::NumberColumn& column = table.column(given.column);
   const std::string place = "column " + column.name;
@@ -47,10 +58,14 @@ Channel channel_of(const frf::Columns& table, const GivenChannel& given, const R
     throw InputError({ErrorKind::data, table.file, place,
                       unit.unit.empty() ? "the file states no unit of it"
                                         : "'" + unit.unit + "' is no unit of a force or a motion at " + given.dof.name(),
-                      is_other_quantity(unit.unit) ? "give factor and unit, e.g. " + given.column + "=" + given.dof.name() + " 22.4 N"
-                                                   : "give it, e.g. " + given.column + "=" + given.dof.name() + " N, or m/s^2"});
+                      is_other_quantity(unit.unit)
+                          ? "give factor and unit, e.g. " + given.column + "=" + given.dof.name() + " 22.4 N"
+                          : "give it, e.g. " + given.column + "=" + given.dof.name() + " N, or m/s^2"});
   require_agreement(column.unit, unit, table.file, place);
-  if (column.unit.empty()) require_remarks_agree(table, unit, place);
+  if (column.unit.empty()) {
+    require_remarks_agree(table, unit, place);
+    require_no_sensitivity(table, given, place);
+  }
   Channel channel{column.name, given.dof, *kind, column.values};
   for (double& sample : channel.samples) sample *= given.factor * parsed->si;
   return channel;

@@ -76,6 +76,10 @@ void interpret(const Header58& header, const frf::uff::UnitFactors& factors, boo
     out.problem = "it has no unit, and " + factors.contradiction;
     return;
   }
+  if (typed && says_nothing && !has_factors && !header.doubt.empty()) {
+    out.problem = "it has no unit, and " + header.doubt;
+    return;
+  }
   if (typed && says_nothing) {
     const bool force = *typed == ChannelKind::force;
     const double length = force == rotation ? 1.0 / factors.length : 1.0;

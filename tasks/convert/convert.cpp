@@ -10,7 +10,8 @@ namespace jointid::tasks {
 namespace {
 
 /// Line by line, so that a file larger than the memory passes. False, and no file, when interrupted.
-bool stream_to_hdf5(frf::FrfSource& source, const std::filesystem::path& path, const ident::Control& control) {
+bool stream_to_hdf5(frf::FrfSource& source, const std::filesystem::path& path, const ident::Control& control,
+                    frf::TurnedPoints* turned) {
   const frf::FrfHeader& header = source.header();
   const frf::FactorShape stored = source.factor_shape();
   const frf::FactorShape shape = stored.is_smaller(header.response.size()) ? stored : frf::FactorShape{};
@@ -22,6 +23,7 @@ bool stream_to_hdf5(frf::FrfSource& source, const std::filesystem::path& path, c
   const bool complete = for_each_piece(header, writer.lines_per_chunk(), [&](const frf::Block& block) {
     values.resize(block.size());
     source.read(block, values);
+    if (turned != nullptr) turned->add(values);
     if (header.noise == frf::NoiseRecord::variance) {
       variance.resize(block.size());
       source.read_variance(block, variance);
@@ -55,10 +57,12 @@ bool stream_to_hdf5(frf::FrfSource& source, const std::filesystem::path& path, c
 
 bool is_hdf5(const std::filesystem::path& path) { return path.extension() == ".h5" || path.extension() == ".hdf5"; }
 
-bool convert(frf::FrfSource& source, const std::filesystem::path& path, const ident::Control& control) {
-  if (is_hdf5(path)) return stream_to_hdf5(source, path, control);
+bool convert(frf::FrfSource& source, const std::filesystem::path& path, const ident::Control& control, frf::TurnedPoints* turned) {
+  if (is_hdf5(path)) return stream_to_hdf5(source, path, control, turned);
   if (control.progress) control.progress("converting", 0, 0);
-  frf::write(frf::load(source), path);
+  const frf::FrfSet set = frf::load(source);
+  if (turned != nullptr) turned->add(set.values);
+  frf::write(set, path);
   return true;
 }
 

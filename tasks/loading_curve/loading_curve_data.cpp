@@ -57,7 +57,7 @@ struct UnitOption {
 [[noreturn]] void refuse_unread(const frf::Columns& columns, const frf::NumberColumn& column, const frf::UnreadUnit& unread,
                                 const UnitOption& unit) {
   throw InputError({ErrorKind::data, columns.file, "column " + column.name,
-                    fmt::format("states no unit, and {} states '{}'", unread.place, unread.unit),
+                    fmt::format("states no unit, and {} states '{}'", unread.place, frf::shown_label(unread.unit)),
                     fmt::format("write the unit into the title, or give it: {}, e.g. {}", unit.option, unit.examples)});
 }
 
@@ -72,6 +72,8 @@ std::vector<double> si_values(const frf::Columns& columns, const frf::NumberColu
     return std::ranges::any_of(
         allowed, [&](const Dimension& d) { return of.length == d.length && of.time == d.time && of.force == d.force; });
   };
+  if (const auto sensor = frf::unapplied_sensitivity(columns); sensor && !is_time && frf::states_no_unit(stated))
+    refuse_unread(columns, column, *sensor, unit);
   if (frf::states_no_unit(label)) {
     if (const auto unread = frf::unread_unit(columns, is_allowed)) refuse_unread(columns, column, *unread, unit);
     return values;

@@ -42,7 +42,8 @@ class AnalyserFile : public FileTest {
 };
 
 TEST_F(AnalyserFile, IsReadAsTheAnalyserWroteIt) {
-  const FrfSet set = read(exported("1+Z:4-Z", "(m/s\xB2)(N)", "0.0e+000\t -0.5\t 0\r\n1.0e+001\t -0.25\t 0.125\r\n2.0e+001\t\t 1\r\n"));
+  const FrfSet set =
+      read(exported("1+Z:4-Z", "(m/s\xB2)(N)", "0.0e+000\t -0.5\t 0\r\n1.0e+001\t -0.25\t 0.125\r\n2.0e+001\t\t 1\r\n"));
   EXPECT_EQ(set.header.frequency_hz, (std::vector{0.0, 10.0, 20.0}));
   EXPECT_EQ(set.header.response, dofs({"4:-Z"}));
   EXPECT_EQ(set.header.reference, dofs({"1:+Z"}));
@@ -86,14 +87,16 @@ TEST_F(AnalyserFile, DofsMayBeGivenWhereTheLabelsSayNothing) {
   const FrfSet set = read(exported("0-Z:0-Z", "(m/s\xB2)(N)", row), given);
   EXPECT_EQ(set.header.response, given.response);
   EXPECT_EQ(set.header.reference, given.reference);
-  EXPECT_THAT(error(exported("Ch 1:Ch 2", "(m/s\xB2)(N)", row)), HasSubstr("does not state the DOFs of FRF 1 ('Ch 1:Ch 2'); give them"));
+  EXPECT_THAT(error(exported("Ch 1:Ch 2", "(m/s\xB2)(N)", row)),
+              HasSubstr("does not state the DOFs of FRF 1 ('Ch 1:Ch 2'); give them"));
   EXPECT_THAT(error(exported("1+Z:4Z", "(m)(N)", row), of_dofs(dofs({"1:+X", "2:+X"}), dofs({"1:+X"}))),
               HasSubstr("holds 1 FRFs, and 2 responses and 1 references were given"));
 }
 
 TEST_F(AnalyserFile, HoldsSeveralFrfsSideBySide) {
-  const FrfSet set = read("Resp Chan:Ref Chan\t4-Z:1+Z\t5Z:1+Z\nFrequency\tReal\tImaginary\tReal\tImaginary\nHz\t(m)/(N)\t\t(m)/(N)\t\n"
-                          "10\t1,5\t0\t2\t-1\n");
+  const FrfSet set = read(
+      "Resp Chan:Ref Chan\t4-Z:1+Z\t5Z:1+Z\nFrequency\tReal\tImaginary\tReal\tImaginary\nHz\t(m)/(N)\t\t(m)/(N)\t\n"
+      "10\t1,5\t0\t2\t-1\n");
   EXPECT_EQ(set.header.response, dofs({"4:-Z", "5:+Z"}));
   EXPECT_EQ(set.header.reference, dofs({"1:+Z"}));
   EXPECT_EQ(set.values[0], Complex(1.5, 0.0));
@@ -128,6 +131,29 @@ TEST_F(AnalyserFile, AMeasuredExportIsThatOfTheBeam) {
     same += all ? 1 : 0;
   }
   EXPECT_EQ(same, 1u);
+}
+
+/// Labels above the headings were passed over, units among them: FRFs in g/N were read as m/s^2/N without a word.
+TEST_F(AnalyserFile, LabelsStateUnitsWhereNoRowDoes) {
+  OpenOptions given = of_dofs(dofs({"4:+Z"}), dofs({"1:+Z"}));
+  given.quantity = Quantity::accelerance;
+  const std::string rows = "Frequency\tReal\tImaginary\n10\t2\t-1\n20\t3\t4\n";
+  const auto first = [&](const std::string& labels) { return read(labels + rows, given).values.at(0); };
+  const Complex plain = first("");
+  constexpr double gravity = 9.80665;
+  for (const char* labels :
+       {"Y-axis unit:\tg/N\n", "Amplitude unit: g/N\n", "Einheit: g/N\n", "Header Size:\t12\nX unit\tHz\nY unit\tg/N\n"})
+    EXPECT_TRUE(near(first(labels), gravity * plain, 1e-12)) << labels;
+  EXPECT_EQ(read("X unit: kHz\nY unit: m/s^2/N\n" + rows, given).header.frequency_hz, (std::vector{10000.0, 20000.0}));
+  for (const auto& [labels, named] :
+       {std::pair("Y unit: EU\n", "EU"), std::pair("Response unit: g\nReference unit: N\n", "'g'"),
+        std::pair("Y unit: V/V\n", "V/V"), std::pair("Response channel: 2 (g)\n", "states the unit 'g'"),
+        std::pair("Scale factor: 2\n", "factor 2"), std::pair("Sign convention: exp(-iwt)\n", "conjugates"),
+        std::pair("Y unit: N/(m/s^2)\n", "N/(m/s^2)")})
+    EXPECT_THAT(error(labels + rows, given), HasSubstr(named)) << labels;
+  EXPECT_THAT(read("Y multiplier 1e-3\nY unit: m/s^2/N\n" + rows, given).header.doubts,
+              testing::ElementsAre(HasSubstr("Y multiplier 1e-3")));
+  EXPECT_THAT(read(exported("1+Z:4-Z", "(g)(N)", "10\t1\t0\n")).header.doubts, testing::IsEmpty()) << "Units: Ratio";
 }
 
 }  // namespace

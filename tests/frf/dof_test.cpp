@@ -53,7 +53,9 @@ TEST(Dof, WhatMayBeMeantIsProposed) {
                                                                    {"GRID 21 COMP 3", "21:+Z"},
                                                                    {"UZ_21", "21:+Z"},
                                                                    {"U:U3 PI: PART-1-1 N: 21", "21:+Z"},
-                                                                   {"N21_ROTX", "21:+RX"}};
+                                                                   {"N21_ROTX", "21:+RX"},
+                                                                   {"Assembly.21:+Z", "21:+Z"},
+                                                                   {"'12:-X'", "12:-X"}};
   for (const auto& [text, near] : labels) {
     try {
       Dof::parse(text);

@@ -61,10 +61,28 @@ TEST_F(ModelUnitsFile, OfMatricesThatStateThemAreAsked) {
   write("k.mtx", "%%MatrixMarket matrix coordinate real symmetric\n% stiffness in N/mm\n1 1 1\n1 1 6.0D+02\n");
   write("m.mtx", "%%MatrixMarket matrix coordinate real symmetric\n1 1 1\n1 1 0.002\n");
   const std::string toml = "mass = \"m.mtx\"\nstiffness = \"k.mtx\"\ndofs = [\"1:+Y\"]\n";
-  EXPECT_THAT(error(toml), HasSubstr("the unit 'mm' in line 2; models are in SI units"));
+  EXPECT_THAT(error(toml), HasSubstr("the unit 'N/mm' in line 2; models are in SI units"));
   const std::vector<Complex> mm = frfs(toml + "units = \"mm, N, t\"\n"),
                              same = frfs("mass = [[2]]\nstiffness = [[6e5]]\ndofs = [\"1:+Y\"]\n");
   for (std::size_t i = 0; i < mm.size(); ++i) EXPECT_LT(std::abs(mm[i] - same[i]), 1e-12 * std::abs(same[i]));
+}
+
+/// A number that was cut off, a turned sign: FRFs of no structure, without a word before.
+TEST_F(ModelUnitsFile, MatricesOfNegativeEnergyAreRefused) {
+  const std::string mass = "mass = [[2, 0], [0, 1]]\ndofs = [\"1:+Y\", \"2:+Y\"]\n";
+  EXPECT_THAT(
+      error(mass + "stiffness = [[5e5, -1e5], [-1e5, 300]]\n"),
+      HasSubstr(
+          "stiffness: element (2, 1) is -100000, and those on the diagonal are 300 and 500000; mass, damping and stiffness"));
+  EXPECT_THAT(error(mass + "stiffness = [[-5e5, 0], [0, 3e5]]\n"), HasSubstr("element (1, 1) is -500000; mass"));
+  EXPECT_FALSE(frfs(mass + "stiffness = [[1e5, -1e5], [-1e5, 1e5]]\n").empty()) << "free";
+  EXPECT_FALSE(frfs(mass + "stiffness = [[1e5, -1e-3], [-1e-3, 0]]\n").empty()) << "rounding";
+}
+
+TEST_F(ModelUnitsFile, AMassInGramsByARemarkIsAsked) {
+  write("k.mtx", "%%MatrixMarket matrix coordinate real symmetric\n1 1 1\n1 1 6.0D+05\n");
+  write("m.mtx", "%%MatrixMarket matrix coordinate real symmetric\n% mass in g\n1 1 1\n1 1 2000\n");
+  EXPECT_THAT(error("mass = \"m.mtx\"\nstiffness = \"k.mtx\"\ndofs = [\"1:+Y\"]\n"), HasSubstr("the unit 'g' in line 2"));
 }
 
 TEST_F(ModelUnitsFile, PercentagesOfDampingAreRefused) {

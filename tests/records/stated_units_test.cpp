@@ -361,5 +361,27 @@ TEST_F(StatedUnits, TemperaturesAndTorquesAreNoTimes) {
   EXPECT_TRUE(is_time_column({"T", "", {}}));
 }
 
+/// A sensor's sensitivity beside numbers whose unit nothing states: these may be volts.
+TEST_F(StatedUnits, SensitivitiesThatNothingAppliesAreErrors) {
+  for (const char* remark : {"# sensitivity: 20 mV/N, 100 mV/g", "# Sensitivity 10 mV/N", "# not calibrated", "# gain 10",
+                             "Empfindlichkeit 22.4 pC/N"}) {
+    const std::string titles = remark + std::string("\ntime [s],F,a");
+    EXPECT_THAT(message(table(titles), plain),
+                AllOf(HasSubstr("column F: states no unit, and line 1 states '"), HasSubstr("of volts give factor and unit")))
+        << remark;
+    EXPECT_EQ(message(table(titles), channels({"2=1:+Z 10 N", "3=2:+Z 10 m/s^2"})), "nothing was thrown") << remark;
+    EXPECT_EQ(message(table(remark + std::string("\ntime [s],F [N],a [m/s^2]")), plain), "nothing was thrown") << remark;
+  }
+  for (const char* remark : {"# calibration date: 12.03.2026", "# sensitivity 10 mV/N (applied)"})
+    EXPECT_EQ(message(table(remark + std::string("\ntime [s],F,a")), plain), "nothing was thrown") << remark;
+}
+
+TEST_F(StatedUnits, ATableThatBreaksOffInANumberIsAnError) {
+  std::string text = "time [s],F,a\n";
+  for (int i = 0; i < 8; ++i) text += "0.0" + std::to_string(i) + "00000,1.250000,-2.000" + std::to_string(i) + "00\n";
+  EXPECT_EQ(message(write("whole.csv", text.substr(0, text.size() - 1)), plain), "nothing was thrown");
+  EXPECT_THAT(message(write("cut.csv", text.substr(0, text.size() - 4)), plain), HasSubstr("the last line has no end"));
+}
+
 }  // namespace
 }  // namespace jointid::records

@@ -52,6 +52,20 @@ TEST(ConvertNotes, OfEveryFileThatIsJoined) {
   EXPECT_EQ(notes_in(converted.out), 1U);
 }
 
+/// Conjugates of FRFs, into files that are written line by line and at once: the line of `info`.
+TEST(ConvertNotes, OfDrivingPointsThatAreNotPassive) {
+  const InputFolder folder;
+  folder.write("turned.csv", "# quantity = receptance\nfrequency_hz,1:+Z/1:+Z re,1:+Z/1:+Z im\n10,1,0.1\n20,2,0.3\n30,3,0.2\n");
+  const std::string note = "note: The driving point 1:+Z is not passive";
+  EXPECT_THAT(run_command(folder.path(), {"info", "turned.csv"}).out, HasSubstr(note));
+  for (const char* out : {"turned.h5", "turned.uff", "again.csv"}) {
+    const Outcome converted = run_command(folder.path(), {"convert", "turned.csv", out});
+    EXPECT_EQ(converted.code, 0) << converted.err;
+    EXPECT_THAT(converted.out, HasSubstr("  " + note)) << out;
+    EXPECT_EQ(notes_in(converted.out), 1U) << out;
+  }
+}
+
 /// A control byte of a file must not reach the terminal, whether the file is read or refused.
 TEST(ConvertNotes, ArePrintable) {
   const InputFolder folder;

@@ -210,15 +210,20 @@ TEST_F(CsvOfOthers, LabViewMeasurementFiles) {
   EXPECT_THAT(error(lvm("Multi", "Frequency", "X_Value\tMag\tX_Value\tPhase\n10\t1\t11\t2\n"), at_one_point()),
               HasSubstr("channels 1 and 2 have different X_Value"));
   EXPECT_THAT(error(lvm("One", "Frequency", ""), at_one_point()), HasSubstr("has no row of titles that begins with X_Value"));
+  std::string rows = "X_Value\tMag\tPhase\n";
+  for (const char* hz : {"10", "20", "30", "40", "50", "60"}) rows += std::string(hz) + "\t2.00000\t-26.56505\n";
+  EXPECT_THAT(error(lvm("One", "Frequency", rows.substr(0, rows.size() - 4)), at_one_point()), HasSubstr("the last line has no end"));
 }
 
 TEST_F(CsvOfOthers, FactorsThatNothingAppliesAndConjugatesAreErrors) {
   const std::string table = "Frequency (Hz),Real (g/N),Imag (g/N)\n" + numbers;
-  for (const char* line : {"# scale = 0.001\n", "# Scale factor: 1e-3\n", "scale,0.001\n", "# multiply by 1e-3\n", "# values x 1e-3\n"})
+  for (const char* line :
+       {"# scale = 0.001\n", "# Scale factor: 1e-3\n", "scale,0.001\n", "# multiply by 1e-3\n", "# values x 1e-3\n"})
     EXPECT_THAT(error(line + table, at_one_point()), HasSubstr("which is not applied to the FRFs")) << line;
   for (const char* line : {"# convention: exp(-j*omega*t)\n", "# conjugate of FRF\n"})
     EXPECT_THAT(error(line + table, at_one_point()), HasSubstr("conjugates of FRFs of exp(+iωt)")) << line;
-  for (const char* line : {"# scale = 1\n", "# sensitivity: 10 mV/g\n", "# full scale = 10\n", "Gain,10\n", "# 5 times per point\n"})
+  for (const char* line :
+       {"# scale = 1\n", "# sensitivity: 10 mV/g\n", "# full scale = 10\n", "Gain,10\n", "# 5 times per point\n"})
     expect_right(line + table, gravity, at_one_point());
 }
 
@@ -239,9 +244,56 @@ TEST_F(CsvOfOthers, DofsAsOthersWriteThemAreOfThoseThatAreGiven) {
 }
 
 TEST_F(CsvOfOthers, RowsOfChannelsWithUnitsThatNothingReadsAreErrors) {
-  const std::string above = "Channel,Datatype,Unit,Length\nFrequency,DT_DOUBLE,Hz,2\nReal,DT_DOUBLE,g/N,2\nImaginary,DT_DOUBLE,g/N,2\n";
+  const std::string above =
+      "Channel,Datatype,Unit,Length\nFrequency,DT_DOUBLE,Hz,2\nReal,DT_DOUBLE,g/N,2\nImaginary,DT_DOUBLE,g/N,2\n";
   EXPECT_THAT(error(above + "Frequency,Real,Imaginary\n" + numbers, accelerance(at_one_point())),
               AllOf(HasSubstr("line 3"), HasSubstr("states the unit 'g/N', which is not read"), HasSubstr("--unit")));
+}
+
+/// The word before a DOF states which of the two is excited; FRFs were transposed before.
+TEST_F(CsvOfOthers, WordsBeforeDofsStateTheReference) {
+  const auto pair_of = [&](const std::string& title) {
+    const FrfSet set = read("frequency_hz\t" + title + " re\t" + title + " im\n10\t2\t-1\n20\t3\t4\n", accelerance());
+    return set.header.response.at(0).name() + "/" + set.header.reference.at(0).name();
+  };
+  EXPECT_EQ(pair_of("Hammer 1:+Z, Accelerometer 2:+Z"), "2:+Z/1:+Z");
+  EXPECT_EQ(pair_of("Shaker 1:+Z, Sensor 2:+Z"), "2:+Z/1:+Z");
+  EXPECT_EQ(pair_of("Accelerometer 2:+Z, Hammer 1:+Z"), "2:+Z/1:+Z");
+  EXPECT_EQ(pair_of("2:+Z/1:+Z"), "2:+Z/1:+Z");
+}
+
+TEST_F(CsvOfOthers, TitlesOfTwoDofsWithoutAStrokeAreHeldAgainstThoseThatAreGiven) {
+  const OpenOptions pair = accelerance(points({"1:+Z", "2:+Z"}, {"1:+Z"}));
+  EXPECT_THAT(error("frequency_hz,FRF 2Z 1Z re,FRF 2Z 1Z im,FRF 1Z 1Z re,FRF 1Z 1Z im\n10,2,-1,5,6\n20,3,4,7,8\n", pair),
+              HasSubstr("is of 2:+Z by its title, and 1:+Z was given for it"));
+  EXPECT_EQ(
+      read("frequency_hz,FRF 1Z 1Z re,FRF 1Z 1Z im,FRF 2Z 1Z re,FRF 2Z 1Z im\n10,2,-1,5,6\n20,3,4,7,8\n", pair).values.size(),
+      4U);
+}
+
+TEST_F(CsvOfOthers, ConjugatesOfComplexCellsAreErrorsByTheirTitle) {
+  EXPECT_THAT(error("frequency_hz,conj 1:+Z/1:+Z\n10,2+1j\n20,3-4j\n", accelerance()),
+              HasSubstr("is of the conjugate of an FRF"));
+}
+
+TEST_F(CsvOfOthers, SingleQuotesAreNamed) {
+  EXPECT_THAT(error("'frequency_hz','1:+Z/1:+Z re','1:+Z/1:+Z im'\n'10','2','-1'\n", accelerance()),
+              HasSubstr("cells are in single quotes, 'frequency_hz'; remove these"));
+}
+
+/// The last number was cut off, which no other line shows: it was read as another number.
+TEST_F(CsvOfOthers, AFileThatBreaksOffInANumber) {
+  std::string text = "frequency_hz,1:+Z/1:+Z re,1:+Z/1:+Z im\n";
+  for (const char* hz : {"10", "20", "30", "40", "50", "60"}) text += std::string(hz) + ",2.00000e+00,-1.12345e+01\n";
+  const std::string cut = text.substr(0, text.size() - 5), unended = text.substr(0, text.size() - 1);
+  EXPECT_THAT(error(cut, accelerance()),
+              HasSubstr("line 7, column 3: the last line has no end, and its last number has fewer digits"));
+  EXPECT_EQ(read(unended, accelerance()).values.size(), 6U);
+  EXPECT_EQ(read(cut + "\n", accelerance()).values.size(), 6U) << "an end of the line";
+  EXPECT_EQ(read("frequency_hz,1:+Z/1:+Z re,1:+Z/1:+Z im\n10,2.12,-1.5\n20,3.25,4.75\n30,1.125,2.5\n40,1.5,3.25\n50,2,3.5",
+                 accelerance())
+                .values.size(),
+            5U);
 }
 
 }  // namespace

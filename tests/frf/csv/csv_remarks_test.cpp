@@ -141,5 +141,27 @@ TEST_F(CsvRemarks, WhatATitleSaysIsNotLeftOut) {
   EXPECT_EQ(read("Frequency,Mag,Phase [rad]\n10,1,3.1\n20,1,-3.1\n30,1,-7\n").values.size(), 3U);
 }
 
+/// The unit is stated, so that the numbers are read; what speaks against them is a note.
+TEST_F(CsvRemarks, WordsOfFactorsAndOfOtherUnitsAreNotes) {
+  const std::string table = "# unit = m/s^2/N\nfrequency_hz,Real,Imag\n" + two_lines;
+  for (const auto& [remark, note] :
+       {std::pair("# Gain: 20 dB", "line 1 states 'Gain: 20 dB'; the FRFs are taken as they are"),
+        std::pair("# calibration factor 1.02", "states 'calibration factor 1.02'"),
+        std::pair("# values are x 1e-3", "states 'values are x 1e-3'"), std::pair("# not calibrated", "states 'not calibrated'"),
+        std::pair("# raw ADC counts", "raw ADC counts"), std::pair("# inverse FRF", "inverse FRF"),
+        std::pair("# acceleration in g", "line 1 states the unit 'g', and the FRFs are read in 'm/s^2/N'"),
+        std::pair("# force in lbf", "states the unit 'lbf'"), std::pair("# Response: V, Reference: V", "states the unit 'V'"),
+        std::pair("# frequencies in rad/s", "states the unit 'rad/s' of frequencies"),
+        std::pair("# f in kHz", "states the unit 'kHz'")})
+    EXPECT_THAT(expect_right(std::string(remark) + "\n" + table).header.doubts, ElementsAre(HasSubstr(note))) << remark;
+  for (const char* remark : {"# calibration date: 12.03.2026", "# calibration valid until 2027", "# acceleration in m/s^2",
+                             "# gain 1", "# frequencies in Hz", "# sensor type 4507, serial 31234", "# not a word of numbers"})
+    EXPECT_THAT(expect_right(std::string(remark) + "\n" + table).header.doubts, IsEmpty()) << remark;
+  EXPECT_THAT(expect_right("# sensitivity 10 mV/N\nfrequency_hz,Real,Imag\n" + two_lines).header.doubts,
+              ElementsAre("line 1 states 'sensitivity 10 mV/N', and nothing the unit of the FRFs"));
+  const std::string in_g = "# acceleration in g, force in N\nfrequency_hz,Real [g/N],Imag [g/N]\n" + two_lines;
+  EXPECT_THAT(expect_right(in_g, gn).header.doubts, IsEmpty());
+}
+
 }  // namespace
 }  // namespace jointid::frf

@@ -60,7 +60,15 @@ TEST_F(NodeTable, WhatIsNoneIsRefused) {
   EXPECT_THAT(error("node,x,y,z\n4.5,1,0,0\n"), HasSubstr("row 1 of numbers: the node is no whole number"));
   EXPECT_THAT(error("node,x,y,z\n4,1,0,0\n4,2,0,0\n"), HasSubstr("row 2 of numbers: node 4 is there twice"));
   EXPECT_THAT(error("node,x,y,z\n4,1,,0\n"), HasSubstr("row 1 of numbers: y is no number"));
-  EXPECT_THAT(error("node,x,y,z\n4,900,0,0\n5,0,0,0\n"), HasSubstr("more than 100 m apart, and no unit is stated; write the unit"));
+  EXPECT_THAT(error("node,x,y,z\n4,900,0,0\n5,0,0,0\n"),
+              HasSubstr("more than 100 m apart, and no unit is stated; write the unit"));
+}
+
+TEST_F(NodeTable, ARowForEachDofIsRefusedWithARemedy) {
+  for (const char* title : {"dof", "node", "DOF"})
+    EXPECT_THAT(error(title + std::string(",x,y,z\n21:+X,0.1,0.2,0\n21:+Y,0.1,0.2,0\n")),
+                HasSubstr("'21:+X' is not a number; of a table of nodes give each node one row, with its number"));
+  EXPECT_THAT(error("node,dof,x,y,z\n21,+X,0.1,0.2,0\n21,+Y,0.1,0.2,0\n"), HasSubstr("'+X' is not a number; of a table of nodes"));
 }
 
 }  // namespace

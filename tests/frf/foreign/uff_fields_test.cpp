@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "frf/set/frf_source.hpp"
+#include "tests/frf/file_fixture.hpp"
 #include "tests/frf/uff_samples.hpp"
 
 namespace jointid::frf {
@@ -36,8 +37,8 @@ TEST(UffFields, FactorsPartedByBlanks) {
   EXPECT_DOUBLE_EQ(load(*open(file.path())).values[0].real(), 1e-3 * load(*open(metres.path())).values[0].real());
 }
 
-/// A name of 20 letters leaves no blank before the unit: a unit that only begins one column to the left is there; where both may be, or
-/// it is the last letter of the name, nobody knows.
+/// A name of 20 letters leaves no blank before the unit: a unit that only begins one column to the left is there; where both may
+/// be, or it is the last letter of the name, nobody knows.
 TEST(UffFields, UnitsGluedToANameThatFillsItsField) {
   const std::string types = "        13    0    0    0 ";
   EXPECT_NEAR(over_newton(types + "ExcitationForceInputlbf"), 1.0 / 4.4482216152605, 1e-12);
@@ -85,7 +86,8 @@ TEST(UffFields, ALabelOfMagnitudesAndPhases) {
   const char* const positive = "  1.00000E-03 -2.00000E+00  2.00000E-03 -9.00000E+01  1.00000E-03 -1.78000E+02\n";
   const char* const both = " -1.00000E-03 -2.00000E+00  2.00000E-03 -9.00000E+01  1.00000E-03 -1.78000E+02\n";
   for (const char* label : {"FRF Mag/Phase", "Magnitude & Phase", "Amplitude, phase [deg]", "Betrag/Phase"}) {
-    EXPECT_THAT(error(label, positive), ::testing::HasSubstr("names magnitudes and phases, and no first number of a line is")) << label;
+    EXPECT_THAT(error(label, positive), ::testing::HasSubstr("names magnitudes and phases, and no first number of a line is"))
+        << label;
     EXPECT_EQ(error(label, both), "") << label;
   }
   for (const char* label : {"Real/Imag", "Magnetic base, phase 2 of the test", "Phase reference: sensor 3"})
@@ -100,13 +102,55 @@ TEST(UffFields, UnitsOfRotations) {
     open(file.path());
     ADD_FAILURE();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("unit 'm/s^2' is not one of a rotation, its velocity or acceleration (1:+RX)"));
+    EXPECT_THAT(error.what(),
+                ::testing::HasSubstr("unit 'm/s^2' is not one of a rotation, its velocity or acceleration (1:+RX)"));
   }
   OpenOptions given;
   given.unit = "m/(s^2*N)";
   turning.numerator_unit = "rad/s^2";
   const TemporaryUff right(turning.str());
   EXPECT_EQ(load(*open(file.path(), given)).values, load(*open(right.path())).values);
+}
+
+std::vector<std::string> doubts_of(const std::string& record) {
+  const TemporaryUff file(record);
+  return open(file.path())->header().doubts;
+}
+
+/// What a header states in words against its own fields is a note.
+TEST(UffFields, WordsAgainstTheFieldsAreNotes) {
+  const auto identified = [](const std::string& id) {
+    Record record = simple_record();
+    record.id = id, record.numerator_unit = "m", record.denominator_unit = "N";
+    return doubts_of(record.str());
+  };
+  using testing::ElementsAre, testing::HasSubstr, testing::IsEmpty;
+  EXPECT_THAT(identified("Units: mm/N"),
+              ElementsAre(HasSubstr("dataset 58 number 1: an identification line states 'Units: mm/N'")));
+  EXPECT_THAT(identified("scale factor 9.81"),
+              ElementsAre(HasSubstr("'scale factor 9.81', and the numbers are taken as they are")));
+  Record unitless = simple_record();
+  unitless.id = "Sensitivity 100 mV/g";
+  EXPECT_THAT(doubts_of(unitless.str()), ElementsAre(HasSubstr("Sensitivity 100 mV/g")));
+  for (const char* plain : {"Units: m/N", "Sensitivity 100 mV/g", "plate, run 3", "Calibration date 12.3.2026"})
+    EXPECT_THAT(identified(plain), IsEmpty()) << plain;
+  const auto named = [](const std::string& name) {
+    std::string record = simple_record().str();
+    const std::size_t begin = record.find("\n         8 ") + 1;
+    return doubts_of(record.replace(begin, record.find('\n', begin) - begin, "         8    0    0    0 " + name));
+  };
+  EXPECT_THAT(named("Displacement (mm)    m"),
+              ElementsAre(HasSubstr("record 9 names the axis 'Displacement (mm)', and its unit is 'm'")));
+  EXPECT_THAT(named("Force                NONE"), ElementsAre(HasSubstr("its type is of another kind")));
+  EXPECT_THAT(named("Displacement (mm)    mm"), IsEmpty());
+}
+
+/// 1 km is no unit of a structure: the factor is the other way round. Before, FRFs were off by a million.
+TEST(UffFields, AFactorOfLengthTheOtherWayRoundIsAnError) {
+  const std::string units =
+      "    -1\n   164\n         9mm                           2\n  1.0D-03  1.0D+00  1.0D+00  2.7315D+02\n    -1\n";
+  const TemporaryUff file(units + simple_record().str());
+  EXPECT_THAT(message_of([&] { open(file.path()); }), testing::HasSubstr("the factor of length 0.001, a unit of 1000 m"));
 }
 
 }  // namespace

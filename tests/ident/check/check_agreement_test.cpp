@@ -148,8 +148,10 @@ TEST(check, names_an_assembly_of_real_frfs_whose_parts_are_damped) {
   const auto found = ident::find_real_assemblies({part, whole});
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(ident::title(found[0]), "quantity in AB.h5");
+  EXPECT_FALSE(ident::are_all_real({part, whole}));
   for (Eigen::MatrixXcd& line : part.frfs) line = line.real().cast<Complex>().eval();
   EXPECT_TRUE(ident::find_real_assemblies({part, whole}).empty()) << "models without damping";
+  EXPECT_TRUE(ident::are_all_real({part, whole}));
 }
 
 TEST(check, takes_frfs_without_noise_that_symmetry_makes_equal_for_no_copies) {
@@ -186,8 +188,8 @@ std::vector<CheckedFile> part_and_assembly() {
   return {part, assembly};
 }
 
-/// The sensor and the force at one point are turned, in a group of references: a mistake of a reference of the group, tried in another
-/// reference, which it does not concern, changes nothing there. It once wrote beside the matrix.
+/// The sensor and the force at one point are turned, in a group of references: a mistake of a reference of the group, tried in
+/// another reference, which it does not concern, changes nothing there. It once wrote beside the matrix.
 TEST(group_trials, of_a_reference_that_others_lack_leave_these_alone) {
   const ident::Dofs joint = {frf::Dof::parse("6:+Z")};
   std::vector<CheckedFile> files = part_and_assembly();

@@ -19,3 +19,5 @@ twice = sp.coo_matrix(([*sp.coo_matrix(K).data, 1.0, -1.0], ([*sp.coo_matrix(K).
 sp.save_npz("twice.npz", twice, compressed=False)
 np.save("K.npy", K)
 np.savez("model.npz", K=K, M=2.0 * K, lossy=lossy, frequency=np.arange(3.0), dofs=np.array(["4:+Y", "5:+Y", "6:+Y", "7:+Y"]))
+P = K + 4.0 * np.eye(4)  # of a structure: K is indefinite
+np.savez("part.npz", M=2.0 * P, lossy=(1.0 + 0.02j) * P, dofs=np.array(["4:+Y", "5:+Y", "6:+Y", "7:+Y"]))

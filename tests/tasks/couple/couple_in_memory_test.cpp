@@ -49,5 +49,17 @@ TEST_F(CoupleInMemory, StopsWhenAsked) {
   EXPECT_THROW(couple(scene_, problem_.parts, false, control), Interrupted);
 }
 
+/// A part of conjugates coupled with others gave FRFs of no structure without a word; so did what a reader doubts.
+TEST_F(CoupleInMemory, NotesWhatSpeaksAgainstTheParts) {
+  EXPECT_TRUE(couple(scene_, problem_.parts).result.notes.empty());
+  for (Complex& value : problem_.parts[0].values) value = std::conj(value);
+  problem_.parts[1].header.doubts = {"line 1 states 'gain = 2.5'"};
+  const std::vector<std::string> notes = couple(scene_, problem_.parts).result.notes;
+  ASSERT_EQ(notes.size(), 2u);
+  EXPECT_THAT(notes[0],
+              testing::AllOf(testing::StartsWith(scene_.names[0] + ": The driving point"), testing::HasSubstr("not passive")));
+  EXPECT_EQ(notes[1], scene_.names[1] + ": line 1 states 'gain = 2.5'");
+}
+
 }  // namespace
 }  // namespace jointid::tasks

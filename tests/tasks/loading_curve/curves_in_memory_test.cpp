@@ -96,6 +96,13 @@ TEST(CurvesOfFiles, StateTheirUnitsOrAreRefused) {
       EXPECT_THAT(error.what(), testing::HasSubstr("states no unit, and line 1 states 'mm'")) << titles;
     }
   }
+  try {
+    read("# load cell sensitivity 10 mV/N\nu,F\n", 1.0);
+    ADD_FAILURE() << "numbers of a sensor";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("states no unit, and line 1 states 'load cell sensitivity 10 mV/N'"));
+  }
+  EXPECT_NEAR(read("# load cell sensitivity 10 mV/N\nu [mm],F [N]\n", 1e3).curves.at(0).u.back(), 4e-5, 1e-10);
 }
 
 TEST(CurvesOfFiles, ThatDoNotBeginAtRestAreNoted) {
