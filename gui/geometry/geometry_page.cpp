@@ -77,11 +77,12 @@ QLayout* GeometryPage::make_foot() {
   auto* front = push_button("geometry_front", tr("Front"), tr("Look along y: x to the right, z up (F)"));
   auto* side = push_button("geometry_side", tr("Side"), tr("Look along x: y to the right, z up (S)"));
   auto* top = push_button("geometry_top", tr("Top"), tr("Look down: x to the right, y up (T)"));
+  pen_ = make_pen();
   auto* copy = push_button("geometry_copy", tr("Copy"), tr("Copy the nodes for a spreadsheet, and the picture"));
   auto* save = push_button("geometry_save", tr("Save…"), tr("Save as PNG, SVG, PDF or CSV; a motion as a film (GIF), too"));
   auto* row = new QHBoxLayout;
   row->addWidget(status_, 1);
-  for (QPushButton* each : {front, side, top, copy, save}) row->addWidget(each);
+  for (QPushButton* each : {front, side, top, pen_, copy, save}) row->addWidget(each);
   connect(front, &QPushButton::clicked, this, [this] { view_->look(Camera::Side::front); });
   connect(side, &QPushButton::clicked, this, [this] { view_->look(Camera::Side::side); });
   connect(top, &QPushButton::clicked, this, [this] { view_->look(Camera::Side::top); });
@@ -89,6 +90,30 @@ QLayout* GeometryPage::make_foot() {
   connect(save, &QPushButton::clicked, this, [this] { ask_and_save(this, saveable(*view_), inputs_, QStringLiteral("geometry.png")); });
   return row;
 }
+
+/// Lines between nodes, by hand; they are kept in the scene.
+QPushButton* GeometryPage::make_pen() {
+  auto* pen = push_button("geometry_lines", tr("Lines"), tr("Draw lines between nodes, or remove them (L)"));
+  pen->setCheckable(true);
+  connect(pen, &QPushButton::toggled, this, [this](bool on) {
+    view_->set_drawing(on);
+    if (on)
+      view_->setFocus();
+    else
+      say_structure();
+  });
+  connect(view_, &StructureView::pen_wanted, pen, &QPushButton::toggle);
+  connect(view_, &StructureView::drawing_changed, this, [this, pen] {
+    if (pen->isChecked()) status_->setText(view_->pen().text());
+  });
+  connect(view_, &StructureView::own_lines_changed, this, [this] {
+    const auto& lines = view_->own_lines();
+    Q_EMIT edit_wanted("geometry", "lines", lines.empty() ? std::string() : written(lines));
+  });
+  return pen;
+}
+
+void GeometryPage::set_own_lines(std::vector<frf::NodeLine> lines) { view_->set_own_lines(std::move(lines)); }
 
 void GeometryPage::save(const QString& file) const { save_plot(file, saveable(*view_), inputs_); }
 
@@ -149,14 +174,19 @@ void GeometryPage::show_structure(const Structure& structure) {
     }
   }
   motion_->set_references(references_of(*files_));
+  say_structure();
+  show_joint();
+  read_deflection();
+}
+
+void GeometryPage::say_structure() {
+  const Structure& structure = view_->structure();
   const QString springs = springs_text(view_->springs());
   status_->setText((springs.isEmpty() ? QString() : springs + QLatin1Char('\n')) +
                    tr("%1 nodes, %2 lines, %3 DOFs. Click an arrow, or tick a DOF, to add it to the joint or remove it.")
                        .arg(structure.nodes.size())
-                       .arg(structure.lines.size())
+                       .arg(structure.lines.size() + view_->own_lines().size())
                        .arg(structure.dofs.size() + structure.unplaced.size()));
-  show_joint();
-  read_deflection();
 }
 
 void GeometryPage::show_joint() {

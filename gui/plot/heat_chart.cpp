@@ -163,6 +163,7 @@ void HeatChart::redraw() {
   scale->setGradient(map->gradient());
   scale->setDataRange(map->dataRange());
   scale->axis()->setLabel(heat_.log ? tr("log10 of %1").arg(axis_text(heat_.value_label)) : axis_text(heat_.value_label));
+  tell_ticks_apart(*scale->axis());
   scale->axis()->setTickLabelColor(colours(theme).text);
   scale->axis()->setLabelColor(colours(theme).text);
   // A cell reaches half its width beyond its place.

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "gui/look/said.hpp"
+#include "gui/plot/curve_drawing.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -121,10 +122,12 @@ QString axis_text(const std::string& label) { return said(label.c_str()); }
 
 std::size_t curve_of(const QCPGraph& graph) { return graph.property(curve_property).toULongLong(); }
 
+void tell_ticks_apart(QCPAxis& axis) { axis.setTicker(QSharedPointer<DistinctTicker>::create()); }
+
 void style_axes(QCPAxisRect& rect, Theme theme) {
   const Colours use = colours(theme);
   for (QCPAxis* axis : rect.axes()) {
-    axis->setTicker(QSharedPointer<DistinctTicker>::create());
+    tell_ticks_apart(*axis);
     axis->setBasePen(QPen(use.weak_text));
     axis->setTickPen(QPen(use.weak_text));
     axis->setSubTickPen(QPen(use.weak_text));
@@ -196,12 +199,23 @@ void fit_axes(QCPAxisRect& rect, const ident::Range& shown_hz) {
   x->setRange(shown_hz[0], shown_hz[1]);
   if (const QVariant top = rect.property("top_deg"); top.isValid()) return draw_degrees(y, top.toDouble());
   if (rect.property("unity").toBool()) return y->setRange(0.0, 1.02);
-  bool found = false;
-  for (QCPGraph* graph : rect.graphs()) {
-    graph->rescaleValueAxis(found, true);
-    found = true;
+  const bool linear = y->scaleType() == QCPAxis::stLinear;
+  QCPRange all;
+  bool any = false;
+  for (const QCPGraph* graph : rect.graphs()) {
+    bool found = false;
+    const QCPRange one = graph->getValueRange(found, linear ? QCP::sdBoth : QCP::sdPositive, x->range());
+    if (!found) continue;
+    if (any)
+      all.expand(one);
+    else
+      all = one;
+    any = true;
   }
-  if (y->scaleType() == QCPAxis::stLinear) y->scaleRange(1.1);
+  if (!any) return;
+  if (all.lower == all.upper) return give_room(*y, {all.lower});
+  y->setRange(all);
+  if (linear) y->scaleRange(1.1);
 }
 
 ident::Range span_of(const std::vector<Curve>& curves) {

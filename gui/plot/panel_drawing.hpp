@@ -7,6 +7,7 @@
 #include "gui/plot/curve.hpp"
 #include "ident/scene/scene.hpp"
 
+class QCPAxis;
 class QCPAxisRect;
 class QCPGraph;
 class QCustomPlot;
@@ -28,6 +29,9 @@ QString axis_text(const std::string& label);
 
 /// The curve of a Drawing that a graph shows.
 std::size_t curve_of(const QCPGraph& graph);
+
+/// Ticks with as many digits as tell neighbours apart.
+void tell_ticks_apart(QCPAxis& axis);
 
 /// Colours of axes and grids; ticks that tell neighbours apart.
 void style_axes(QCPAxisRect& rect, Theme theme);

@@ -786,6 +786,14 @@ Fügestelle: %1</translation>
         <source>Save as PNG, SVG, PDF or CSV; a motion as a film (GIF), too</source>
         <translation>Als PNG, SVG, PDF oder CSV speichern; eine Bewegung auch als Film (GIF)</translation>
     </message>
+    <message>
+        <source>Lines</source>
+        <translation>Linien</translation>
+    </message>
+    <message>
+        <source>Draw lines between nodes, or remove them (L)</source>
+        <translation>Linien zwischen Knoten zeichnen oder entfernen (L)</translation>
+    </message>
 </context>
 <context>
     <name>HeatChart</name>
@@ -1430,8 +1438,8 @@ oder k_e und d_e über der Amplitude. „Anpassen“ zeichnet die Gesetze darüb
         <translation>S&amp;tudie</translation>
     </message>
     <message>
-        <source>Test pl&amp;anning</source>
-        <translation>&amp;Versuchsplanung</translation>
+        <source>Pl&amp;anning</source>
+        <translation>Plan&amp;ung</translation>
     </message>
     <message>
         <source>&amp;Next project</source>
@@ -1506,24 +1514,24 @@ Identifiziert Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; d
         <translation>&amp;Kopplung</translation>
     </message>
     <message>
-        <source>&amp;Loading curves</source>
-        <translation>&amp;Belastungskurven</translation>
+        <source>C&amp;urves</source>
+        <translation>K&amp;urven</translation>
     </message>
     <message>
         <source>&amp;Response</source>
         <translation>&amp;Antwort</translation>
     </message>
     <message>
-        <source>Friction la&amp;ws</source>
-        <translation>&amp;Reibgesetze</translation>
+        <source>La&amp;ws</source>
+        <translation>&amp;Gesetze</translation>
     </message>
     <message>
-        <source>Stic&amp;k-slip motion</source>
-        <translation>Stic&amp;k-Slip-Bewegung</translation>
+        <source>Stic&amp;k-slip</source>
+        <translation>Stic&amp;k-Slip</translation>
     </message>
     <message>
-        <source>Time r&amp;ecords</source>
-        <translation>Z&amp;eitverläufe</translation>
+        <source>R&amp;ecords</source>
+        <translation>V&amp;erläufe</translation>
     </message>
     <message>
         <source>These files have nodes and no FRFs.</source>
@@ -1601,7 +1609,7 @@ Datei – Neu aus Vorlage hat Szenen zum Ausfüllen.</translation>
     </message>
     <message>
         <source>&amp;Records to FRFs</source>
-        <translation>&amp;Zeitsignale zu FRFs</translation>
+        <translation>&amp;Verläufe zu FRFs</translation>
     </message>
     <message>
         <source>Fold the te&amp;xt</source>
@@ -1632,8 +1640,8 @@ Datei – Neu aus Vorlage hat Szenen zum Ausfüllen.</translation>
         <translation>Shift+F1</translation>
     </message>
     <message>
-        <source>Joint l&amp;ine by line</source>
-        <translation>Fügestelle L&amp;inie für Linie</translation>
+        <source>&amp;Z</source>
+        <translation>&amp;Z</translation>
     </message>
 </context>
 <context>
@@ -4243,6 +4251,30 @@ Eine Auswertung und die Kanäle wählen, dann ausführen.</translation>
     <message>
         <source>Pictures, tables and films (*.png *.svg *.pdf *.csv *.gif)</source>
         <translation>Bilder, Tabellen und Filme (*.png *.svg *.pdf *.csv *.gif)</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>Geometrie</translation>
+    </message>
+    <message>
+        <source>lines of the picture between nodes: [[4, 5], [5, 12]]</source>
+        <translation>Linien des Bilds zwischen Knoten: [[4, 5], [5, 12]]</translation>
+    </message>
+    <message>
+        <source>Line %1. Delete removes it.</source>
+        <translation>Linie %1. Entf entfernt sie.</translation>
+    </message>
+    <message>
+        <source>Line %1 is one of the files.</source>
+        <translation>Linie %1 ist aus den Dateien.</translation>
+    </message>
+    <message>
+        <source>A line from node %1. Pick the other node, or press Esc.</source>
+        <translation>Eine Linie von Knoten %1. Den anderen Knoten wählen oder Esc drücken.</translation>
+    </message>
+    <message>
+        <source>Pick two nodes for a line between them: by click, or by Page Up, Page Down and Space. A click on a line chooses it.</source>
+        <translation>Zwei Knoten für eine Linie wählen: mit der Maus oder mit Bild auf, Bild ab und Leertaste. Ein Klick auf eine Linie wählt sie.</translation>
     </message>
 </context>
 <context>

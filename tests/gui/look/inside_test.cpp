@@ -1,17 +1,21 @@
 #include <gmock/gmock.h>
+#include <qcustomplot.h>
 
 #include <QAbstractScrollArea>
 #include <QApplication>
 #include <QComboBox>
 #include <QDialog>
+#include <QListWidget>
 #include <QPushButton>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QTableView>
 #include <QTest>
 
 #include "../widgets.hpp"
 #include "gui/begin/example_dialog.hpp"
 #include "gui/data/data_page.hpp"
+#include "gui/geometry/structure_view.hpp"
 #include "gui/help/help_window.hpp"
 #include "gui/look/language.hpp"
 #include "gui/main_window.hpp"
@@ -60,8 +64,23 @@ QStringList outside(QWidget& window) {
   return found;
 }
 
+/// Plots, pictures and tables in which something is picked, that are too small for it.
+QStringList too_small(QWidget& window) {
+  constexpr int least_px = 200;
+  QStringList found;
+  for (const QWidget* widget : window.findChildren<QWidget*>()) {
+    if (!widget->isVisible() || widget->window() != &window) continue;
+    const bool is_picked_in = qobject_cast<const QCustomPlot*>(widget) != nullptr || qobject_cast<const StructureView*>(widget) != nullptr ||
+                              qobject_cast<const QTableView*>(widget) != nullptr || qobject_cast<const QListWidget*>(widget) != nullptr;
+    if (!is_picked_in || (widget->width() >= least_px && widget->height() >= least_px)) continue;
+    found << QStringLiteral("%1: %2 × %3").arg(title_of(*widget)).arg(widget->width()).arg(widget->height());
+  }
+  return found;
+}
+
 void expect_inside(QWidget& window, const QSize& size, const std::string& where) {
   QApplication::processEvents();
+  EXPECT_EQ(too_small(window).join("\n").toStdString(), "") << where;
   EXPECT_EQ(window.size(), size) << where;
   EXPECT_EQ(outside(window).join("\n").toStdString(), "") << where;
 }
