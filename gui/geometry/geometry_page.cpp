@@ -51,6 +51,7 @@ GeometryPage::GeometryPage(QWidget* parent) : QWidget(parent) {
   motion_ = new MotionBar;
   list_ = named(new QListWidget, "dofs", tr("Measured DOFs. Ticked: joint DOFs"),
                 tr("Space adds a DOF to [joint] dofs, or removes it"));
+  list_->setMinimumWidth(200);
   status_ = named(new QLabel, "geometry_status", tr("About the structure"));
   status_->setWordWrap(true);
   status_->setTextFormat(Qt::PlainText);
@@ -58,7 +59,7 @@ GeometryPage::GeometryPage(QWidget* parent) : QWidget(parent) {
   both->addWidget(list_);
   both->addWidget(view_);
   both->setStretchFactor(1, 1);
-  both->setSizes({130, 600});
+  both->setSizes({200, 530});
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(4, 4, 4, 4);
   all->addWidget(motion_);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double zoom_factor = 1.4;
 constexpr int least_drag_px = 4;
-constexpr int least_width_px = 200, least_height_px = 140;
+constexpr int least_width_px = 200, least_height_px = 200;
 
 /// So that axes below each other, and the legend above them, can be read.
 int least_height(const QCustomPlot& plot) {

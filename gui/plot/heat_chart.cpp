@@ -20,7 +20,7 @@ namespace jointid::gui {
 namespace {
 
 constexpr int cells_along_x = 600;  // of an axis of numbers, evenly
-constexpr int least_side_px = 160;
+constexpr int least_side_px = 200;
 constexpr std::size_t most_names = 40;  // of an axis; of more, every second, third …
 
 /// The place of the value nearest to `x`.

@@ -24,7 +24,7 @@ constexpr int shortest_drag = 4;  // pixels
 PlotCanvas::PlotCanvas(const QString& hint, QWidget* parent) : QWidget(parent), hint_(hint), plot_(new QCustomPlot(this)) {
   named(plot_, "frf_canvas", tr("FRF plot"));
   plot_->setFocusPolicy(Qt::StrongFocus);
-  plot_->setMinimumSize(200, 160);
+  plot_->setMinimumSize(200, 200);
   plot_->setAutoAddPlottableToLegend(false);
   plot_->setPlottingHint(QCP::phFastPolylines);
   plot_->addLayer(QStringLiteral("overlay_items"), nullptr, QCustomPlot::limAbove);

@@ -2,6 +2,7 @@
 
 #include <QComboBox>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -58,6 +59,7 @@ RecordsPage::RecordsPage(QWidget* parent)
   }
   forms_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   add_above(forms_);
+  fit_forms();
   connect(tool_, &QComboBox::currentIndexChanged, this, &RecordsPage::show_tool);
   show_buttons();
 }
@@ -77,8 +79,11 @@ QWidget* RecordsPage::make_top() {
   role_ = named(new QComboBox, "records_role", tr("What the FRFs are of"));
   role_->addItems({tr("of a substructure"), tr("of the assembly")});
   to_scene_ = push_button("records_to_scene", tr("To the scene…"), tr("Write the FRFs into a file, and name it in [data] of the scene"));
-  rows->addLayout(row_of({tool_}, {role_, to_scene_}));
-  rows->addWidget(names_);
+  auto* second = new QHBoxLayout;
+  second->addWidget(tool_);
+  second->addWidget(names_, 1);
+  for (QWidget* each : std::initializer_list<QWidget*>{role_, to_scene_}) second->addWidget(each);
+  rows->addLayout(second);
   connect(choose, &QPushButton::clicked, this, [this] {
     const QStringList files = choose_files_to_open(this);
     if (!files.isEmpty()) open(files);
@@ -123,7 +128,16 @@ void RecordsPage::write_frfs(const QString& file) {
   Q_EMIT frfs_written(file, role_->currentIndex() == 1);
 }
 
+/// As high as the form in front.
+void RecordsPage::fit_forms() {
+  for (int i = 0; i < forms_->count(); ++i) {
+    const bool is_in_front = i == tool_->currentIndex();
+    forms_->widget(i)->setSizePolicy(QSizePolicy::Preferred, is_in_front ? QSizePolicy::Preferred : QSizePolicy::Ignored);
+  }
+}
+
 void RecordsPage::show_tool() {
+  fit_forms();
   forms_->setCurrentIndex(tool_->currentIndex());
   line()->say(tool().plot_hint);
   show_buttons();

@@ -18,7 +18,8 @@
 namespace jointid::gui {
 namespace {
 
-constexpr int widest_column = 620;  // pixels
+constexpr int widest_column = 620;
+constexpr int least_side_px = 200;  // rows are chosen in it  // pixels
 constexpr int row_padding = 6;
 
 /// Draws an interval as a bar about zero in the middle of the cell.
@@ -111,6 +112,7 @@ CellTable::CellTable(const char* name, const QString& accessible_name, QWidget* 
   named(this, name, accessible_name);
   setModel(model_);
   setItemDelegate(new BarDelegate(this));
+  setMinimumSize(least_side_px, least_side_px);
   setTabKeyNavigation(false);
   setWordWrap(true);
   setAlternatingRowColors(false);

@@ -21,6 +21,7 @@
 #include "gui/main_window.hpp"
 #include "gui/open/variable_dialog.hpp"
 #include "gui/project.hpp"
+#include "gui/records/records_page.hpp"
 #include "gui/scene/scene_editor.hpp"
 #include "gui/solve/solve_page.hpp"
 
@@ -92,6 +93,12 @@ void look_at_pages(MainWindow& window, const QSize& size, const std::string& whe
     project.pages()->setCurrentIndex(page);
     QTest::qWait(20);
     expect_inside(window, size, where + ", page " + project.pages()->tabText(page).toStdString());
+  }
+  project.pages()->setCurrentWidget(project.records_page());
+  auto* const tools = find<QComboBox>(*project.records_page(), "records_tool");
+  for (int tool = 0; tool < tools->count(); ++tool) {
+    tools->setCurrentIndex(tool);
+    expect_inside(window, size, where + ", records: " + tools->currentText().toStdString());
   }
   project.pages()->setCurrentWidget(project.solve_page());
   for (int result = 0; result < project.solve_page()->results()->count(); ++result) {
