@@ -17,6 +17,7 @@
 #include "gui/look/named.hpp"
 #include "gui/look/paths.hpp"
 #include "gui/look/said.hpp"
+#include "gui/look/scrolled.hpp"
 #include "gui/page/job_line.hpp"
 #include "gui/page/plot_menu.hpp"
 #include "gui/table/cell_table.hpp"
@@ -61,7 +62,7 @@ LoadingCurvePage::LoadingCurvePage(QWidget* parent) : QWidget(parent) {
   all->addWidget(make_top());
   all->addWidget(choices_);
   all->addWidget(line_);
-  all->addWidget(both, 1);
+  all->addWidget(scrolled(both), 1);
   connect(line_, &JobLine::failed, this, &LoadingCurvePage::failed);
   connect(line_, &JobLine::busy_changed, this, &LoadingCurvePage::show_buttons);
   connect(laws_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,

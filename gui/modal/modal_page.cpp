@@ -15,6 +15,7 @@
 #include "gui/look/dialogs.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/said.hpp"
+#include "gui/look/scrolled.hpp"
 #include "gui/modal/modal_tables.hpp"
 #include "gui/page/dof_box.hpp"
 #include "gui/page/job_line.hpp"
@@ -47,7 +48,7 @@ ModalPage::ModalPage(QWidget* parent) : QWidget(parent) {
   all->setContentsMargins(4, 4, 4, 4);
   all->addWidget(make_top());
   all->addWidget(line_);
-  all->addWidget(both, 1);
+  all->addWidget(scrolled(both), 1);
   connect_all();
   set_scene({});
 }
@@ -138,9 +139,8 @@ void ModalPage::connect_all() {
   connect(command_, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(command_line()); });
   connect(chart_, &Chart::opened, this, &ModalPage::toggle);
   connect(shapes_, &QPushButton::clicked, this, [this] {
-    const QString file =
-        choose_file_to_save(this, tr("Write the mode shapes"), QStringLiteral("shapes.uff"), tr("Universal files (*.uff)"),
-                            QStringLiteral("uff"));
+    const QString file = choose_file_to_save(this, tr("Write the mode shapes"), QStringLiteral("shapes.uff"),
+                                             tr("Universal files (*.uff)"), QStringLiteral("uff"));
     if (!file.isEmpty()) write_shapes(file);
   });
   connect(regenerated_, &QPushButton::clicked, this, [this] {

@@ -7,6 +7,7 @@
 #include <QDialog>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTableView>
@@ -38,9 +39,16 @@ struct Spoken {
   }
 };
 
+/// Whether all of it is seen.
+bool shows_all(const QWidget& widget) {
+  const auto* const area = qobject_cast<const QScrollArea*>(&widget);
+  return area != nullptr && area->viewport()->rect().contains(area->widget()->geometry());
+}
+
 /// What a scroll area shows may be larger than it.
 bool is_scrolled(const QWidget& widget) {
   for (const QWidget* each = widget.parentWidget(); each != nullptr && !each->isWindow(); each = each->parentWidget()) {
+    if (shows_all(*each)) continue;
     if (qobject_cast<const QAbstractScrollArea*>(each) != nullptr || qobject_cast<const QTabBar*>(each) != nullptr) return true;
   }
   return false;
@@ -71,8 +79,9 @@ QStringList too_small(QWidget& window) {
   QStringList found;
   for (const QWidget* widget : window.findChildren<QWidget*>()) {
     if (!widget->isVisible() || widget->window() != &window) continue;
-    const bool is_picked_in = qobject_cast<const QCustomPlot*>(widget) != nullptr || qobject_cast<const StructureView*>(widget) != nullptr ||
-                              qobject_cast<const QTableView*>(widget) != nullptr || qobject_cast<const QListWidget*>(widget) != nullptr;
+    const bool is_picked_in =
+        qobject_cast<const QCustomPlot*>(widget) != nullptr || qobject_cast<const StructureView*>(widget) != nullptr ||
+        qobject_cast<const QTableView*>(widget) != nullptr || qobject_cast<const QListWidget*>(widget) != nullptr;
     if (!is_picked_in || (widget->width() >= least_px && widget->height() >= least_px)) continue;
     found << QStringLiteral("%1: %2 × %3").arg(title_of(*widget)).arg(widget->width()).arg(widget->height());
   }
@@ -81,6 +90,11 @@ QStringList too_small(QWidget& window) {
 
 void expect_inside(QWidget& window, const QSize& size, const std::string& where) {
   QApplication::processEvents();
+  for (const QScrollArea* area : window.findChildren<QScrollArea*>()) {
+    const bool is_of_page = area->isVisible() && area->objectName().endsWith(QLatin1String("_scrolled"));
+    EXPECT_TRUE(!is_of_page || shows_all(*area)) << where << ": " << area->objectName().toStdString();
+  }
+  EXPECT_LE(window.minimumSizeHint().height(), 720) << where << ": a title and a panel need room, too";
   EXPECT_EQ(too_small(window).join("\n").toStdString(), "") << where;
   EXPECT_EQ(window.size(), size) << where;
   EXPECT_EQ(outside(window).join("\n").toStdString(), "") << where;
