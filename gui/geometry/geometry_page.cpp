@@ -20,6 +20,7 @@
 #include "gui/scene/scene_edit.hpp"
 #include "gui/work/worker.hpp"
 #include "ident/scene/scene_files.hpp"
+#include "tasks/correlate/compared_files.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -125,7 +126,7 @@ void GeometryPage::connect_motion() {
   connect(motion_, &MotionBar::undeformed_wanted, view_, &StructureView::set_undeformed);
   connect(motion_, &MotionBar::numbers_wanted, view_, &StructureView::set_names);
   connect(motion_, &MotionBar::shapes_wanted, this, [this] {
-    for (const QString& file : choose_files_to_open(this)) open_shapes(file);
+    for (const QString& file : choose_modes_to_open(this)) open_shapes(file);
   });
 }
 
@@ -240,7 +241,7 @@ void GeometryPage::set_springs(const std::vector<tasks::JointSpring>& springs) {
 
 void GeometryPage::open_shapes(const QString& file) {
   worker_->add([this, file](const Worker::Watch&) -> Worker::Deliver {
-    return [this, shapes = named_shapes(frf::read_uff55(as_path(file)), QFileInfo(file).fileName())] {
+    return [this, shapes = named_shapes(tasks::read_modes(as_path(file)).modes, QFileInfo(file).fileName())] {
       const std::size_t first = fitted_.size() + of_files_.size();
       of_files_.insert(of_files_.end(), shapes.begin(), shapes.end());
       offer_modes();

@@ -35,7 +35,7 @@ class GeometryPage : public QWidget {
   void set_modes(std::vector<NamedShape> shapes);
   /// Springs of the joint as a solution found them; none: no solution.
   void set_springs(const std::vector<tasks::JointSpring>& springs);
-  /// Those of a universal file (dataset 55).
+  /// Those of a universal file (dataset 55), or of the JSON of a modal fit.
   void open_shapes(const QString& file);
 
   StructureView* view() const { return view_; }

@@ -18,11 +18,23 @@ void begin_dialogs_in(const QString& folder) {
   for (const QString& key : {open_key, save_key}) QSettings().setValue(key, folder);
 }
 
-QStringList choose_files_to_open(QWidget* parent) {
-  const QString filter = QFileDialog::tr("Scenes and FRFs (*.toml *.uff *.unv *.h5 *.hdf5 *.mat *.csv *.txt);;All files (*)");
+namespace {
+
+QStringList choose_to_open(QWidget* parent, const QString& filter) {
   const QStringList files = QFileDialog::getOpenFileNames(parent, QFileDialog::tr("Open"), folder(open_key), filter);
   if (!files.isEmpty()) note_folder(open_key, files.front());
   return files;
+}
+
+}  // namespace
+
+QStringList choose_files_to_open(QWidget* parent) {
+  return choose_to_open(parent,
+                        QFileDialog::tr("Scenes and FRFs (*.toml *.uff *.unv *.h5 *.hdf5 *.mat *.csv *.txt);;All files (*)"));
+}
+
+QStringList choose_modes_to_open(QWidget* parent) {
+  return choose_to_open(parent, QFileDialog::tr("Mode shapes (*.uff *.unv *.json);;All files (*)"));
 }
 
 QString choose_file_to_save(QWidget* parent, const QString& title, const QString& suggestion, const QString& filter,

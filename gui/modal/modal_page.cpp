@@ -110,7 +110,7 @@ QWidget* ModalPage::make_frf_tab() {
 QWidget* ModalPage::make_cross_tab() {
   auto* tab = named(new QWidget, "cross_mac_tab", tr("MAC with other modes"));
   auto* choose = push_button("cross_mac_choose", tr("Compare with…"),
-                             tr("Other modes: a universal file (UFF 55) of another test or of a model"));
+                             tr("Other modes, of another test or of a model: a universal file (UFF 55), or JSON of jointid modalfit"));
   cross_word_ = named(new QLabel, "cross_mac_word", tr("About the pairs of modes"));
   cross_word_->setWordWrap(true);
   cross_word_->setTextFormat(Qt::PlainText);
@@ -122,7 +122,7 @@ QWidget* ModalPage::make_cross_tab() {
   column->addWidget(cross_word_);
   column->addWidget(cross_mac_, 1);
   connect(choose, &QPushButton::clicked, this, [this] {
-    const QStringList files = choose_files_to_open(this);
+    const QStringList files = choose_modes_to_open(this);
     if (!files.isEmpty()) compare_with(files.front());
   });
   return tab;

@@ -1881,10 +1881,6 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode entfern
         <translation>Vergleichen mit…</translation>
     </message>
     <message>
-        <source>Other modes: a universal file (UFF 55) of another test or of a model</source>
-        <translation>Andere Moden: eine Universal-Datei (UFF 55) eines anderen Versuchs oder eines Modells</translation>
-    </message>
-    <message>
         <source>About the pairs of modes</source>
         <translation>Zu den Paaren der Moden</translation>
     </message>
@@ -1895,6 +1891,10 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode entfern
     <message>
         <source>Compare with… draws the MAC of the modes found with those of a file.</source>
         <translation>Vergleichen mit… zeichnet den MAC der gefundenen Moden mit denen einer Datei.</translation>
+    </message>
+    <message>
+        <source>Other modes, of another test or of a model: a universal file (UFF 55), or JSON of jointid modalfit</source>
+        <translation>Andere Moden, eines anderen Versuchs oder eines Modells: eine Universaldatei (UFF 55) oder JSON von jointid modalfit</translation>
     </message>
 </context>
 <context>
@@ -1942,10 +1942,6 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode entfern
     <message>
         <source>Shapes…</source>
         <translation>Formen …</translation>
-    </message>
-    <message>
-        <source>Read mode shapes from a universal file (dataset 55)</source>
-        <translation>Eigenformen aus einem Universal File lesen (Datensatz 55)</translation>
     </message>
     <message>
         <source>Amplitude</source>
@@ -2006,6 +2002,10 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode entfern
     <message>
         <source>mode %1</source>
         <translation>Mode %1</translation>
+    </message>
+    <message>
+        <source>Read mode shapes from a universal file (dataset 55), or from JSON of jointid modalfit</source>
+        <translation>Eigenformen aus einer Universaldatei (Dataset 55) oder aus JSON von jointid modalfit lesen</translation>
     </message>
 </context>
 <context>
@@ -2375,6 +2375,10 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode entfern
     <message>
         <source>Open</source>
         <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Mode shapes (*.uff *.unv *.json);;All files (*)</source>
+        <translation>Eigenformen (*.uff *.unv *.json);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
