@@ -1,7 +1,6 @@
 #include "gui/geometry/geometry_page.hpp"
 
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
@@ -82,15 +81,16 @@ QLayout* GeometryPage::make_foot() {
   pen_ = make_pen();
   auto* copy = push_button("geometry_copy", tr("Copy"), tr("Copy the nodes for a spreadsheet, and the picture"));
   auto* save = push_button("geometry_save", tr("Save…"), tr("Save as PNG, SVG, PDF or CSV; a motion as a film (GIF), too"));
-  auto* row = new QHBoxLayout;
-  row->addWidget(status_, 1);
-  for (QPushButton* each : {front, side, top, pen_, copy, save}) row->addWidget(each);
+  auto* rows = new QVBoxLayout;
+  rows->addWidget(status_);
+  rows->addLayout(row_of({front, side, top, pen_}, {copy, save}));
   connect(front, &QPushButton::clicked, this, [this] { view_->look(Camera::Side::front); });
   connect(side, &QPushButton::clicked, this, [this] { view_->look(Camera::Side::side); });
   connect(top, &QPushButton::clicked, this, [this] { view_->look(Camera::Side::top); });
   connect(copy, &QPushButton::clicked, this, [this] { copy_plot(saveable(*view_)); });
-  connect(save, &QPushButton::clicked, this, [this] { ask_and_save(this, saveable(*view_), inputs_, QStringLiteral("geometry.png")); });
-  return row;
+  connect(save, &QPushButton::clicked, this,
+          [this] { ask_and_save(this, saveable(*view_), inputs_, QStringLiteral("geometry.png")); });
+  return rows;
 }
 
 /// Lines between nodes, by hand; they are kept in the scene.

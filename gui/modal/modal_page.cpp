@@ -43,7 +43,7 @@ ModalPage::ModalPage(QWidget* parent) : QWidget(parent) {
   auto* both = named(new QSplitter(Qt::Vertical), "diagram_and_modes", tr("Diagram and modes"));
   both->addWidget(chart_);
   both->addWidget(make_results());
-  both->setSizes({250, 420});
+  both->setSizes({380, 300});
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(4, 4, 4, 4);
   all->addWidget(make_top());
@@ -109,8 +109,9 @@ QWidget* ModalPage::make_frf_tab() {
 
 QWidget* ModalPage::make_cross_tab() {
   auto* tab = named(new QWidget, "cross_mac_tab", tr("MAC with other modes"));
-  auto* choose = push_button("cross_mac_choose", tr("Compare with…"),
-                             tr("Other modes, of another test or of a model: a universal file (UFF 55), or JSON of jointid modalfit"));
+  auto* choose =
+      push_button("cross_mac_choose", tr("Compare with…"),
+                  tr("Other modes, of another test or of a model: a universal file (UFF 55), or JSON of jointid modalfit"));
   cross_word_ = named(new QLabel, "cross_mac_word", tr("About the pairs of modes"));
   cross_word_->setWordWrap(true);
   cross_word_->setTextFormat(Qt::PlainText);

@@ -77,6 +77,7 @@ HeatChart::HeatChart(const char* name, const QString& accessible_name, const QSt
   named(plot_, name, accessible_name);
   plot_->setFocusPolicy(Qt::StrongFocus);
   plot_->setMinimumSize(least_side_px, least_side_px);
+  speak_numbers(*plot_);
   plot_->setMouseTracking(true);
   plot_->installEventFilter(this);
   readout_ = named(new QLabel, "heat_readout", tr("The value under the mouse"));

@@ -16,18 +16,45 @@ constexpr std::size_t most_in_legend = 10;
 constexpr const char* curve_property = "curve";
 
 /// Axes of pages, and names of quantities, that the window has in other languages.
-[[maybe_unused]] constexpr const char* axis_words[] = {
-    QT_TRANSLATE_NOOP("Said", "frequency (Hz)"), QT_TRANSLATE_NOOP("Said", "time (s)"), QT_TRANSLATE_NOOP("Said", "phase (°)"),
-    QT_TRANSLATE_NOOP("Said", "mode"), QT_TRANSLATE_NOOP("Said", "force (N)"), QT_TRANSLATE_NOOP("Said", "singular value"),
-    QT_TRANSLATE_NOOP("Said", "shape"), QT_TRANSLATE_NOOP("Said", "relative velocity (m/s)"), QT_TRANSLATE_NOOP("Said", "radius"),
-    QT_TRANSLATE_NOOP("Said", "over the amplitude"), QT_TRANSLATE_NOOP("Said", "order (pole pairs)"),
-    QT_TRANSLATE_NOOP("Said", "of critical (%)"), QT_TRANSLATE_NOOP("Said", "mean square λ"),
-    QT_TRANSLATE_NOOP("Said", "mean ln distance"),
-    QT_TRANSLATE_NOOP("Said", "loop"), QT_TRANSLATE_NOOP("Said", "lag (s)"), QT_TRANSLATE_NOOP("Said", "frequency lines used"),
-    QT_TRANSLATE_NOOP("Said", "displacement (m)"), QT_TRANSLATE_NOOP("Said", "dimension"), QT_TRANSLATE_NOOP("Said", "coordinates"),
-    QT_TRANSLATE_NOOP("Said", "condition number"), QT_TRANSLATE_NOOP("Said", "coherence"), QT_TRANSLATE_NOOP("Said", "channel"),
-    QT_TRANSLATE_NOOP("Said", "amplitude (m)"), QT_TRANSLATE_NOOP("Said", "receptance"), QT_TRANSLATE_NOOP("Said", "mobility"),
-    QT_TRANSLATE_NOOP("Said", "accelerance")};
+[[maybe_unused]] constexpr const char* axis_words[] = {QT_TRANSLATE_NOOP("Said", "frequency (Hz)"),
+                                                       QT_TRANSLATE_NOOP("Said", "time (s)"),
+                                                       QT_TRANSLATE_NOOP("Said", "phase (°)"),
+                                                       QT_TRANSLATE_NOOP("Said", "mode"),
+                                                       QT_TRANSLATE_NOOP("Said", "force (N)"),
+                                                       QT_TRANSLATE_NOOP("Said", "singular value"),
+                                                       QT_TRANSLATE_NOOP("Said", "shape"),
+                                                       QT_TRANSLATE_NOOP("Said", "relative velocity (m/s)"),
+                                                       QT_TRANSLATE_NOOP("Said", "radius"),
+                                                       QT_TRANSLATE_NOOP("Said", "over the amplitude"),
+                                                       QT_TRANSLATE_NOOP("Said", "order (pole pairs)"),
+                                                       QT_TRANSLATE_NOOP("Said", "of critical (%)"),
+                                                       QT_TRANSLATE_NOOP("Said", "mean square λ"),
+                                                       QT_TRANSLATE_NOOP("Said", "mean ln distance"),
+                                                       QT_TRANSLATE_NOOP("Said", "loop"),
+                                                       QT_TRANSLATE_NOOP("Said", "lag (s)"),
+                                                       QT_TRANSLATE_NOOP("Said", "frequency lines used"),
+                                                       QT_TRANSLATE_NOOP("Said", "displacement (m)"),
+                                                       QT_TRANSLATE_NOOP("Said", "dimension"),
+                                                       QT_TRANSLATE_NOOP("Said", "coordinates"),
+                                                       QT_TRANSLATE_NOOP("Said", "condition number"),
+                                                       QT_TRANSLATE_NOOP("Said", "coherence"),
+                                                       QT_TRANSLATE_NOOP("Said", "channel"),
+                                                       QT_TRANSLATE_NOOP("Said", "amplitude (m)"),
+                                                       QT_TRANSLATE_NOOP("Said", "receptance"),
+                                                       QT_TRANSLATE_NOOP("Said", "mobility"),
+                                                       QT_TRANSLATE_NOOP("Said", "accelerance"),
+                                                       QT_TRANSLATE_NOOP("Said", "time of one solution"),
+                                                       QT_TRANSLATE_NOOP("Said", "rms relative error (median)"),
+                                                       QT_TRANSLATE_NOOP("Said", "value / value of the solution"),
+                                                       QT_TRANSLATE_NOOP("Said", "objective"),
+                                                       QT_TRANSLATE_NOOP("Said", "iteration"),
+                                                       QT_TRANSLATE_NOOP("Said", "displacement"),
+                                                       QT_TRANSLATE_NOOP("Said", "amplitude"),
+                                                       QT_TRANSLATE_NOOP("Said", "force"),
+                                                       QT_TRANSLATE_NOOP("Said", "energy"),
+                                                       QT_TRANSLATE_NOOP("Said", "time"),
+                                                       QT_TRANSLATE_NOOP("Said", "frequency"),
+                                                       QT_TRANSLATE_NOOP("Said", "slipped share h of the stiffness area")};
 
 QVector<QCPGraphData> points(const std::vector<double>& x, const std::vector<double>& y) {
   QVector<QCPGraphData> data;
@@ -118,7 +145,18 @@ class DistinctTicker : public QCPAxisTicker {
   double step_ = 0.0;
 };
 
-QString axis_text(const std::string& label) { return said(label.c_str()); }
+void speak_numbers(QCustomPlot& plot) {
+  QLocale plain = QLocale::c();
+  plain.setNumberOptions(QLocale::OmitGroupSeparator);
+  plot.setLocale(plain);
+}
+
+QString axis_text(const std::string& label) {
+  const std::size_t unit = label.rfind(" (");
+  const QString whole = said(label.c_str());
+  if (unit == std::string::npos || whole != QString::fromStdString(label)) return whole;
+  return said(label.substr(0, unit).c_str()) + QString::fromStdString(label.substr(unit));
+}
 
 std::size_t curve_of(const QCPGraph& graph) { return graph.property(curve_property).toULongLong(); }
 
@@ -159,6 +197,19 @@ void add_legend(QCustomPlot& plot, Theme theme) {
   legend->setBorderPen(Qt::NoPen);
   legend->setTextColor(colours(theme).text);
   legend->setMargins(QMargins(60, 0, 0, 0));
+}
+
+void wrap_legend(QCustomPlot& plot) {
+  constexpr int margins = 80, icon = 50;  // pixels
+  if (plot.legend == nullptr || plot.legend->itemCount() == 0) return;
+  int widest = 0;
+  for (int i = 0; i < plot.legend->itemCount(); ++i) {
+    auto* const item = qobject_cast<QCPPlottableLegendItem*>(plot.legend->item(i));
+    if (item != nullptr)
+      widest = std::max(widest, QFontMetrics(plot.legend->font()).horizontalAdvance(item->plottable()->name()));
+  }
+  plot.legend->setWrap(std::clamp((plot.width() - margins) / (widest + icon), 1, plot.legend->itemCount()));
+  plot.legend->setFillOrder(QCPLayoutGrid::foColumnsFirst, true);
 }
 
 void draw_panels(QCustomPlot& plot, const Drawing& drawing) {

@@ -24,7 +24,10 @@ struct Drawing {
   bool decibel = false;
 };
 
-/// The text of an axis in the language of the window, where that knows it.
+/// Numbers at axes as in tables and read-outs, in every language: 0.4 and 10⁻⁵.
+void speak_numbers(QCustomPlot& plot);
+
+/// The text of an axis in the language of the window, where that knows it, or the name before its unit.
 QString axis_text(const std::string& label);
 
 /// The curve of a Drawing that a graph shows.
@@ -41,6 +44,9 @@ void draw_hint(QCustomPlot& plot, const QString& hint, Theme theme);
 
 /// One legend above all, with names in lines of two.
 void add_legend(QCustomPlot& plot, Theme theme);
+
+/// As many names beside each other as the plot is wide.
+void wrap_legend(QCustomPlot& plot);
 
 /// The diagrams of the view below each other, with their names above.
 void draw_panels(QCustomPlot& plot, const Drawing& drawing);

@@ -25,6 +25,7 @@ PlotCanvas::PlotCanvas(const QString& hint, QWidget* parent) : QWidget(parent), 
   named(plot_, "frf_canvas", tr("FRF plot"));
   plot_->setFocusPolicy(Qt::StrongFocus);
   plot_->setMinimumSize(200, 200);
+  speak_numbers(*plot_);
   plot_->setAutoAddPlottableToLegend(false);
   plot_->setPlottingHint(QCP::phFastPolylines);
   plot_->addLayer(QStringLiteral("overlay_items"), nullptr, QCustomPlot::limAbove);

@@ -4280,6 +4280,50 @@ Eine Auswertung und die Kanäle wählen, dann ausführen.</translation>
         <source>Pick two nodes for a line between them: by click, or by Page Up, Page Down and Space. A click on a line chooses it.</source>
         <translation>Zwei Knoten für eine Linie wählen: mit der Maus oder mit Bild auf, Bild ab und Leertaste. Ein Klick auf eine Linie wählt sie.</translation>
     </message>
+    <message>
+        <source>time of one solution</source>
+        <translation>Zeit einer Lösung</translation>
+    </message>
+    <message>
+        <source>rms relative error (median)</source>
+        <translation>mittlerer relativer Fehler (Median)</translation>
+    </message>
+    <message>
+        <source>value / value of the solution</source>
+        <translation>Wert / Wert der Lösung</translation>
+    </message>
+    <message>
+        <source>objective</source>
+        <translation>Zielfunktion</translation>
+    </message>
+    <message>
+        <source>iteration</source>
+        <translation>Iteration</translation>
+    </message>
+    <message>
+        <source>displacement</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>frequency</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>slipped share h of the stiffness area</source>
+        <translation>gerutschter Anteil h der Steifigkeitsfläche</translation>
+    </message>
 </context>
 <context>
     <name>SceneEditor</name>

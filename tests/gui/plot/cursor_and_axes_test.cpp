@@ -4,8 +4,11 @@
 #include <QTest>
 
 #include "../widgets.hpp"
+#include "gui/look/language.hpp"
+#include "gui/plot/chart.hpp"
 #include "gui/plot/frf_plot.hpp"
 #include "gui/plot/heat_chart.hpp"
+#include "gui/plot/panel_drawing.hpp"
 #include "gui/plot/plot_canvas.hpp"
 
 /// The cursor with its values, and numbers at axes.
@@ -106,11 +109,58 @@ TEST(FrfAxes, TicksDoNotRepeat) {
   EXPECT_EQ(QSet<QString>(labels.begin(), labels.end()).size(), labels.size()) << QStringList(labels).join(' ').toStdString();
 }
 
+/// Names of axes, with units or without, and numbers as they are in tables.
+TEST(FrfAxes, SpeakGerman) {
+  choose_language("de");
+  use_language();
+  for (const char* label : {"frequency (Hz)", "receptance (m/N)", "time of one solution (ms)", "rms relative error (median)",
+                            "iteration", "objective", "displacement (mm)", "amplitude (m)", "order (pole pairs)"})
+    EXPECT_NE(axis_text(label).toStdString(), label);
+  EXPECT_EQ(axis_text("receptance (m/N)").toStdString(), "Rezeptanz (m/N)");
+  EXPECT_EQ(axis_text("Z(1,2) (N/m)").toStdString(), "Z(1,2) (N/m)");
+  const QLocale before;
+  QLocale::setDefault(QLocale(QLocale::German));
+  Curve curve = rising(3, 1.0);
+  curve.values = {0.25, 0.5, 0.75};
+  Shown shown(curve);
+  shown.plot.set_view(View::real_imaginary);
+  shown.plot.grab();
+  QCustomPlot* const plot = shown.plot.canvas().plot();
+  plot->replot(QCustomPlot::rpImmediateRefresh);
+  const QString labels = QStringList(plot->axisRects().front()->axis(QCPAxis::atLeft)->tickVectorLabels()).join(' ');
+  QLocale::setDefault(before);
+  choose_language("en");
+  use_language();
+  EXPECT_THAT(labels.toStdString(), testing::AllOf(HasSubstr("0.5"), testing::Not(HasSubstr(","))));
+}
+
+/// As many names in a row as there is room for.
+TEST(Chart, NamesStandBesideEachOtherInAWideDiagram) {
+  Chart chart("wide", "Wide", {});
+  report::ScatterPlot points;
+  for (const char* name : {"a", "b", "c", "d", "e"}) points.groups.push_back({name, {{1.0, 1.0, {}}, {2.0, 3.0, {}}}});
+  chart.resize(900, 400);
+  chart.show();
+  chart.draw(points);
+  QCoreApplication::processEvents();
+  auto* const plot = static_cast<QCustomPlot*>(chart.canvas());
+  EXPECT_EQ(plot->legend->rowCount(), 1);
+  chart.resize(250, 400);
+  QCoreApplication::processEvents();
+  EXPECT_GT(plot->legend->rowCount(), 1);
+  EXPECT_GE(plot->minimumHeight(), 200);
+}
+
 TEST(HeatChart, TicksOfItsColoursDoNotRepeat) {
   HeatChart chart("map", "A map", "nothing yet");
   chart.resize(600, 400);
   chart.show();
-  chart.draw({.x_label = "f", .y_label = "level", .value_label = "x", .columns = {"1", "2"}, .x_values = {}, .rows = {"a"},
+  chart.draw({.x_label = "f",
+              .y_label = "level",
+              .value_label = "x",
+              .columns = {"1", "2"},
+              .x_values = {},
+              .rows = {"a"},
               .values = {1.085471, 1.0854712}});
   chart.grab();
   auto* const plot = static_cast<QCustomPlot*>(chart.canvas());
