@@ -9,6 +9,7 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include "base/error.hpp"
 #include "frf/file/columns.hpp"
 #include "gui/loading_curve/loading_curve_choices.hpp"
 #include "gui/look/buttons.hpp"
@@ -40,6 +41,17 @@ QString status_text(const tasks::LoadingCurveResult& report) {
   }
   for (const std::string& note : report.data.notes) lines << q(note);
   return lines.join('\n');
+}
+
+/// Before anything is fitted; nothing where columns have to be chosen first, or no curve can be read.
+report::PlotGroup measured_curves(const tasks::LoadingCurveTask& task) {
+  tasks::LoadingCurveResult measured;
+  try {
+    measured.data = tasks::read_curves(task);
+  } catch (const InputError&) {
+    return {};
+  }
+  return report::curves_and_residuals(measured, most_curves);
 }
 
 }  // namespace
@@ -120,11 +132,12 @@ void LoadingCurvePage::open(const QStringList& files) {
   QStringList names;
   for (const QString& file : files_) names << QFileInfo(file).fileName();
   names_->setText(names.join(QStringLiteral(", ")));
-  line_->worker().add([this, path = as_path(files_.front())](const Worker::Watch&) -> Worker::Deliver {
+  line_->worker().add([this, path = as_path(files_.front()), task = task()](const Worker::Watch&) -> Worker::Deliver {
     QStringList columns;
     for (const frf::NumberColumn& column : frf::read_columns(path).columns) columns << q(column.name);
-    return [this, columns] {
+    return [this, columns, measured = measured_curves(task)] {
       choices_->offer(columns);
+      plots_->show_groups({{tr("curve"), measured}});
       line_->say(tr("Columns: %1. Columns that you do not choose are found by name.").arg(columns.join(QStringLiteral(", "))));
     };
   });

@@ -39,6 +39,7 @@ constexpr const char* curve_property = "curve";
                                                        QT_TRANSLATE_NOOP("Said", "condition number"),
                                                        QT_TRANSLATE_NOOP("Said", "coherence"),
                                                        QT_TRANSLATE_NOOP("Said", "channel"),
+                                                       QT_TRANSLATE_NOOP("Said", "sample"),
                                                        QT_TRANSLATE_NOOP("Said", "amplitude (m)"),
                                                        QT_TRANSLATE_NOOP("Said", "receptance"),
                                                        QT_TRANSLATE_NOOP("Said", "mobility"),

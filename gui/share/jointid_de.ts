@@ -2473,6 +2473,10 @@ Eine Auswertung und die Kanäle wählen, dann ausführen.</translation>
         <source>Written to %1.</source>
         <translation>Geschrieben nach %1.</translation>
     </message>
+    <message>
+        <source>record</source>
+        <translation>Verlauf</translation>
+    </message>
 </context>
 <context>
     <name>Said</name>
@@ -4323,6 +4327,10 @@ Eine Auswertung und die Kanäle wählen, dann ausführen.</translation>
     <message>
         <source>slipped share h of the stiffness area</source>
         <translation>gerutschter Anteil h der Steifigkeitsfläche</translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation>Abtastwert</translation>
     </message>
 </context>
 <context>

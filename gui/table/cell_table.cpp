@@ -7,6 +7,7 @@
 #include <QKeyEvent>
 #include <QMessageBox>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QStyledItemDelegate>
 #include <algorithm>
 
@@ -58,6 +59,12 @@ QString escaped(QString text, QChar separator) {
   return '"' + text.replace("\"", "\"\"") + '"';
 }
 
+/// A number, one with its error, or an interval: numbers of a column end below each other.
+bool is_number(const QString& text) {
+  static const QRegularExpression number(QStringLiteral("^[-+−]?[0-9.]+(e[-+]?[0-9]+)?( ?[%°]| (±|…|\\.\\.\\.) .*)?$"));
+  return number.match(text).hasMatch();
+}
+
 }  // namespace
 
 CellRows rows_of(const report::Table& table) {
@@ -98,6 +105,7 @@ QVariant CellModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::BackgroundRole && cell.shade) return shade(theme_, *cell.shade);
   if (role == Qt::ForegroundRole && cell.shade) return text_on(shade(theme_, *cell.shade));
   if (role == Qt::TextAlignmentRole && cell.shade) return Qt::AlignCenter;
+  if (role == Qt::TextAlignmentRole && is_number(cell.text)) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
   return {};
 }
 
@@ -171,8 +179,8 @@ QString CellTable::chosen_text() const {
 void CellTable::write_csv(const QString& file) const { write_output(file, text(',').toStdString(), inputs_); }
 
 void CellTable::save_csv() {
-  const QString file = choose_file_to_save(this, tr("Save the table"), objectName() + QStringLiteral(".csv"), tr("Tables (*.csv)"),
-                                           QStringLiteral("csv"));
+  const QString file = choose_file_to_save(this, tr("Save the table"), objectName() + QStringLiteral(".csv"),
+                                           tr("Tables (*.csv)"), QStringLiteral("csv"));
   if (file.isEmpty()) return;
   try {
     write_csv(file);
