@@ -160,9 +160,10 @@ void HeatChart::redraw() {
   auto* const scale = new QCPColorScale(plot_);
   plot_->plotLayout()->addElement(0, 1, scale);
   scale->setType(QCPAxis::atRight);
-  map->setColorScale(scale);
-  scale->setGradient(map->gradient());
-  scale->setDataRange(map->dataRange());
+  const QCPRange values = map->dataRange();
+  map->setColorScale(scale);  // and takes range and colours of the scale
+  scale->setGradient(gradient_of(theme));
+  scale->setDataRange(values);
   scale->axis()->setLabel(heat_.log ? tr("log10 of %1").arg(axis_text(heat_.value_label)) : axis_text(heat_.value_label));
   tell_ticks_apart(*scale->axis());
   scale->axis()->setTickLabelColor(colours(theme).text);

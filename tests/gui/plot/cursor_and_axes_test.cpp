@@ -168,6 +168,7 @@ TEST(HeatChart, TicksOfItsColoursDoNotRepeat) {
   const auto* const scale = qobject_cast<QCPColorScale*>(plot->plotLayout()->element(0, 1));
   ASSERT_NE(scale, nullptr);
   const QVector<QString> labels = scale->axis()->tickVectorLabels();
+  EXPECT_NEAR(scale->dataRange().upper, 1.0854712, 1e-12);
   EXPECT_GT(labels.size(), 1);
   EXPECT_EQ(QSet<QString>(labels.begin(), labels.end()).size(), labels.size()) << QStringList(labels).join(' ').toStdString();
 }
