@@ -197,7 +197,8 @@ void FrfPlot::set_cursor(double frequency_hz) {
   show_readout();
 }
 
-/// The values come and go with the line of the cursor. With the colours of the curves, so that it is a legend; the curve under the mouse is bold.
+/// The values come and go with the line of the cursor. With the colours of the curves, so that it is a legend; the curve under the
+/// mouse is bold.
 void FrfPlot::show_readout() {
   const ReadoutStyle style{decibel_->isChecked(), canvas_->mark_hz()};
   readout_text_.clear();

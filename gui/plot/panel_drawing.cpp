@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "gui/look/said.hpp"
-#include "gui/plot/curve_drawing.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -243,6 +242,22 @@ void draw_nyquist(QCustomPlot& plot, const Drawing& drawing) {
   x->scaleRange(1.1);
   y->scaleRange(1.1);
   y->setScaleRatio(x, 1.0);
+}
+
+void give_room(QCPAxis& axis, const std::vector<double>& values) {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  if (!(least == most)) return;
+  constexpr double share = 0.2, factor = 10.0;
+  const double room = most == 0.0 ? 1.0 : share * std::abs(most);
+  if (axis.scaleType() == QCPAxis::stLogarithmic && most > 0.0)
+    axis.setRange(most / factor, most * factor);
+  else
+    axis.setRange(most - room, most + room);
 }
 
 void fit_axes(QCPAxisRect& rect, const ident::Range& shown_hz) {

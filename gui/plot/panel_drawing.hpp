@@ -56,6 +56,9 @@ void draw_nyquist(QCustomPlot& plot, const Drawing& drawing);
 /// A diagram of draw_panels() over the shown frequencies, with all that the curves do there.
 void fit_axes(QCPAxisRect& rect, const ident::Range& shown_hz);
 
+/// Where all values are one: a fifth of it on either side, or a power of ten; 1 about 0. Other values leave the axis as it is.
+void give_room(QCPAxis& axis, const std::vector<double>& values);
+
 /// From the first to the last frequency of all curves; of a single line a hertz around it.
 ident::Range span_of(const std::vector<Curve>& curves);
 
