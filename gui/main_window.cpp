@@ -239,9 +239,8 @@ bool MainWindow::save_as(Project& project) {
 
 /// Runs of a scene that was not saved are of the session: those that took long are not lost without a word.
 bool MainWindow::may_lose_runs(Project& project) {
-  constexpr double long_s = 60.0;
   const double seconds = project.seconds_of_runs();
-  if (seconds < long_s) return true;
+  if (!(seconds > 0.0) || seconds < long_runs_s_) return true;
   tabs_->setCurrentWidget(&project);
   const QString text = tr("The runs of %1 took %2. They are lost with it. Save the scene to keep them beside it. Close it?")
                            .arg(project.title(), duration_text(seconds));

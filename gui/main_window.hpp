@@ -31,6 +31,8 @@ class MainWindow : public QMainWindow {
   int count() const;
   MessageBar* messages() const { return messages_; }
 
+  /// From how many seconds of runs that are kept in no file closing asks.
+  void set_long_runs(double seconds) { long_runs_s_ = seconds; }
   void set_theme(Theme theme);
   /// Kept for the next start; a message offers to begin anew at once.
   void set_language(const QString& language);
@@ -80,6 +82,7 @@ class MainWindow : public QMainWindow {
   QStackedWidget* stack_;
   QTabWidget* tabs_;
   Worker* worker_;
+  double long_runs_s_ = 60.0;
 };
 
 }  // namespace jointid::gui

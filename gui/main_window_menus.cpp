@@ -113,8 +113,8 @@ void MainWindow::add_view_menu() {
                   on_current(this, [](Project& project) { project.switch_view(true); }));
   int page = 0;
   for (const QString& text : {tr("&Data"), tr("&Geometry"), tr("S&olve"), tr("&Compare"), tr("S&tudy"), tr("&Modes"),
-                              tr("Cou&pling"), tr("&Loading curves"), tr("Test pl&anning"), tr("&Response"), tr("Friction la&ws"),
-                              tr("Stic&k-slip motion"), tr("Time r&ecords"), tr("Joint l&ine by line")}) {
+                              tr("Cou&pling"), tr("C&urves"), tr("Pl&anning"), tr("&Response"), tr("La&ws"), tr("Stic&k-slip"),
+                              tr("R&ecords"), tr("&Z")}) {  // the words of the tabs
     const QString key = page < 9 ? QStringLiteral("Alt+%1").arg((page + 2) % 10) : QStringLiteral("Ctrl+%1").arg(page - 8);
     menu->addAction(text, QKeySequence(key), this, [this, page] { show_page(page); });
     ++page;

@@ -35,6 +35,7 @@
 #include "gui/study/study_page.hpp"
 #include "gui/table/cell_table.hpp"
 #include "gui/work/control_of.hpp"
+#include "ident/scene/drawn_lines.hpp"
 #include "ident/scene/read_scene.hpp"
 
 namespace jointid::gui {
@@ -167,6 +168,7 @@ void Project::show_scene() {
   const std::string files = path().parent_path().string() + '\n' + tables_below(editor_->text(), "data");
   data_page_->set_scene(*checked_.seen(), files);
   geometry_page_->set_scene(*checked_.seen(), files);
+  geometry_page_->set_own_lines(ident::readable_lines(editor_->text()));
 }
 
 /// Planning and solving know more than the reader of scenes: what they say stands below its line, too.

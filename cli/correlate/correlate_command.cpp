@@ -47,7 +47,8 @@ void add_correlate(CLI::App& app, Chosen& chosen) {
   command
       ->add_option("OTHER", arguments->other, "The same structure, measured again or by a model; the description of one (*.toml), too")
       ->required();
-  CLI::Option* modes = command->add_flag("--modes", arguments->modes, "Compare mode shapes (universal files, dataset 55)");
+  CLI::Option* modes =
+      command->add_flag("--modes", arguments->modes, "Compare mode shapes (universal files with dataset 55, or JSON of modalfit)");
   command->add_option("--fdac", arguments->fdac, "A reference, e.g. 1:+Z: its FDAC, line by line, in the JSON")->excludes(modes);
   add_outputs(command, *arguments, "all criteria", "one FRF or mode a row");
   command->footer(

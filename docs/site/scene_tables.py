@@ -68,6 +68,7 @@ SOLVE = Kind("solve", "Scenes of `solve`, `plan`, `check`, `study`, `compare`", 
     T("noise", {"model": '"gaussian"', "level": "0.01"}, companions=({"model": '"hammer"', "averages": "10"},),
       variants={"hammer": {"model": '"hammer"'}, "modal": {"model": '"modal"', "level": "0.01"}}),
     T("noise.gross", {"share": "0.01", "factor": "10"}),
+    T("geometry"),
     T("truth"),
     T("virtual_points", {"name": '"VP1"', "position": "[0, 0, 0]", "plane": '"XY"', "sensors": '["7:+X", "7:+Y", "8:+Y"]'}, several=True),
 ])
@@ -80,6 +81,7 @@ COUPLE = Kind("couple", "Scenes of `couple`", ["couple", "--out", "x.h5"], ["sce
       companions=({"join": f"[{PAIR}]", "threshold": '"fixed"'}, {"join": f"[{PAIR}]", "method": '"mtc"', "threshold": '"alpha"'})),
     T("couple.joint", {"dofs": PAIR, "stiffness": "{ matrix = [[1, -1], [-1, 1]] }"}, several=True,
       variants={"identified": {"identified": '"x.toml"'}}),
+    T("geometry"),
     T("couple.joint.stiffness", name="`stiffness` and other matrices of `[[couple.joint]]`"),
 ])
 
@@ -90,6 +92,7 @@ LINES = Kind("lines", "Scenes of `solve` with the joint at every line", ["solve"
     T("frequency"),
     T("joint", {"dofs": PAIR, "lines": '"massless"'}, always=True,
       companions=tuple({"dofs": PAIR, "lines": '"massless"', **more} for more in ({"laws": '"all"'}, {"smooth": '"marginal"'}))),
+    T("geometry"),
     T("joint.lines", {"matrix": '[["a", "-a"], ["-a", "a"]]'}),
     IDENTIFY_LINES,
 ])
@@ -99,6 +102,7 @@ DECOUPLE = Kind("decouple", "Scenes of `decouple`", ["decouple", "--out", "x.h5"
     T("data", {"substructures": '["a"]', "assembly": '["c"]'}, always=True),
     T("data.gains", {"gain": "0.01"}, several=True),
     T("frequency"),
+    T("geometry"),
     T("decouple", {"interface": PAIR}, always=True),
     IDENTIFY_LINES,
 ])

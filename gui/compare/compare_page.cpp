@@ -11,6 +11,7 @@
 #include "gui/look/buttons.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/paths.hpp"
+#include "gui/look/scrolled.hpp"
 #include "gui/page/job_line.hpp"
 #include "gui/plot/chart.hpp"
 #include "gui/table/cell_table.hpp"
@@ -40,7 +41,7 @@ ComparePage::ComparePage(QWidget* parent) : QWidget(parent) {
   all->addWidget(make_top());
   all->addWidget(choices_);
   all->addWidget(line_);
-  all->addWidget(both, 1);
+  all->addWidget(scrolled(both), 1);
   connect(line_, &JobLine::failed, this, &ComparePage::failed);
   connect(line_, &JobLine::busy_changed, this, [this](bool busy) { run_->setEnabled(!busy && scene_.has_value()); });
   connect(chart_, &Chart::chosen, this, [this](std::size_t group, std::size_t point) {

@@ -14,6 +14,7 @@
 #include "gui/look/named.hpp"
 #include "gui/look/paths.hpp"
 #include "gui/look/said.hpp"
+#include "gui/look/scrolled.hpp"
 #include "gui/page/job_line.hpp"
 #include "gui/page/plot_menu.hpp"
 #include "gui/scene/completion_place.hpp"
@@ -54,7 +55,7 @@ CouplePage::CouplePage(QWidget* parent) : QWidget(parent) {
   all->setContentsMargins(4, 4, 4, 4);
   all->addWidget(make_top());
   all->addWidget(line_);
-  all->addWidget(both, 1);
+  all->addWidget(scrolled(both), 1);
   connect(line_, &JobLine::failed, this, &CouplePage::failed);
   connect(line_, &JobLine::busy_changed, this, &CouplePage::show_buttons);
   show_buttons();

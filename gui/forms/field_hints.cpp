@@ -29,6 +29,7 @@ const Hints& titles() {
       {"noise", QT_TRANSLATE_NOOP("Said", "Noise")},
       {"noise.gross", QT_TRANSLATE_NOOP("Said", "Noise: outlier lines")},
       {"truth", QT_TRANSLATE_NOOP("Said", "Truth")},
+      {"geometry", QT_TRANSLATE_NOOP("Said", "Geometry")},
       {"virtual_points", QT_TRANSLATE_NOOP("Said", "Virtual points")},
   };
   return all;
@@ -39,6 +40,7 @@ const Hints& hints() {
   static const Hints all = {
       {" title", QT_TRANSLATE_NOOP("Said", "name of the scene")},
       {" nodes", QT_TRANSLATE_NOOP("Said", "positions in m: { \"4\" = [0.9, 0, 0], … }")},
+      {"geometry lines", QT_TRANSLATE_NOOP("Said", "lines of the picture between nodes: [[4, 5], [5, 12]]")},
       {"data substructures", QT_TRANSLATE_NOOP("Said", "files of the substructures, without the joint")},
       {"data assembly", QT_TRANSLATE_NOOP("Said", "files of the assembly, with the joint")},
       {"data gains", QT_TRANSLATE_NOOP("Said", "uncertain gains and time delays of sensors: { gain = 0.01 }")},

@@ -1,7 +1,6 @@
 #include "gui/geometry/geometry_page.hpp"
 
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
@@ -20,6 +19,7 @@
 #include "gui/scene/scene_edit.hpp"
 #include "gui/work/worker.hpp"
 #include "ident/scene/scene_files.hpp"
+#include "tasks/correlate/compared_files.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -51,6 +51,7 @@ GeometryPage::GeometryPage(QWidget* parent) : QWidget(parent) {
   motion_ = new MotionBar;
   list_ = named(new QListWidget, "dofs", tr("Measured DOFs. Ticked: joint DOFs"),
                 tr("Space adds a DOF to [joint] dofs, or removes it"));
+  list_->setMinimumWidth(200);
   status_ = named(new QLabel, "geometry_status", tr("About the structure"));
   status_->setWordWrap(true);
   status_->setTextFormat(Qt::PlainText);
@@ -58,7 +59,7 @@ GeometryPage::GeometryPage(QWidget* parent) : QWidget(parent) {
   both->addWidget(list_);
   both->addWidget(view_);
   both->setStretchFactor(1, 1);
-  both->setSizes({130, 600});
+  both->setSizes({200, 530});
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(4, 4, 4, 4);
   all->addWidget(motion_);
@@ -77,18 +78,44 @@ QLayout* GeometryPage::make_foot() {
   auto* front = push_button("geometry_front", tr("Front"), tr("Look along y: x to the right, z up (F)"));
   auto* side = push_button("geometry_side", tr("Side"), tr("Look along x: y to the right, z up (S)"));
   auto* top = push_button("geometry_top", tr("Top"), tr("Look down: x to the right, y up (T)"));
+  pen_ = make_pen();
   auto* copy = push_button("geometry_copy", tr("Copy"), tr("Copy the nodes for a spreadsheet, and the picture"));
   auto* save = push_button("geometry_save", tr("Save…"), tr("Save as PNG, SVG, PDF or CSV; a motion as a film (GIF), too"));
-  auto* row = new QHBoxLayout;
-  row->addWidget(status_, 1);
-  for (QPushButton* each : {front, side, top, copy, save}) row->addWidget(each);
+  auto* rows = new QVBoxLayout;
+  rows->addWidget(status_);
+  rows->addLayout(row_of({front, side, top, pen_}, {copy, save}));
   connect(front, &QPushButton::clicked, this, [this] { view_->look(Camera::Side::front); });
   connect(side, &QPushButton::clicked, this, [this] { view_->look(Camera::Side::side); });
   connect(top, &QPushButton::clicked, this, [this] { view_->look(Camera::Side::top); });
   connect(copy, &QPushButton::clicked, this, [this] { copy_plot(saveable(*view_)); });
-  connect(save, &QPushButton::clicked, this, [this] { ask_and_save(this, saveable(*view_), inputs_, QStringLiteral("geometry.png")); });
-  return row;
+  connect(save, &QPushButton::clicked, this,
+          [this] { ask_and_save(this, saveable(*view_), inputs_, QStringLiteral("geometry.png")); });
+  return rows;
 }
+
+/// Lines between nodes, by hand; they are kept in the scene.
+QPushButton* GeometryPage::make_pen() {
+  auto* pen = push_button("geometry_lines", tr("Lines"), tr("Draw lines between nodes, or remove them (L)"));
+  pen->setCheckable(true);
+  connect(pen, &QPushButton::toggled, this, [this](bool on) {
+    view_->set_drawing(on);
+    if (on)
+      view_->setFocus();
+    else
+      say_structure();
+  });
+  connect(view_, &StructureView::pen_wanted, pen, &QPushButton::toggle);
+  connect(view_, &StructureView::drawing_changed, this, [this, pen] {
+    if (pen->isChecked()) status_->setText(view_->pen().text());
+  });
+  connect(view_, &StructureView::own_lines_changed, this, [this] {
+    const auto& lines = view_->own_lines();
+    Q_EMIT edit_wanted("geometry", "lines", lines.empty() ? std::string() : written(lines));
+  });
+  return pen;
+}
+
+void GeometryPage::set_own_lines(std::vector<frf::NodeLine> lines) { view_->set_own_lines(std::move(lines)); }
 
 void GeometryPage::save(const QString& file) const { save_plot(file, saveable(*view_), inputs_); }
 
@@ -99,7 +126,7 @@ void GeometryPage::connect_motion() {
   connect(motion_, &MotionBar::undeformed_wanted, view_, &StructureView::set_undeformed);
   connect(motion_, &MotionBar::numbers_wanted, view_, &StructureView::set_names);
   connect(motion_, &MotionBar::shapes_wanted, this, [this] {
-    for (const QString& file : choose_files_to_open(this)) open_shapes(file);
+    for (const QString& file : choose_modes_to_open(this)) open_shapes(file);
   });
 }
 
@@ -149,14 +176,19 @@ void GeometryPage::show_structure(const Structure& structure) {
     }
   }
   motion_->set_references(references_of(*files_));
+  say_structure();
+  show_joint();
+  read_deflection();
+}
+
+void GeometryPage::say_structure() {
+  const Structure& structure = view_->structure();
   const QString springs = springs_text(view_->springs());
   status_->setText((springs.isEmpty() ? QString() : springs + QLatin1Char('\n')) +
                    tr("%1 nodes, %2 lines, %3 DOFs. Click an arrow, or tick a DOF, to add it to the joint or remove it.")
                        .arg(structure.nodes.size())
-                       .arg(structure.lines.size())
+                       .arg(structure.lines.size() + view_->own_lines().size())
                        .arg(structure.dofs.size() + structure.unplaced.size()));
-  show_joint();
-  read_deflection();
 }
 
 void GeometryPage::show_joint() {
@@ -209,7 +241,7 @@ void GeometryPage::set_springs(const std::vector<tasks::JointSpring>& springs) {
 
 void GeometryPage::open_shapes(const QString& file) {
   worker_->add([this, file](const Worker::Watch&) -> Worker::Deliver {
-    return [this, shapes = named_shapes(frf::read_uff55(as_path(file)), QFileInfo(file).fileName())] {
+    return [this, shapes = named_shapes(tasks::read_modes(as_path(file)).modes, QFileInfo(file).fileName())] {
       const std::size_t first = fitted_.size() + of_files_.size();
       of_files_.insert(of_files_.end(), shapes.begin(), shapes.end());
       offer_modes();

@@ -9,6 +9,7 @@
 class QLabel;
 class QListWidget;
 class QListWidgetItem;
+class QPushButton;
 
 namespace jointid::gui {
 
@@ -26,13 +27,15 @@ class GeometryPage : public QWidget {
 
   /// Files are opened when the page is seen, anew when `signature` has changed.
   void set_scene(const ident::Scene& scene, const std::string& signature);
+  /// Lines drawn by hand, as the scene has them.
+  void set_own_lines(std::vector<frf::NodeLine> lines);
   void set_frequency(double frequency_hz);
   bool is_busy() const;
   /// Modes of the modal fit, to choose from beside those of files.
   void set_modes(std::vector<NamedShape> shapes);
   /// Springs of the joint as a solution found them; none: no solution.
   void set_springs(const std::vector<tasks::JointSpring>& springs);
-  /// Those of a universal file (dataset 55).
+  /// Those of a universal file (dataset 55), or of the JSON of a modal fit.
   void open_shapes(const QString& file);
 
   StructureView* view() const { return view_; }
@@ -51,6 +54,8 @@ class GeometryPage : public QWidget {
 
  private:
   QLayout* make_foot();
+  QPushButton* make_pen();
+  void say_structure();
   void connect_motion();
   void open_files_if_seen();
   void show_structure(const Structure& structure);
@@ -67,6 +72,7 @@ class GeometryPage : public QWidget {
   QListWidget* list_;
   MotionBar* motion_;
   QLabel* status_;
+  QPushButton* pen_;
   Worker* worker_;
   ident::DataSection data_;
   std::vector<frf::Dof> joint_;

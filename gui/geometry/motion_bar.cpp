@@ -52,7 +52,8 @@ MotionBar::MotionBar(QWidget* parent) : QWidget(parent) {
   frequency_->findChild<QLineEdit*>()->setAccessibleName(tr("Frequency of the force"));
   play_ = toggle("play", tr("Move"), tr("Show the motion"));
   hold_ = toggle("hold", tr("Hold"), tr("Hold the motion at its phase"));
-  auto* shapes = push_button("shapes_file", tr("Shapes…"), tr("Read mode shapes from a universal file (dataset 55)"));
+  auto* shapes = push_button("shapes_file", tr("Shapes…"),
+                             tr("Read mode shapes from a universal file (dataset 55), or from JSON of jointid modalfit"));
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->addLayout(row_of({source_, frequency_, play_, hold_}, {shapes}));

@@ -86,6 +86,11 @@ void StructureView::set_springs(std::vector<DrawnSpring> springs) {
   update();
 }
 
+void StructureView::set_own_lines(std::vector<frf::NodeLine> lines) {
+  pen_.set_own(std::move(lines));
+  update();
+}
+
 void StructureView::look(Camera::Side side) {
   camera_.look_from(side);
   update();
@@ -116,6 +121,8 @@ QPointF StructureView::tip_of(const frf::Dof& dof) const {
   const frf::Node& node = structure_.nodes[place_.at(dof.node)];
   return camera_.project(plus(drawn_position(dof.node), direction_of(node, dof), camera_.arrow_length()));
 }
+
+QPointF StructureView::place_of(std::int64_t node) const { return camera_.project(drawn_position(node)); }
 
 std::optional<frf::Dof> StructureView::dof_at(const QPointF& at) const {
   double nearest = nearest_px;
@@ -165,12 +172,13 @@ void StructureView::mouseMoveEvent(QMouseEvent* event) {
 
 void StructureView::mouseReleaseEvent(QMouseEvent* event) {
   if (turned_ || event->button() != Qt::LeftButton) return;
+  if (drawing_) return click_with_pen(event->position());
   if (const auto dof = dof_at(event->position())) Q_EMIT dof_clicked(*dof);
 }
 
 void StructureView::mouseDoubleClickEvent(QMouseEvent* event) {
   turned_ = true;  // its release chooses nothing
-  if (!dof_at(event->position())) show_all();
+  if (!drawing_ && !dof_at(event->position())) show_all();
 }
 
 void StructureView::wheelEvent(QWheelEvent* event) {
@@ -179,6 +187,7 @@ void StructureView::wheelEvent(QWheelEvent* event) {
 }
 
 void StructureView::keyPressEvent(QKeyEvent* event) {
+  if (drawing_ && draw_by_key(event->key())) return;
   switch (event->key()) {
     case Qt::Key_Left:
       return turn(-step, 0.0);
@@ -200,6 +209,9 @@ void StructureView::keyPressEvent(QKeyEvent* event) {
       return look(Camera::Side::side);
     case Qt::Key_T:
       return look(Camera::Side::top);
+    case Qt::Key_L:
+      Q_EMIT pen_wanted();
+      return;
     default:
       QWidget::keyPressEvent(event);
   }

@@ -5,14 +5,15 @@
 
 #include "gui/geometry/camera.hpp"
 #include "gui/geometry/drawn_springs.hpp"
+#include "gui/geometry/line_pen.hpp"
 
 class QPainter;
 
 namespace jointid::gui {
 
 /// A structure in space: nodes, lines, an arrow for every measured DOF, those of the joint in another colour, and how it
-/// deflects. Drag or arrow keys turn it, the wheel or + and − zoom, Home or a double click show all; a click chooses a DOF. By
-/// QPainter.
+/// deflects. Drag or arrow keys turn it, the wheel or + and − zoom, Home or a double click show all; a click chooses a DOF, or a
+/// node while lines are drawn. By QPainter.
 class StructureView : public QWidget {
   Q_OBJECT
 
@@ -33,6 +34,12 @@ class StructureView : public QWidget {
   /// Springs of the joint as a solution found them: loose ones red, with their share of the others.
   void set_springs(std::vector<DrawnSpring> springs);
   const std::vector<DrawnSpring>& springs() const { return springs_; }
+  /// Lines drawn by hand, beside those of the files; nodes that are not there are left out of the picture.
+  void set_own_lines(std::vector<frf::NodeLine> lines);
+  const std::vector<frf::NodeLine>& own_lines() const { return pen_.own(); }
+  /// While it is on, clicks and keys pick the two nodes of a line.
+  void set_drawing(bool on);
+  const LinePen& pen() const { return pen_; }
   /// Looks along an axis, or from above one side.
   void look(Camera::Side side);
 
@@ -50,10 +57,15 @@ class StructureView : public QWidget {
   QColor part_colour(const frf::Node& node) const;
   /// Where the tip of the arrow of a DOF is drawn.
   QPointF tip_of(const frf::Dof& dof) const;
+  /// Where a node is drawn.
+  QPointF place_of(std::int64_t node) const;
   QSize sizeHint() const override { return {500, 400}; }
 
  Q_SIGNALS:
   void dof_clicked(const jointid::frf::Dof& dof);
+  void pen_wanted();         ///< or no longer
+  void drawing_changed();    ///< what the pen has picked or chosen
+  void own_lines_changed();  ///< one more by hand, or one less
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -80,6 +92,14 @@ class StructureView : public QWidget {
   void draw_arrows(QPainter& painter) const;
   void draw_axes(QPainter& painter) const;
   std::optional<frf::Dof> dof_at(const QPointF& at) const;
+  std::optional<std::int64_t> node_at(const QPointF& at) const;
+  std::vector<frf::NodeLine> all_lines() const;
+  std::optional<frf::NodeLine> own_line_at(const QPointF& at) const;
+  void draw_pen(QPainter& painter) const;
+  bool is_drawn(const frf::NodeLine& line) const { return place_.contains(line[0]) && place_.contains(line[1]); }
+  void pick(std::int64_t node);
+  void click_with_pen(const QPointF& at);
+  bool draw_by_key(int key);
 
   Structure structure_;
   Camera camera_;
@@ -92,6 +112,8 @@ class StructureView : public QWidget {
   bool undeformed_ = true, names_ = true;
   double largest_ = 0.0;  ///< motion of a node in the shape
   std::vector<DrawnSpring> springs_;
+  LinePen pen_;
+  bool drawing_ = false;
   QPointF pressed_, last_;
   bool turned_ = false;
 };

@@ -81,7 +81,7 @@ void StructureView::draw_scale(QPainter& painter) const {
 }
 
 void StructureView::draw_lines(QPainter& painter, bool deflected) const {
-  for (const frf::NodeLine& line : structure_.lines) {
+  for (const frf::NodeLine& line : all_lines()) {
     const frf::Node &from = structure_.nodes[place_.at(line[0])], &to = structure_.nodes[place_.at(line[1])];
     if (!deflected && shape_.empty()) painter.setPen(QPen(part_colour(from), 1.5));
     if (deflected) painter.setPen(QPen(motion_colour(theme_of(palette()), (share_of(from) + share_of(to)) / 2.0), 2.5));
@@ -186,6 +186,7 @@ void StructureView::paint(QPainter& painter) const {
   draw_springs(painter);
   draw_arrows(painter);
   draw_nodes(painter);
+  if (drawing_) draw_pen(painter);
   if (!shape_.empty()) draw_scale(painter);
   draw_axes(painter);
 }

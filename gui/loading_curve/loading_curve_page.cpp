@@ -9,6 +9,7 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include "base/error.hpp"
 #include "frf/file/columns.hpp"
 #include "gui/loading_curve/loading_curve_choices.hpp"
 #include "gui/look/buttons.hpp"
@@ -17,6 +18,7 @@
 #include "gui/look/named.hpp"
 #include "gui/look/paths.hpp"
 #include "gui/look/said.hpp"
+#include "gui/look/scrolled.hpp"
 #include "gui/page/job_line.hpp"
 #include "gui/page/plot_menu.hpp"
 #include "gui/table/cell_table.hpp"
@@ -41,6 +43,17 @@ QString status_text(const tasks::LoadingCurveResult& report) {
   return lines.join('\n');
 }
 
+/// Before anything is fitted; nothing where columns have to be chosen first, or no curve can be read.
+report::PlotGroup measured_curves(const tasks::LoadingCurveTask& task) {
+  tasks::LoadingCurveResult measured;
+  try {
+    measured.data = tasks::read_curves(task);
+  } catch (const InputError&) {
+    return {};
+  }
+  return report::curves_and_residuals(measured, most_curves);
+}
+
 }  // namespace
 
 LoadingCurvePage::LoadingCurvePage(QWidget* parent) : QWidget(parent) {
@@ -61,7 +74,7 @@ LoadingCurvePage::LoadingCurvePage(QWidget* parent) : QWidget(parent) {
   all->addWidget(make_top());
   all->addWidget(choices_);
   all->addWidget(line_);
-  all->addWidget(both, 1);
+  all->addWidget(scrolled(both), 1);
   connect(line_, &JobLine::failed, this, &LoadingCurvePage::failed);
   connect(line_, &JobLine::busy_changed, this, &LoadingCurvePage::show_buttons);
   connect(laws_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
@@ -119,11 +132,12 @@ void LoadingCurvePage::open(const QStringList& files) {
   QStringList names;
   for (const QString& file : files_) names << QFileInfo(file).fileName();
   names_->setText(names.join(QStringLiteral(", ")));
-  line_->worker().add([this, path = as_path(files_.front())](const Worker::Watch&) -> Worker::Deliver {
+  line_->worker().add([this, path = as_path(files_.front()), task = task()](const Worker::Watch&) -> Worker::Deliver {
     QStringList columns;
     for (const frf::NumberColumn& column : frf::read_columns(path).columns) columns << q(column.name);
-    return [this, columns] {
+    return [this, columns, measured = measured_curves(task)] {
       choices_->offer(columns);
+      plots_->show_groups({{tr("curve"), measured}});
       line_->say(tr("Columns: %1. Columns that you do not choose are found by name.").arg(columns.join(QStringLiteral(", "))));
     };
   });

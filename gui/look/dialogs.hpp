@@ -11,6 +11,8 @@ void begin_dialogs_in(const QString& folder);
 
 /// Files to open, or none. The folder is remembered.
 QStringList choose_files_to_open(QWidget* parent);
+/// The same of files with mode shapes.
+QStringList choose_modes_to_open(QWidget* parent);
 
 /// A file to write, with `suffix` where the user gives none, or an empty name.
 QString choose_file_to_save(QWidget* parent, const QString& title, const QString& suggestion, const QString& filter,

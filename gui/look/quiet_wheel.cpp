@@ -4,6 +4,8 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QEvent>
+#include <QSlider>
+#include <QTabBar>
 
 namespace jointid::gui {
 namespace {
@@ -14,9 +16,13 @@ class QuietWheel final : public QObject {
   using QObject::QObject;
 
  private:
+  static bool is_chooser(const QObject* watched) {
+    return qobject_cast<const QComboBox*>(watched) != nullptr || qobject_cast<const QAbstractSpinBox*>(watched) != nullptr ||
+           qobject_cast<const QSlider*>(watched) != nullptr || qobject_cast<const QTabBar*>(watched) != nullptr;
+  }
   bool eventFilter(QObject* watched, QEvent* event) override {
     if (event->type() != QEvent::Wheel) return false;
-    if (qobject_cast<QComboBox*>(watched) == nullptr && qobject_cast<QAbstractSpinBox*>(watched) == nullptr) return false;
+    if (!is_chooser(watched)) return false;
     event->ignore();
     return true;
   }

@@ -13,7 +13,7 @@ struct CrossMac {
   QString said;  ///< how many pairs, over how many coordinates
 };
 
-/// The other set is a universal file (dataset 55), of a test or of a model. Throws InputError, also where no coordinate is
+/// The other set is a file of tasks::read_modes(), of a test or of a model. Throws InputError, also where no coordinate is
 /// common.
 CrossMac cross_mac(const tasks::ModalRun& run, const std::filesystem::path& other);
 

@@ -15,6 +15,7 @@
 #include "gui/look/dialogs.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/said.hpp"
+#include "gui/look/scrolled.hpp"
 #include "gui/modal/modal_tables.hpp"
 #include "gui/page/dof_box.hpp"
 #include "gui/page/job_line.hpp"
@@ -42,12 +43,12 @@ ModalPage::ModalPage(QWidget* parent) : QWidget(parent) {
   auto* both = named(new QSplitter(Qt::Vertical), "diagram_and_modes", tr("Diagram and modes"));
   both->addWidget(chart_);
   both->addWidget(make_results());
-  both->setSizes({250, 420});
+  both->setSizes({380, 300});
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(4, 4, 4, 4);
   all->addWidget(make_top());
   all->addWidget(line_);
-  all->addWidget(both, 1);
+  all->addWidget(scrolled(both), 1);
   connect_all();
   set_scene({});
 }
@@ -108,8 +109,9 @@ QWidget* ModalPage::make_frf_tab() {
 
 QWidget* ModalPage::make_cross_tab() {
   auto* tab = named(new QWidget, "cross_mac_tab", tr("MAC with other modes"));
-  auto* choose = push_button("cross_mac_choose", tr("Compare with…"),
-                             tr("Other modes: a universal file (UFF 55) of another test or of a model"));
+  auto* choose =
+      push_button("cross_mac_choose", tr("Compare with…"),
+                  tr("Other modes, of another test or of a model: a universal file (UFF 55), or JSON of jointid modalfit"));
   cross_word_ = named(new QLabel, "cross_mac_word", tr("About the pairs of modes"));
   cross_word_->setWordWrap(true);
   cross_word_->setTextFormat(Qt::PlainText);
@@ -121,7 +123,7 @@ QWidget* ModalPage::make_cross_tab() {
   column->addWidget(cross_word_);
   column->addWidget(cross_mac_, 1);
   connect(choose, &QPushButton::clicked, this, [this] {
-    const QStringList files = choose_files_to_open(this);
+    const QStringList files = choose_modes_to_open(this);
     if (!files.isEmpty()) compare_with(files.front());
   });
   return tab;
@@ -138,9 +140,8 @@ void ModalPage::connect_all() {
   connect(command_, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(command_line()); });
   connect(chart_, &Chart::opened, this, &ModalPage::toggle);
   connect(shapes_, &QPushButton::clicked, this, [this] {
-    const QString file =
-        choose_file_to_save(this, tr("Write the mode shapes"), QStringLiteral("shapes.uff"), tr("Universal files (*.uff)"),
-                            QStringLiteral("uff"));
+    const QString file = choose_file_to_save(this, tr("Write the mode shapes"), QStringLiteral("shapes.uff"),
+                                             tr("Universal files (*.uff)"), QStringLiteral("uff"));
     if (!file.isEmpty()) write_shapes(file);
   });
   connect(regenerated_, &QPushButton::clicked, this, [this] {

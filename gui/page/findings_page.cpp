@@ -10,6 +10,7 @@
 #include "base/control.hpp"
 #include "gui/look/buttons.hpp"
 #include "gui/look/named.hpp"
+#include "gui/look/scrolled.hpp"
 #include "gui/page/job_line.hpp"
 
 namespace jointid::gui {
@@ -30,7 +31,7 @@ FindingsPage::FindingsPage(const Names& names, QWidget* parent) : QWidget(parent
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(4, 4, 4, 4);
   all->addWidget(line_);
-  all->addWidget(both, 1);
+  all->addWidget(scrolled(both), 1);
   connect(line_, &JobLine::failed, this, &FindingsPage::failed);
   connect(line_, &JobLine::busy_changed, this, [this] { show_buttons(); });
   connect(command_, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(command_line()); });

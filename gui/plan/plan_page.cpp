@@ -13,6 +13,7 @@
 #include "gui/look/named.hpp"
 #include "gui/look/output.hpp"
 #include "gui/look/paths.hpp"
+#include "gui/look/scrolled.hpp"
 #include "gui/look/status_label.hpp"
 #include "gui/plan/candidate_rows.hpp"
 #include "gui/solve/solution_tables.hpp"
@@ -36,7 +37,7 @@ PlanPage::PlanPage(QWidget* parent) : QWidget(parent) {
   all->setContentsMargins(4, 4, 4, 4);
   all->addWidget(make_top());
   all->addLayout(status_row(status_, progress_));
-  all->addWidget(both, 1);
+  all->addWidget(scrolled(both), 1);
   say(tr("This page shows the smallest standard errors that FRFs of a model or of an earlier test allow. It takes the joint of "
          "[truth] or [identify] start, and the noise of [noise] or of the files."),
       false);
@@ -120,8 +121,8 @@ void PlanPage::show_report(const tasks::BoundReport& report) {
 }
 
 void PlanPage::save_tables() {
-  const QString file = choose_file_to_save(this, tr("Save the tables"), QStringLiteral("bounds.csv"), tr("Tables (*.csv)"),
-                                           QStringLiteral("csv"));
+  const QString file =
+      choose_file_to_save(this, tr("Save the tables"), QStringLiteral("bounds.csv"), tr("Tables (*.csv)"), QStringLiteral("csv"));
   if (file.isEmpty()) return;
   try {
     write_output(file, (bounds_->text(',') + '\n' + ranking_->text(',')).toStdString(), inputs_of(scene_));

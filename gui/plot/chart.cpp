@@ -17,12 +17,13 @@ namespace {
 
 constexpr double zoom_factor = 1.4;
 constexpr int least_drag_px = 4;
-constexpr int least_width_px = 200, least_height_px = 140;
+constexpr int least_width_px = 200, least_height_px = 200;
 
 /// So that axes below each other, and the legend above them, can be read.
 int least_height(const QCustomPlot& plot) {
-  const int legend = plot.legend == nullptr ? 0 : plot.legend->rowCount(), panels = plot.plotLayout()->rowCount() - (legend > 0 ? 1 : 0);
-  return std::max(least_height_px, 70 + 20 * legend + 60 * panels);
+  const int legend = plot.legend == nullptr ? 0 : plot.legend->rowCount(),
+            panels = plot.plotLayout()->rowCount() - (legend > 0 ? 1 : 0);
+  return std::max(least_height_px, 60 + 20 * legend + std::max(140, 85 * panels));
 }
 
 }  // namespace
@@ -31,6 +32,7 @@ Chart::Chart(const char* name, const QString& accessible_name, const QString& hi
     : QWidget(parent), hint_(hint), plot_(new QCustomPlot(this)) {
   setAccessibleName(accessible_name);
   named(plot_, name, accessible_name);
+  speak_numbers(*plot_);
   plot_->setFocusPolicy(Qt::StrongFocus);
   plot_->setMinimumSize(least_width_px, least_height_px);
   plot_->setAutoAddPlottableToLegend(false);
@@ -125,8 +127,13 @@ void Chart::redraw() {
     if (zoomed_) rect->axis(QCPAxis::atBottom)->setRange(before[0], before[1]);
   }
   ring();
-  plot_->setMinimumHeight(least_height(*plot_));
+  fit_legend();
   plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void Chart::fit_legend() {
+  wrap_legend(*plot_);
+  plot_->setMinimumHeight(least_height(*plot_));
 }
 
 QWidget* Chart::canvas() const { return plot_; }
@@ -161,7 +168,7 @@ bool Chart::release(const QPoint& at) {
 
 bool Chart::eventFilter(QObject* watched, QEvent* event) {
   if (watched != plot_) return QWidget::eventFilter(watched, event);
-  if (event->type() == QEvent::Resize && !histograms_.empty()) redraw();
+  if (event->type() == QEvent::Resize) histograms_.empty() ? fit_legend() : redraw();
   if (event->type() == QEvent::KeyPress) return press(static_cast<QKeyEvent*>(event)->key());
   if (event->type() == QEvent::MouseMove) hover(static_cast<QMouseEvent*>(event)->position().toPoint());
   if (event->type() == QEvent::Wheel) zoomed_ = may_zoom_;

@@ -58,6 +58,7 @@ class Chart : public QWidget {
   using Place = std::pair<std::size_t, std::size_t>;
 
   void forget();
+  void fit_legend();
   void redraw();
   void ring();
   bool press(int key);

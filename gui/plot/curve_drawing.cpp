@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include "base/text.hpp"
@@ -143,22 +142,6 @@ void leave_room(const QCustomPlot& plot, const std::vector<QCPAxisRect*>& rects)
 }
 
 }  // namespace
-
-void give_room(QCPAxis& axis, const std::vector<double>& values) {
-  double least = std::numeric_limits<double>::infinity(), most = -least;
-  for (const double value : values) {
-    if (!std::isfinite(value)) continue;
-    least = std::min(least, value);
-    most = std::max(most, value);
-  }
-  if (!(least == most)) return;
-  constexpr double share = 0.2, factor = 10.0;
-  const double room = most == 0.0 ? 1.0 : share * std::abs(most);
-  if (axis.scaleType() == QCPAxis::stLogarithmic && most > 0.0)
-    axis.setRange(most / factor, most * factor);
-  else
-    axis.setRange(most - room, most + room);
-}
 
 void set_axis(QCPAxis& axis, const report::Axis& wanted) {
   axis.setLabel(axis_text(wanted.label));

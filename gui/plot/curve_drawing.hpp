@@ -16,9 +16,6 @@ namespace jointid::gui {
 /// Name, and logarithmic with powers of ten where it is wanted.
 void set_axis(QCPAxis& axis, const report::Axis& wanted);
 
-/// Where all values are one: a fifth of it on either side, or a power of ten; 1 about 0. Other values leave the axis as it is.
-void give_room(QCPAxis& axis, const std::vector<double>& values);
-
 /// Below each other with one legend above; those over an axis of the same name share its range.
 void draw_curves(QCustomPlot& plot, const std::vector<report::CurvePlot>& plots, Theme theme);
 

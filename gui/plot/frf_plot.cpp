@@ -60,13 +60,14 @@ FrfPlot::FrfPlot(const QString& hint, QWidget* parent) : QWidget(parent) {
   column->addWidget(canvas_, 1);
   column->addWidget(readout_);
   connect(canvas_, &PlotCanvas::cursor_moved, this, [this](double frequency_hz) {
-    show_cursor(frequency_hz);
+    show_readout();
     Q_EMIT cursor_moved(frequency_hz);
   });
   connect(canvas_, &PlotCanvas::band_chosen, this, &FrfPlot::band_chosen);
   connect(canvas_, &PlotCanvas::band_unwanted, this, &FrfPlot::band_unwanted);
   connect(canvas_, &PlotCanvas::next_wanted, this, &FrfPlot::next_wanted);
   connect(canvas_, &PlotCanvas::mark_changed, this, &FrfPlot::show_readout);
+  connect(canvas_, &PlotCanvas::range_changed, this, &FrfPlot::show_readout);
   connect(canvas_, &PlotCanvas::curve_hovered, this, [this](int curve) {
     hovered_ = curve;
     show_readout();
@@ -180,7 +181,6 @@ void FrfPlot::set_curves(std::vector<Curve> curves) {
   std::erase_if(curves, [](const Curve& curve) { return curve.values.empty(); });
   canvas_->draw(curves, view(), quantity(), decibel_->isChecked());
   hovered_ = -1;
-  cursor_hz_.reset();
   show_readout();
 }
 
@@ -194,19 +194,15 @@ void FrfPlot::set_marked(std::vector<double> marked_hz) { canvas_->set_marked(st
 
 void FrfPlot::set_cursor(double frequency_hz) {
   canvas_->move_cursor(frequency_hz);
-  show_cursor(frequency_hz);
-}
-
-void FrfPlot::show_cursor(double frequency_hz) {
-  cursor_hz_ = frequency_hz;
   show_readout();
 }
 
-/// With the colours of the curves, so that it is a legend; the curve under the mouse is bold.
+/// The values come and go with the line of the cursor. With the colours of the curves, so that it is a legend; the curve under the
+/// mouse is bold.
 void FrfPlot::show_readout() {
   const ReadoutStyle style{decibel_->isChecked(), canvas_->mark_hz()};
   readout_text_.clear();
-  if (cursor_hz_) readout_text_ = QString::fromStdString(gui::readout(curves(), *cursor_hz_, quantity(), style));
+  if (const auto at = canvas_->cursor_hz()) readout_text_ = QString::fromStdString(gui::readout(curves(), *at, quantity(), style));
   const QStringList lines = readout_text_.split(QLatin1Char('\n'));
   const Theme theme = theme_of(palette());
   QString rich = lines.front().toHtmlEscaped();

@@ -66,7 +66,6 @@ class FrfPlot : public QWidget {
   void add_controls();
   frf::Quantity quantity() const;
   void redraw();
-  void show_cursor(double frequency_hz);
   void show_readout();
   void offer_peaks();
   QString proposed_name() const;
@@ -77,7 +76,6 @@ class FrfPlot : public QWidget {
   QToolButton *exclude_, *decibel_, *peaks_;
   QLabel* readout_ = nullptr;
   QString readout_text_;
-  std::optional<double> cursor_hz_;
   int hovered_ = -1;  ///< curve under the mouse
   PlotCanvas* canvas_;
   std::vector<std::filesystem::path> inputs_;

@@ -20,7 +20,7 @@ namespace jointid::gui {
 namespace {
 
 constexpr int cells_along_x = 600;  // of an axis of numbers, evenly
-constexpr int least_side_px = 160;
+constexpr int least_side_px = 200;
 constexpr std::size_t most_names = 40;  // of an axis; of more, every second, third …
 
 /// The place of the value nearest to `x`.
@@ -77,6 +77,7 @@ HeatChart::HeatChart(const char* name, const QString& accessible_name, const QSt
   named(plot_, name, accessible_name);
   plot_->setFocusPolicy(Qt::StrongFocus);
   plot_->setMinimumSize(least_side_px, least_side_px);
+  speak_numbers(*plot_);
   plot_->setMouseTracking(true);
   plot_->installEventFilter(this);
   readout_ = named(new QLabel, "heat_readout", tr("The value under the mouse"));
@@ -159,10 +160,12 @@ void HeatChart::redraw() {
   auto* const scale = new QCPColorScale(plot_);
   plot_->plotLayout()->addElement(0, 1, scale);
   scale->setType(QCPAxis::atRight);
-  map->setColorScale(scale);
-  scale->setGradient(map->gradient());
-  scale->setDataRange(map->dataRange());
+  const QCPRange values = map->dataRange();
+  map->setColorScale(scale);  // and takes range and colours of the scale
+  scale->setGradient(gradient_of(theme));
+  scale->setDataRange(values);
   scale->axis()->setLabel(heat_.log ? tr("log10 of %1").arg(axis_text(heat_.value_label)) : axis_text(heat_.value_label));
+  tell_ticks_apart(*scale->axis());
   scale->axis()->setTickLabelColor(colours(theme).text);
   scale->axis()->setLabelColor(colours(theme).text);
   // A cell reaches half its width beyond its place.

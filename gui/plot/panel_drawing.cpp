@@ -15,18 +15,46 @@ constexpr std::size_t most_in_legend = 10;
 constexpr const char* curve_property = "curve";
 
 /// Axes of pages, and names of quantities, that the window has in other languages.
-[[maybe_unused]] constexpr const char* axis_words[] = {
-    QT_TRANSLATE_NOOP("Said", "frequency (Hz)"), QT_TRANSLATE_NOOP("Said", "time (s)"), QT_TRANSLATE_NOOP("Said", "phase (°)"),
-    QT_TRANSLATE_NOOP("Said", "mode"), QT_TRANSLATE_NOOP("Said", "force (N)"), QT_TRANSLATE_NOOP("Said", "singular value"),
-    QT_TRANSLATE_NOOP("Said", "shape"), QT_TRANSLATE_NOOP("Said", "relative velocity (m/s)"), QT_TRANSLATE_NOOP("Said", "radius"),
-    QT_TRANSLATE_NOOP("Said", "over the amplitude"), QT_TRANSLATE_NOOP("Said", "order (pole pairs)"),
-    QT_TRANSLATE_NOOP("Said", "of critical (%)"), QT_TRANSLATE_NOOP("Said", "mean square λ"),
-    QT_TRANSLATE_NOOP("Said", "mean ln distance"),
-    QT_TRANSLATE_NOOP("Said", "loop"), QT_TRANSLATE_NOOP("Said", "lag (s)"), QT_TRANSLATE_NOOP("Said", "frequency lines used"),
-    QT_TRANSLATE_NOOP("Said", "displacement (m)"), QT_TRANSLATE_NOOP("Said", "dimension"), QT_TRANSLATE_NOOP("Said", "coordinates"),
-    QT_TRANSLATE_NOOP("Said", "condition number"), QT_TRANSLATE_NOOP("Said", "coherence"), QT_TRANSLATE_NOOP("Said", "channel"),
-    QT_TRANSLATE_NOOP("Said", "amplitude (m)"), QT_TRANSLATE_NOOP("Said", "receptance"), QT_TRANSLATE_NOOP("Said", "mobility"),
-    QT_TRANSLATE_NOOP("Said", "accelerance")};
+[[maybe_unused]] constexpr const char* axis_words[] = {QT_TRANSLATE_NOOP("Said", "frequency (Hz)"),
+                                                       QT_TRANSLATE_NOOP("Said", "time (s)"),
+                                                       QT_TRANSLATE_NOOP("Said", "phase (°)"),
+                                                       QT_TRANSLATE_NOOP("Said", "mode"),
+                                                       QT_TRANSLATE_NOOP("Said", "force (N)"),
+                                                       QT_TRANSLATE_NOOP("Said", "singular value"),
+                                                       QT_TRANSLATE_NOOP("Said", "shape"),
+                                                       QT_TRANSLATE_NOOP("Said", "relative velocity (m/s)"),
+                                                       QT_TRANSLATE_NOOP("Said", "radius"),
+                                                       QT_TRANSLATE_NOOP("Said", "over the amplitude"),
+                                                       QT_TRANSLATE_NOOP("Said", "order (pole pairs)"),
+                                                       QT_TRANSLATE_NOOP("Said", "of critical (%)"),
+                                                       QT_TRANSLATE_NOOP("Said", "mean square λ"),
+                                                       QT_TRANSLATE_NOOP("Said", "mean ln distance"),
+                                                       QT_TRANSLATE_NOOP("Said", "loop"),
+                                                       QT_TRANSLATE_NOOP("Said", "lag (s)"),
+                                                       QT_TRANSLATE_NOOP("Said", "frequency lines used"),
+                                                       QT_TRANSLATE_NOOP("Said", "displacement (m)"),
+                                                       QT_TRANSLATE_NOOP("Said", "dimension"),
+                                                       QT_TRANSLATE_NOOP("Said", "coordinates"),
+                                                       QT_TRANSLATE_NOOP("Said", "condition number"),
+                                                       QT_TRANSLATE_NOOP("Said", "coherence"),
+                                                       QT_TRANSLATE_NOOP("Said", "channel"),
+                                                       QT_TRANSLATE_NOOP("Said", "sample"),
+                                                       QT_TRANSLATE_NOOP("Said", "amplitude (m)"),
+                                                       QT_TRANSLATE_NOOP("Said", "receptance"),
+                                                       QT_TRANSLATE_NOOP("Said", "mobility"),
+                                                       QT_TRANSLATE_NOOP("Said", "accelerance"),
+                                                       QT_TRANSLATE_NOOP("Said", "time of one solution"),
+                                                       QT_TRANSLATE_NOOP("Said", "rms relative error (median)"),
+                                                       QT_TRANSLATE_NOOP("Said", "value / value of the solution"),
+                                                       QT_TRANSLATE_NOOP("Said", "objective"),
+                                                       QT_TRANSLATE_NOOP("Said", "iteration"),
+                                                       QT_TRANSLATE_NOOP("Said", "displacement"),
+                                                       QT_TRANSLATE_NOOP("Said", "amplitude"),
+                                                       QT_TRANSLATE_NOOP("Said", "force"),
+                                                       QT_TRANSLATE_NOOP("Said", "energy"),
+                                                       QT_TRANSLATE_NOOP("Said", "time"),
+                                                       QT_TRANSLATE_NOOP("Said", "frequency"),
+                                                       QT_TRANSLATE_NOOP("Said", "slipped share h of the stiffness area")};
 
 QVector<QCPGraphData> points(const std::vector<double>& x, const std::vector<double>& y) {
   QVector<QCPGraphData> data;
@@ -117,14 +145,27 @@ class DistinctTicker : public QCPAxisTicker {
   double step_ = 0.0;
 };
 
-QString axis_text(const std::string& label) { return said(label.c_str()); }
+void speak_numbers(QCustomPlot& plot) {
+  QLocale plain = QLocale::c();
+  plain.setNumberOptions(QLocale::OmitGroupSeparator);
+  plot.setLocale(plain);
+}
+
+QString axis_text(const std::string& label) {
+  const std::size_t unit = label.rfind(" (");
+  const QString whole = said(label.c_str());
+  if (unit == std::string::npos || whole != QString::fromStdString(label)) return whole;
+  return said(label.substr(0, unit).c_str()) + QString::fromStdString(label.substr(unit));
+}
 
 std::size_t curve_of(const QCPGraph& graph) { return graph.property(curve_property).toULongLong(); }
+
+void tell_ticks_apart(QCPAxis& axis) { axis.setTicker(QSharedPointer<DistinctTicker>::create()); }
 
 void style_axes(QCPAxisRect& rect, Theme theme) {
   const Colours use = colours(theme);
   for (QCPAxis* axis : rect.axes()) {
-    axis->setTicker(QSharedPointer<DistinctTicker>::create());
+    tell_ticks_apart(*axis);
     axis->setBasePen(QPen(use.weak_text));
     axis->setTickPen(QPen(use.weak_text));
     axis->setSubTickPen(QPen(use.weak_text));
@@ -156,6 +197,19 @@ void add_legend(QCustomPlot& plot, Theme theme) {
   legend->setBorderPen(Qt::NoPen);
   legend->setTextColor(colours(theme).text);
   legend->setMargins(QMargins(60, 0, 0, 0));
+}
+
+void wrap_legend(QCustomPlot& plot) {
+  constexpr int margins = 80, icon = 50;  // pixels
+  if (plot.legend == nullptr || plot.legend->itemCount() == 0) return;
+  int widest = 0;
+  for (int i = 0; i < plot.legend->itemCount(); ++i) {
+    auto* const item = qobject_cast<QCPPlottableLegendItem*>(plot.legend->item(i));
+    if (item != nullptr)
+      widest = std::max(widest, QFontMetrics(plot.legend->font()).horizontalAdvance(item->plottable()->name()));
+  }
+  plot.legend->setWrap(std::clamp((plot.width() - margins) / (widest + icon), 1, plot.legend->itemCount()));
+  plot.legend->setFillOrder(QCPLayoutGrid::foColumnsFirst, true);
 }
 
 void draw_panels(QCustomPlot& plot, const Drawing& drawing) {
@@ -190,18 +244,45 @@ void draw_nyquist(QCustomPlot& plot, const Drawing& drawing) {
   y->setScaleRatio(x, 1.0);
 }
 
+void give_room(QCPAxis& axis, const std::vector<double>& values) {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  if (!(least == most)) return;
+  constexpr double share = 0.2, factor = 10.0;
+  const double room = most == 0.0 ? 1.0 : share * std::abs(most);
+  if (axis.scaleType() == QCPAxis::stLogarithmic && most > 0.0)
+    axis.setRange(most / factor, most * factor);
+  else
+    axis.setRange(most - room, most + room);
+}
+
 void fit_axes(QCPAxisRect& rect, const ident::Range& shown_hz) {
   QCPAxis* const x = rect.axis(QCPAxis::atBottom);
   QCPAxis* const y = rect.axis(QCPAxis::atLeft);
   x->setRange(shown_hz[0], shown_hz[1]);
   if (const QVariant top = rect.property("top_deg"); top.isValid()) return draw_degrees(y, top.toDouble());
   if (rect.property("unity").toBool()) return y->setRange(0.0, 1.02);
-  bool found = false;
-  for (QCPGraph* graph : rect.graphs()) {
-    graph->rescaleValueAxis(found, true);
-    found = true;
+  const bool linear = y->scaleType() == QCPAxis::stLinear;
+  QCPRange all;
+  bool any = false;
+  for (const QCPGraph* graph : rect.graphs()) {
+    bool found = false;
+    const QCPRange one = graph->getValueRange(found, linear ? QCP::sdBoth : QCP::sdPositive, x->range());
+    if (!found) continue;
+    if (any)
+      all.expand(one);
+    else
+      all = one;
+    any = true;
   }
-  if (y->scaleType() == QCPAxis::stLinear) y->scaleRange(1.1);
+  if (!any) return;
+  if (all.lower == all.upper) return give_room(*y, {all.lower});
+  y->setRange(all);
+  if (linear) y->scaleRange(1.1);
 }
 
 ident::Range span_of(const std::vector<Curve>& curves) {

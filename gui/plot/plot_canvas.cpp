@@ -24,7 +24,8 @@ constexpr int shortest_drag = 4;  // pixels
 PlotCanvas::PlotCanvas(const QString& hint, QWidget* parent) : QWidget(parent), hint_(hint), plot_(new QCustomPlot(this)) {
   named(plot_, "frf_canvas", tr("FRF plot"));
   plot_->setFocusPolicy(Qt::StrongFocus);
-  plot_->setMinimumSize(200, 160);
+  plot_->setMinimumSize(200, 200);
+  speak_numbers(*plot_);
   plot_->setAutoAddPlottableToLegend(false);
   plot_->setPlottingHint(QCP::phFastPolylines);
   plot_->addLayer(QStringLiteral("overlay_items"), nullptr, QCustomPlot::limAbove);
@@ -47,6 +48,7 @@ void PlotCanvas::draw(const std::vector<Curve>& curves, View view, frf::Quantity
   quantity_ = quantity;
   decibel_ = decibel;
   if (anew) shown_.reset();
+  if (cursor_ && !curves_.empty()) cursor_ = curves_.front().frequency_hz[nearest_line(curves_.front(), *cursor_)];
   redraw();
 }
 
@@ -148,6 +150,11 @@ void PlotCanvas::move_cursor(double frequency_hz) {
   overlay_->replot();
 }
 
+std::optional<double> PlotCanvas::cursor_hz() const {
+  const auto [low, high] = shown_hz();
+  return !curves_.empty() && cursor_ && *cursor_ >= low && *cursor_ <= high ? cursor_ : std::nullopt;
+}
+
 ident::Range PlotCanvas::shown_hz() const { return shown_ ? *shown_ : span_of(curves_); }
 
 void PlotCanvas::show_range(const ident::Range& range) {
@@ -165,6 +172,7 @@ void PlotCanvas::show_all() {
 
 /// Of diagrams over frequency the curves stay; a Nyquist plot holds only what is shown.
 void PlotCanvas::fit_all() {
+  Q_EMIT range_changed();
   if (view_ == View::nyquist || curves_.empty()) return redraw();
   for (QCPAxisRect* rect : plot_->axisRects()) fit_axes(*rect, shown_hz());
   plot_->replot(QCustomPlot::rpQueuedReplot);

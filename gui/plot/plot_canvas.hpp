@@ -30,6 +30,8 @@ class PlotCanvas : public QWidget {
   const std::vector<Curve>& curves() const { return curves_; }
 
   void move_cursor(double frequency_hz);
+  /// The line of the cursor, where it is seen.
+  std::optional<double> cursor_hz() const;
   /// The second cursor, from which the first is told; M sets it and takes it away.
   const std::optional<double>& mark_hz() const { return mark_hz_; }
   /// The axis of magnitudes round its middle, by a factor; all of it again where the frequencies change.
@@ -50,6 +52,8 @@ class PlotCanvas : public QWidget {
   /// Delete was pressed with the cursor in an excluded band.
   void band_unwanted(double low_hz, double high_hz);
   void mark_changed();
+  /// Other frequencies are shown.
+  void range_changed();
   /// The curve under the mouse, or −1.
   void curve_hovered(int curve);
   /// Page Down asks for the next FRF, Page Up for the one before.

@@ -2,12 +2,14 @@
 
 #include <QComboBox>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "base/error.hpp"
 #include "gui/look/buttons.hpp"
 #include "gui/look/dialogs.hpp"
 #include "gui/look/file_drop.hpp"
@@ -16,6 +18,7 @@
 #include "gui/look/paths.hpp"
 #include "gui/look/said.hpp"
 #include "gui/page/job_line.hpp"
+#include "gui/records/record_preview.hpp"
 #include "gui/records/record_tools.hpp"
 #include "gui/records/tool_form.hpp"
 #include "records/file/open_samples.hpp"
@@ -58,6 +61,7 @@ RecordsPage::RecordsPage(QWidget* parent)
   }
   forms_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   add_above(forms_);
+  fit_forms();
   connect(tool_, &QComboBox::currentIndexChanged, this, &RecordsPage::show_tool);
   show_buttons();
 }
@@ -76,9 +80,13 @@ QWidget* RecordsPage::make_top() {
   rows->addLayout(buttons_behind({choose, run_}));
   role_ = named(new QComboBox, "records_role", tr("What the FRFs are of"));
   role_->addItems({tr("of a substructure"), tr("of the assembly")});
-  to_scene_ = push_button("records_to_scene", tr("To the scene…"), tr("Write the FRFs into a file, and name it in [data] of the scene"));
-  rows->addLayout(row_of({tool_}, {role_, to_scene_}));
-  rows->addWidget(names_);
+  to_scene_ =
+      push_button("records_to_scene", tr("To the scene…"), tr("Write the FRFs into a file, and name it in [data] of the scene"));
+  auto* second = new QHBoxLayout;
+  second->addWidget(tool_);
+  second->addWidget(names_, 1);
+  for (QWidget* each : std::initializer_list<QWidget*>{role_, to_scene_}) second->addWidget(each);
+  rows->addLayout(second);
   connect(choose, &QPushButton::clicked, this, [this] {
     const QStringList files = choose_files_to_open(this);
     if (!files.isEmpty()) open(files);
@@ -106,8 +114,9 @@ void RecordsPage::run_again() {
 
 void RecordsPage::ask_and_write_frfs() {
   const QFileInfo record(files_.front());
-  const QString file = choose_file_to_save(this, tr("Save the FRFs"), record.absolutePath() + "/" + record.completeBaseName() + "_frf.h5",
-                                           tr("FRFs (*.h5 *.uff)"), QStringLiteral("h5"));
+  const QString file =
+      choose_file_to_save(this, tr("Save the FRFs"), record.absolutePath() + "/" + record.completeBaseName() + "_frf.h5",
+                          tr("FRFs (*.h5 *.uff)"), QStringLiteral("h5"));
   if (!file.isEmpty()) write_frfs(file);
 }
 
@@ -123,7 +132,16 @@ void RecordsPage::write_frfs(const QString& file) {
   Q_EMIT frfs_written(file, role_->currentIndex() == 1);
 }
 
+/// As high as the form in front.
+void RecordsPage::fit_forms() {
+  for (int i = 0; i < forms_->count(); ++i) {
+    const bool is_in_front = i == tool_->currentIndex();
+    forms_->widget(i)->setSizePolicy(QSizePolicy::Preferred, is_in_front ? QSizePolicy::Preferred : QSizePolicy::Ignored);
+  }
+}
+
 void RecordsPage::show_tool() {
+  fit_forms();
   forms_->setCurrentIndex(tool_->currentIndex());
   line()->say(tool().plot_hint);
   show_buttons();
@@ -144,11 +162,18 @@ void RecordsPage::open(const QStringList& files) {
   QStringList names;
   for (const QString& file : files_) names << QFileInfo(file).fileName();
   names_->setText(names.join(QStringLiteral(", ")));
-  line()->worker().add([this, path = as_path(files_.front())](const Worker::Watch&) -> Worker::Deliver {
+  line()->worker().add([this, path = as_path(files_.front())](const Worker::Watch& watch) -> Worker::Deliver {
     const auto samples = records::open_samples(path);
     QStringList channels;
     for (const auto& channel : samples->channels()) channels << q(channel.name);
-    return [this, channels] {
+    report::PlotGroup preview;
+    try {
+      preview = record_preview(path, watch.interrupted);
+    } catch (const InputError&) {
+      preview = {};  // what is wrong is said when it is run
+    }
+    return [this, channels, preview] {
+      plots()->show_groups({{tr("record"), preview}});
       for (int k = 0; k < forms_->count(); ++k) static_cast<ToolForm*>(forms_->widget(k))->offer(channels);
       line()->say(tr("Channels: %1").arg(channels.join(QStringLiteral(", "))));
     };

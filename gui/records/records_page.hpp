@@ -37,6 +37,7 @@ class RecordsPage : public FindingsPage {
   const RecordTool& tool() const;
   ToolForm& form() const;
   void show_tool();
+  void fit_forms();
   void begin();
   void run_again();
   void ask_and_write_frfs();

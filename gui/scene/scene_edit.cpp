@@ -22,6 +22,13 @@ std::string written(const std::vector<frf::Dof>& dofs) {
   return text + "]";
 }
 
+std::string written(const std::vector<frf::NodeLine>& lines) {
+  std::string text = "[";
+  for (const auto& [from, to] : lines)
+    text += (text.size() > 1 ? ", [" : "[") + std::to_string(from) + ", " + std::to_string(to) + "]";
+  return text + "]";
+}
+
 namespace {
 
 std::string with_regeneration(const std::string& text, const ident::Regeneration& regenerate) {

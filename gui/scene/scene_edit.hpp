@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "frf/set/dof.hpp"
+#include "frf/uff/uff_lines.hpp"
 #include "gui/scene/toml_edit.hpp"
 #include "ident/scene/scene.hpp"
 #include "study/comparison.hpp"
@@ -14,6 +15,8 @@ namespace jointid::gui {
 /// Values as they are written: [[560, 566], [700.5, 702]] and ["4:+Y", "5:-RZ"].
 std::string written(const std::vector<ident::Range>& ranges);
 std::string written(const std::vector<frf::Dof>& dofs);
+/// [[1, 2], [2, 5]]
+std::string written(const std::vector<frf::NodeLine>& lines);
 
 /// The text with [identify], and the FRFs that modes replace, as the way has it; weighting and Δ stay where the method has neither.
 std::string with_way(std::string text, const study::Way& way);

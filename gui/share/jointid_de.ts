@@ -786,6 +786,14 @@ Fügestelle: %1</translation>
         <source>Save as PNG, SVG, PDF or CSV; a motion as a film (GIF), too</source>
         <translation>Als PNG, SVG, PDF oder CSV speichern; eine Bewegung auch als Film (GIF)</translation>
     </message>
+    <message>
+        <source>Lines</source>
+        <translation>Linien</translation>
+    </message>
+    <message>
+        <source>Draw lines between nodes, or remove them (L)</source>
+        <translation>Linien zwischen Knoten zeichnen oder entfernen (L)</translation>
+    </message>
 </context>
 <context>
     <name>HeatChart</name>
@@ -1430,8 +1438,8 @@ oder k_e und d_e über der Amplitude. „Anpassen“ zeichnet die Gesetze darüb
         <translation>S&amp;tudie</translation>
     </message>
     <message>
-        <source>Test pl&amp;anning</source>
-        <translation>&amp;Versuchsplanung</translation>
+        <source>Pl&amp;anning</source>
+        <translation>Plan&amp;ung</translation>
     </message>
     <message>
         <source>&amp;Next project</source>
@@ -1506,24 +1514,24 @@ Identifiziert Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; d
         <translation>&amp;Kopplung</translation>
     </message>
     <message>
-        <source>&amp;Loading curves</source>
-        <translation>&amp;Belastungskurven</translation>
+        <source>C&amp;urves</source>
+        <translation>K&amp;urven</translation>
     </message>
     <message>
         <source>&amp;Response</source>
         <translation>&amp;Antwort</translation>
     </message>
     <message>
-        <source>Friction la&amp;ws</source>
-        <translation>&amp;Reibgesetze</translation>
+        <source>La&amp;ws</source>
+        <translation>&amp;Gesetze</translation>
     </message>
     <message>
-        <source>Stic&amp;k-slip motion</source>
-        <translation>Stic&amp;k-Slip-Bewegung</translation>
+        <source>Stic&amp;k-slip</source>
+        <translation>Stic&amp;k-Slip</translation>
     </message>
     <message>
-        <source>Time r&amp;ecords</source>
-        <translation>Z&amp;eitverläufe</translation>
+        <source>R&amp;ecords</source>
+        <translation>V&amp;erläufe</translation>
     </message>
     <message>
         <source>These files have nodes and no FRFs.</source>
@@ -1601,7 +1609,7 @@ Datei – Neu aus Vorlage hat Szenen zum Ausfüllen.</translation>
     </message>
     <message>
         <source>&amp;Records to FRFs</source>
-        <translation>&amp;Zeitsignale zu FRFs</translation>
+        <translation>&amp;Verläufe zu FRFs</translation>
     </message>
     <message>
         <source>Fold the te&amp;xt</source>
@@ -1632,8 +1640,8 @@ Datei – Neu aus Vorlage hat Szenen zum Ausfüllen.</translation>
         <translation>Shift+F1</translation>
     </message>
     <message>
-        <source>Joint l&amp;ine by line</source>
-        <translation>Fügestelle L&amp;inie für Linie</translation>
+        <source>&amp;Z</source>
+        <translation>&amp;Z</translation>
     </message>
 </context>
 <context>
@@ -1873,10 +1881,6 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode entfern
         <translation>Vergleichen mit…</translation>
     </message>
     <message>
-        <source>Other modes: a universal file (UFF 55) of another test or of a model</source>
-        <translation>Andere Moden: eine Universal-Datei (UFF 55) eines anderen Versuchs oder eines Modells</translation>
-    </message>
-    <message>
         <source>About the pairs of modes</source>
         <translation>Zu den Paaren der Moden</translation>
     </message>
@@ -1887,6 +1891,10 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode entfern
     <message>
         <source>Compare with… draws the MAC of the modes found with those of a file.</source>
         <translation>Vergleichen mit… zeichnet den MAC der gefundenen Moden mit denen einer Datei.</translation>
+    </message>
+    <message>
+        <source>Other modes, of another test or of a model: a universal file (UFF 55), or JSON of jointid modalfit</source>
+        <translation>Andere Moden, eines anderen Versuchs oder eines Modells: eine Universaldatei (UFF 55) oder JSON von jointid modalfit</translation>
     </message>
 </context>
 <context>
@@ -1934,10 +1942,6 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode entfern
     <message>
         <source>Shapes…</source>
         <translation>Formen …</translation>
-    </message>
-    <message>
-        <source>Read mode shapes from a universal file (dataset 55)</source>
-        <translation>Eigenformen aus einem Universal File lesen (Datensatz 55)</translation>
     </message>
     <message>
         <source>Amplitude</source>
@@ -1998,6 +2002,10 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode entfern
     <message>
         <source>mode %1</source>
         <translation>Mode %1</translation>
+    </message>
+    <message>
+        <source>Read mode shapes from a universal file (dataset 55), or from JSON of jointid modalfit</source>
+        <translation>Eigenformen aus einer Universaldatei (Dataset 55) oder aus JSON von jointid modalfit lesen</translation>
     </message>
 </context>
 <context>
@@ -2368,6 +2376,10 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode entfern
         <source>Open</source>
         <translation>Öffnen</translation>
     </message>
+    <message>
+        <source>Mode shapes (*.uff *.unv *.json);;All files (*)</source>
+        <translation>Eigenformen (*.uff *.unv *.json);;Alle Dateien (*)</translation>
+    </message>
 </context>
 <context>
     <name>RecordsPage</name>
@@ -2460,6 +2472,10 @@ Eine Auswertung und die Kanäle wählen, dann ausführen.</translation>
     <message>
         <source>Written to %1.</source>
         <translation>Geschrieben nach %1.</translation>
+    </message>
+    <message>
+        <source>record</source>
+        <translation>Verlauf</translation>
     </message>
 </context>
 <context>
@@ -4243,6 +4259,78 @@ Eine Auswertung und die Kanäle wählen, dann ausführen.</translation>
     <message>
         <source>Pictures, tables and films (*.png *.svg *.pdf *.csv *.gif)</source>
         <translation>Bilder, Tabellen und Filme (*.png *.svg *.pdf *.csv *.gif)</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>Geometrie</translation>
+    </message>
+    <message>
+        <source>lines of the picture between nodes: [[4, 5], [5, 12]]</source>
+        <translation>Linien des Bilds zwischen Knoten: [[4, 5], [5, 12]]</translation>
+    </message>
+    <message>
+        <source>Line %1. Delete removes it.</source>
+        <translation>Linie %1. Entf entfernt sie.</translation>
+    </message>
+    <message>
+        <source>Line %1 is one of the files.</source>
+        <translation>Linie %1 ist aus den Dateien.</translation>
+    </message>
+    <message>
+        <source>A line from node %1. Pick the other node, or press Esc.</source>
+        <translation>Eine Linie von Knoten %1. Den anderen Knoten wählen oder Esc drücken.</translation>
+    </message>
+    <message>
+        <source>Pick two nodes for a line between them: by click, or by Page Up, Page Down and Space. A click on a line chooses it.</source>
+        <translation>Zwei Knoten für eine Linie wählen: mit der Maus oder mit Bild auf, Bild ab und Leertaste. Ein Klick auf eine Linie wählt sie.</translation>
+    </message>
+    <message>
+        <source>time of one solution</source>
+        <translation>Zeit einer Lösung</translation>
+    </message>
+    <message>
+        <source>rms relative error (median)</source>
+        <translation>mittlerer relativer Fehler (Median)</translation>
+    </message>
+    <message>
+        <source>value / value of the solution</source>
+        <translation>Wert / Wert der Lösung</translation>
+    </message>
+    <message>
+        <source>objective</source>
+        <translation>Zielfunktion</translation>
+    </message>
+    <message>
+        <source>iteration</source>
+        <translation>Iteration</translation>
+    </message>
+    <message>
+        <source>displacement</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>frequency</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>slipped share h of the stiffness area</source>
+        <translation>gerutschter Anteil h der Steifigkeitsfläche</translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation>Abtastwert</translation>
     </message>
 </context>
 <context>

@@ -12,6 +12,7 @@
 #include "gui/look/buttons.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/paths.hpp"
+#include "gui/look/scrolled.hpp"
 #include "gui/page/job_line.hpp"
 #include "gui/plot/chart.hpp"
 #include "gui/table/cell_table.hpp"
@@ -37,7 +38,7 @@ StudyPage::StudyPage(QWidget* parent) : QWidget(parent) {
   all->setContentsMargins(4, 4, 4, 4);
   all->addWidget(make_top());
   all->addWidget(line_);
-  all->addWidget(both, 1);
+  all->addWidget(scrolled(both), 1);
   connect(line_, &JobLine::failed, this, &StudyPage::failed);
   connect(line_, &JobLine::busy_changed, this, [this](bool busy) { run_->setEnabled(!busy && scene_.has_value()); });
   set_scene({}, {}, {});

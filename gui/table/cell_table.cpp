@@ -7,6 +7,7 @@
 #include <QKeyEvent>
 #include <QMessageBox>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QStyledItemDelegate>
 #include <algorithm>
 
@@ -18,7 +19,8 @@
 namespace jointid::gui {
 namespace {
 
-constexpr int widest_column = 620;  // pixels
+constexpr int widest_column = 620;
+constexpr int least_side_px = 200;  // rows are chosen in it  // pixels
 constexpr int row_padding = 6;
 
 /// Draws an interval as a bar about zero in the middle of the cell.
@@ -55,6 +57,12 @@ QString escaped(QString text, QChar separator) {
   text.replace('\n', ' ');
   if (!text.contains(separator) && !text.contains('"')) return text;
   return '"' + text.replace("\"", "\"\"") + '"';
+}
+
+/// A number, one with its error, or an interval: numbers of a column end below each other.
+bool is_number(const QString& text) {
+  static const QRegularExpression number(QStringLiteral("^[-+−]?[0-9.]+(e[-+]?[0-9]+)?( ?[%°]| (±|…|\\.\\.\\.) .*)?$"));
+  return number.match(text).hasMatch();
 }
 
 }  // namespace
@@ -97,6 +105,7 @@ QVariant CellModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::BackgroundRole && cell.shade) return shade(theme_, *cell.shade);
   if (role == Qt::ForegroundRole && cell.shade) return text_on(shade(theme_, *cell.shade));
   if (role == Qt::TextAlignmentRole && cell.shade) return Qt::AlignCenter;
+  if (role == Qt::TextAlignmentRole && is_number(cell.text)) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
   return {};
 }
 
@@ -111,6 +120,7 @@ CellTable::CellTable(const char* name, const QString& accessible_name, QWidget* 
   named(this, name, accessible_name);
   setModel(model_);
   setItemDelegate(new BarDelegate(this));
+  setMinimumSize(least_side_px, least_side_px);
   setTabKeyNavigation(false);
   setWordWrap(true);
   setAlternatingRowColors(false);
@@ -169,8 +179,8 @@ QString CellTable::chosen_text() const {
 void CellTable::write_csv(const QString& file) const { write_output(file, text(',').toStdString(), inputs_); }
 
 void CellTable::save_csv() {
-  const QString file = choose_file_to_save(this, tr("Save the table"), objectName() + QStringLiteral(".csv"), tr("Tables (*.csv)"),
-                                           QStringLiteral("csv"));
+  const QString file = choose_file_to_save(this, tr("Save the table"), objectName() + QStringLiteral(".csv"),
+                                           tr("Tables (*.csv)"), QStringLiteral("csv"));
   if (file.isEmpty()) return;
   try {
     write_csv(file);

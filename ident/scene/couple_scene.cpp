@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text.hpp"
+#include "ident/scene/drawn_lines.hpp"
 #include "ident/scene/scene_sections.hpp"
 #include "scene/document.hpp"
 #include "scene/text.hpp"
@@ -128,7 +129,7 @@ void read_noise_law(const scene::Item& item, coupling::Options& options) {
 }  // namespace
 
 CoupleScene parse_couple_scene(const std::string& text, const Path& file) {
-  const scene::Document document(text, file, {"data", "frequency", "couple", "noise", "nodes", "virtual_points"});
+  const scene::Document document(text, file, {"data", "frequency", "couple", "noise", "nodes", "geometry", "virtual_points"});
   const scene::Table& table = document.table();
   CoupleScene scene;
   scene.file = file;
@@ -140,6 +141,7 @@ CoupleScene parse_couple_scene(const std::string& text, const Path& file) {
   }
   read_couple(table.require("couple"), file.parent_path(), scene);
   if (const auto noise = table.find("noise")) read_noise_law(*noise, scene.options);
+  read_drawn_lines(table);
   return scene;
 }
 

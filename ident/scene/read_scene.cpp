@@ -1,5 +1,6 @@
 #include "ident/scene/read_scene.hpp"
 
+#include "ident/scene/drawn_lines.hpp"
 #include "ident/scene/reduce_joints.hpp"
 #include "ident/scene/scene_sections.hpp"
 #include "scene/document.hpp"
@@ -11,7 +12,7 @@ namespace jointid::ident {
 
 Scene parse_scene(const std::string& text, const Path& file) {
   const scene::Document document(
-      text, file, {"data", "frequency", "joint", "joints", "nodes", "identify", "noise", "truth", "virtual_points"});
+      text, file, {"data", "frequency", "joint", "joints", "nodes", "geometry", "identify", "noise", "truth", "virtual_points"});
   const scene::Table& table = document.table();
   Scene scene;
   scene.file = file;
@@ -27,6 +28,7 @@ Scene parse_scene(const std::string& text, const Path& file) {
   if (const auto identify = table.find("identify")) scene.identify = read_identify(*identify, scene.joints);
   if (const auto noise = table.find("noise")) scene.noise = read_noise(*noise);
   read_virtual_points(table, file.parent_path(), all_files(scene.data));
+  read_drawn_lines(table);  // of pictures: they are only checked
   set_virtual_noise(scene.noise, all_files(scene.data));
   if (scene.identify.variance == VarianceChoice::noise && table.find("virtual_points")) {
     fail(scene, "[identify] variance", "\"noise\" is the law of measured FRFs, not of those of virtual points",

@@ -13,7 +13,7 @@ const std::vector<std::string> decouple_words = {"likelihood", "standard", "exte
 std::string name(DecoupleWay way) { return decouple_words[static_cast<std::size_t>(way)]; }
 
 DecoupleScene parse_decouple_scene(const std::string& text, const std::filesystem::path& file) {
-  const scene::Document document(text, file, {"data", "frequency", "decouple", "nodes", "identify", "noise", "virtual_points"});
+  const scene::Document document(text, file, {"data", "frequency", "decouple", "nodes", "geometry", "identify", "noise", "virtual_points"});
   DecoupleScene out;
   out.lines = read_sections(document, file);
   const scene::Item item = document.table().require("decouple");

@@ -1,5 +1,6 @@
 #include "impedance/scene/line_sections.hpp"
 
+#include "ident/scene/drawn_lines.hpp"
 #include "ident/scene/scene_sections.hpp"
 
 namespace jointid::impedance {
@@ -39,6 +40,7 @@ LineScene read_sections(const scene::Document& document, const std::filesystem::
   if (const auto noise = table.find("noise")) scene.noise = ident::read_noise(*noise);
   ident::read_virtual_points(table, file.parent_path(), ident::all_files(scene.data));
   ident::set_virtual_noise(scene.noise, ident::all_files(scene.data));
+  ident::read_drawn_lines(table);
   return out;
 }
 

@@ -110,7 +110,7 @@ void read_joint(const scene::Table& table, LineScene& out) {
 
 LineScene parse_line_scene(const std::string& text, const std::filesystem::path& file) {
   const scene::Document document(text, file,
-                                 {"data", "frequency", "joint", "joints", "nodes", "identify", "noise", "virtual_points"});
+                                 {"data", "frequency", "joint", "joints", "nodes", "geometry", "identify", "noise", "virtual_points"});
   LineScene out = read_sections(document, file);
   read_joint(document.table(), out);
   return out;

@@ -82,6 +82,7 @@ std::vector<Plot> overlay(const tasks::LoadingCurveResult& result, std::size_t n
     for (std::size_t k = 0; k < difference.size(); ++k) difference[k] = (difference[k] - from[k]) / largest;
     residual.series.push_back({law, std::move(difference), Style::line});
   }
+  if (residual.series.empty()) return {value};
   return {value, residual};
 }
 
@@ -99,11 +100,15 @@ std::vector<Plot> plots_of(const tasks::LoadingCurveResult& result, std::size_t 
     return overlay(result, number, {"Energy per cycle", "amplitude", "energy (J)", ascending(curve, 0, size), 0});
   std::vector<Plot> out;
   if (curve.kind == CurveKind::loop) {
-    append(out, overlay(result, number, {"Rising branch", "displacement, rising", force, ascending(curve, 0, curve.turn + 1), 0}));
-    append(out, overlay(result, number, {"Falling branch", "displacement, falling", force, ascending(curve, curve.turn + 1, size), 0}));
+    append(out,
+           overlay(result, number, {"Rising branch", "displacement, rising", force, ascending(curve, 0, curve.turn + 1), 0}));
+    append(out, overlay(result, number,
+                        {"Falling branch", "displacement, falling", force, ascending(curve, curve.turn + 1, size), 0}));
   } else {
-    append(out, overlay(result, number, {"Equivalent stiffness", "amplitude", "k_e (" + stiffness + ")", ascending(curve, 0, size), 0}));
-    append(out, overlay(result, number, {"Equivalent damping", "amplitude", "d_e (" + stiffness + ")", ascending(curve, 0, size), size}));
+    append(out, overlay(result, number,
+                        {"Equivalent stiffness", "amplitude", "k_e (" + stiffness + ")", ascending(curve, 0, size), 0}));
+    append(out, overlay(result, number,
+                        {"Equivalent damping", "amplitude", "d_e (" + stiffness + ")", ascending(curve, 0, size), size}));
   }
   return out;
 }
@@ -132,8 +137,8 @@ double slip_displacement(const friction::Element& element, double h, double most
 /// What is drawn over amplitude.
 using Quantity = double (*)(const friction::Equivalent&);
 
-CurvePlot over_amplitude(const tasks::LoadingCurveResult& result, std::size_t number, const std::string& title, const std::string& unit,
-                         Quantity quantity) {
+CurvePlot over_amplitude(const tasks::LoadingCurveResult& result, std::size_t number, const std::string& title,
+                         const std::string& unit, Quantity quantity) {
   CurvePlot plot;
   plot.title = title;
   plot.y = {unit, false};
@@ -155,7 +160,6 @@ CurvePlot over_amplitude(const tasks::LoadingCurveResult& result, std::size_t nu
 
 PlotGroup curves_and_residuals(const tasks::LoadingCurveResult& result, std::size_t most) {
   PlotGroup group{"curve", {}};
-  if (drawn(result).empty()) return group;
   for (const std::size_t number : evenly(result.data.curves.size(), most)) {
     group.choices.push_back({result.data.curves[number].name, plots_of(result, number)});
   }
@@ -175,7 +179,8 @@ PlotGroup slip_distribution(const tasks::LoadingCurveResult& result) {
       const CurveFit& curve = *tasks::different(result, *fit)[number];
       plot.y = {"displacement u(h) (" + curve.curve.displacement_unit + ")", true};
       Values u;
-      for (const double h : plot.x_values) u.push_back(slip_displacement(*curve.element, h, 5.0 * curve.curve.largest_displacement()));
+      for (const double h : plot.x_values)
+        u.push_back(slip_displacement(*curve.element, h, 5.0 * curve.curve.largest_displacement()));
       if (std::ranges::any_of(u, [](double each) { return std::isfinite(each); }))
         plot.series.push_back({fit->law, std::move(u), Style::line});
     }
@@ -206,7 +211,8 @@ PlotGroup equivalents_plots(const tasks::LoadingCurveResult& result) {
 PlotGroup loops_in_turn(const tasks::LoadingCurveResult& result) {
   PlotGroup group{"", {}};
   if (result.of_loops.empty()) return group;
-  const auto in_turn = [&](const std::string& title, const std::string& unit, const std::function<double(const CurveFit&)>& figure) {
+  const auto in_turn = [&](const std::string& title, const std::string& unit,
+                           const std::function<double(const CurveFit&)>& figure) {
     CurvePlot plot;
     plot.title = title;
     plot.x = {"loop", false};

@@ -1,12 +1,13 @@
 #pragma once
 
-#include "tasks/loading_curve/loading_curve_result.hpp"
 #include "report/page/contents.hpp"
+#include "tasks/loading_curve/loading_curve_result.hpp"
 
 /// The plots of a report on loading curves.
 namespace jointid::report {
 
-/// Measured curves with those of all laws, and their residuals; one choice per curve, at most `most` of them, evenly chosen.
+/// Measured curves with those of all laws, and their residuals where a law was fitted; one choice per curve, at most `most` of
+/// them, evenly chosen.
 PlotGroup curves_and_residuals(const tasks::LoadingCurveResult& result, std::size_t most);
 
 /// u(h): displacement at which the share h of the stiffness slips, by law (docs/formulas.md §10a, 2.53).

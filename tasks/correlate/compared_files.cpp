@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "frf/file/open_as_one.hpp"
 #include "models/model_file.hpp"
+#include "tasks/correlate/modes_of_result.hpp"
 
 namespace jointid::tasks {
 namespace {
@@ -47,7 +48,9 @@ std::pair<frf::FrfSet, frf::FrfSet> read_compared(const Path& one, const Path& o
   return {std::move(measured), std::move(second)};
 }
 
-correlation::ModeFile read_modes(const Path& file) { return {file.string(), frf::read_uff55(file)}; }
+correlation::ModeFile read_modes(const Path& file) {
+  return {file.string(), is_json_file(file) ? modes_of_result(file) : frf::read_uff55(file)};
+}
 
 correlation::ExpandedFrfs expanded_files(const Path& parent, const Path& measured, const std::string& way, std::size_t modes) {
   const frf::FrfSet set = read_frfs(measured);

@@ -15,7 +15,7 @@ namespace jointid::tasks {
 /// InputError as frf::open_as_one() and models::open_model(), and where both are models.
 std::pair<frf::FrfSet, frf::FrfSet> read_compared(const std::filesystem::path& one, const std::filesystem::path& other);
 
-/// Modes of a file (dataset 55). Throws InputError as frf::read_uff55().
+/// Modes of a file: dataset 55, or the JSON of `jointid modalfit`. Throws InputError as frf::read_uff55() and modes_of_result().
 correlation::ModeFile read_modes(const std::filesystem::path& file);
 
 /// correlation::expanded() by way "extended" or "semm", whose parent has FRFs or is the description of a model, or "serep", whose parent

@@ -24,6 +24,16 @@ TEST(CellTable, IsWrittenAsCsv) {
   EXPECT_EQ(read_file(folder.filePath("t.csv")), "name,value\n\"K, left\",1\nD,2\n");
 }
 
+TEST(CellTable, NumbersEndBelowEachOther) {
+  CellTable table("table", "Table");
+  table.show_rows({{"name", "value", "interval"}, {}, {{Cell{"K(1,1)"}, Cell{"-2.5e+06"}, Cell{"1.2 … 3.4"}}}});
+  const auto alignment = [&](int column) {
+    return table.cells()->index(0, column).data(Qt::TextAlignmentRole).toInt() & Qt::AlignHorizontal_Mask;
+  };
+  EXPECT_EQ(alignment(0), 0);
+  for (const int column : {1, 2}) EXPECT_EQ(alignment(column), Qt::AlignRight) << column;
+}
+
 TEST(CellTable, NoCsvReplacesAnInput) {
   const QTemporaryDir folder;
   const QString input = folder.filePath("frf.csv");

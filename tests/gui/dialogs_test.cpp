@@ -17,8 +17,10 @@
 #include "gui/data/data_page.hpp"
 #include "gui/forms/field.hpp"
 #include "gui/forms/scene_form.hpp"
+#include "gui/geometry/geometry_page.hpp"
 #include "gui/look/dialogs.hpp"
 #include "gui/main_window.hpp"
+#include "gui/modal/modal_page.hpp"
 #include "gui/plot/frf_plot.hpp"
 #include "gui/project.hpp"
 #include "gui/scene/scene_editor.hpp"
@@ -253,6 +255,36 @@ TEST(Dialogs, APlotIsSavedFromItsButton) {
   keys.press(Qt::Key_Space, Qt::NoModifier, button);
   EXPECT_THAT(said.toStdString(), testing::HasSubstr(".svg"));
   EXPECT_FALSE(QFileInfo::exists(keys.file("plot.doc")));
+}
+
+/// Wherever files were opened from in between.
+TEST(Dialogs, OutputsAreProposedByNameInTheFolderOfTheScene) {
+  Keys keys;
+  Project& project = keys.open();
+  const QTemporaryDir elsewhere;
+  const QString other = elsewhere.filePath("other.uff");
+  write_file(other, "");
+  keys.next([&](QWidget& dialog) { choose_by_return(dialog, other); });
+  EXPECT_EQ(choose_files_to_open(&keys.window), QStringList{other});
+  CellTable& table = *project.solve_page()->unknowns();
+  table.show_rows({{"a"}, {}, {{Cell{"1"}}}});
+  const auto proposed = [&](QWidget& page, QWidget* widget, Qt::Key key, Qt::KeyboardModifiers modifiers) {
+    project.pages()->setCurrentWidget(&page);
+    QStringList files;
+    keys.next([&](QWidget& dialog) {
+      files = static_cast<QFileDialog&>(dialog).selectedFiles();
+      press_key(dialog, Qt::Key_Escape);
+    });
+    keys.press(key, modifiers, widget);
+    return files;
+  };
+  const auto by = [](QWidget& page, const char* name) { return page.findChild<QWidget*>(QString::fromLatin1(name)); };
+  QWidget &data = *project.data_page(), &geometry = *project.geometry_page(), &modal = *project.modal_page();
+  project.solve_page()->results()->setCurrentWidget(&table);
+  EXPECT_EQ(proposed(*project.solve_page(), &table, Qt::Key_E, Qt::ControlModifier), QStringList{keys.file("unknowns.csv")});
+  EXPECT_EQ(proposed(data, by(data, "plot_save"), Qt::Key_Space, {}), QStringList{keys.file("frf.png")});
+  EXPECT_EQ(proposed(geometry, by(geometry, "geometry_save"), Qt::Key_Space, {}), QStringList{keys.file("geometry.png")});
+  EXPECT_EQ(proposed(modal, by(modal, "chart_save"), Qt::Key_Space, {}), QStringList{keys.file("stabilisation.png")});
 }
 
 TEST(Dialogs, FilesAreAddedToTheForm) {

@@ -18,6 +18,7 @@
 #include "gui/plot/heat_chart.hpp"
 #include "gui/table/cell_table.hpp"
 #include "ident/scene/read_scene.hpp"
+#include "report/modalfit/modal_text.hpp"
 #include "report/modalfit/stabilisation.hpp"
 #include "widgets.hpp"
 
@@ -259,6 +260,11 @@ TEST(ModalPage, ModesAreComparedWithThoseOfAFile) {
   ASSERT_EQ(map.rows.size(), fitting.modes());
   ASSERT_EQ(map.columns.size(), fitting.modes());
   for (std::size_t mode = 0; mode < fitting.modes(); ++mode) EXPECT_NEAR(map.values[mode * fitting.modes() + mode], 1.0, 1e-9);
+  const QString json = folder.filePath("fit.json");
+  write_file(json, report::modal_json(*fitting.page.shown()));
+  fitting.page.compare_with(json);
+  ASSERT_EQ(map.columns.size(), fitting.modes()) << "of the JSON of modalfit";
+  for (std::size_t mode = 0; mode < fitting.modes(); ++mode) EXPECT_NEAR(map.values[mode * fitting.modes() + mode], 1.0, 1e-12);
   fitting.click_mode(0);  // leaves it
   ASSERT_TRUE(fitting.rests());
   EXPECT_EQ(fitting.page.cross_mac()->plot().rows.size(), map.columns.size() - 1);

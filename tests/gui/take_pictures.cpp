@@ -260,7 +260,7 @@ class Photographer {
   /// Every page and result as it is now, in both themes and two sizes.
   void take_every_page() {
     Project& project = *window_.current();
-    for (const QSize size : {QSize(1024, 700), QSize(1600, 1000)}) {
+    for (const QSize size : {QSize(1024, 768), QSize(1280, 800)}) {
       for (const Theme theme : {Theme::light, Theme::dark}) {
         window_.resize(size);
         window_.set_theme(theme);

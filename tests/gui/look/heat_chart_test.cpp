@@ -46,6 +46,17 @@ TEST(HeatChart, StatesTheCellUnderTheMouse) {
   EXPECT_EQ(drawn.chart.readout().toStdString(), "2: 21 Hz / 2: 20 Hz: MAC 0.9");
 }
 
+TEST(HeatChart, ColoursAreThoseOfTheValues) {
+  DrawnMap drawn(two_by_three());
+  const QImage image = drawn.chart.canvas()->grab().toImage();
+  const auto colour = [&](std::size_t row, std::size_t column) { return image.pixelColor(drawn.chart.pixel_of(row, column)); };
+  const auto off = [](const QColor& a, const QColor& b) {
+    return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue());
+  };
+  EXPECT_GT(off(colour(0, 0), colour(0, 2)), 200) << "1 and 0 of a scale from 0 to 1";
+  EXPECT_GT(off(colour(0, 0), colour(0, 1)), off(colour(0, 0), colour(1, 1))) << "0.1 is further from 1 than 0.9";
+}
+
 TEST(HeatChart, KeysGoFromCellToCell) {
   DrawnMap drawn(two_by_three());
   for (const auto key : {Qt::Key_Up, Qt::Key_Up, Qt::Key_Right, Qt::Key_Right, Qt::Key_Right})

@@ -1,22 +1,28 @@
 #include <gmock/gmock.h>
+#include <qcustomplot.h>
 
 #include <QAbstractScrollArea>
 #include <QApplication>
 #include <QComboBox>
 #include <QDialog>
+#include <QListWidget>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QTableView>
 #include <QTest>
 
 #include "../widgets.hpp"
 #include "gui/begin/example_dialog.hpp"
 #include "gui/data/data_page.hpp"
+#include "gui/geometry/structure_view.hpp"
 #include "gui/help/help_window.hpp"
 #include "gui/look/language.hpp"
 #include "gui/main_window.hpp"
 #include "gui/open/variable_dialog.hpp"
 #include "gui/project.hpp"
+#include "gui/records/records_page.hpp"
 #include "gui/scene/scene_editor.hpp"
 #include "gui/solve/solve_page.hpp"
 
@@ -33,9 +39,16 @@ struct Spoken {
   }
 };
 
+/// Whether all of it is seen.
+bool shows_all(const QWidget& widget) {
+  const auto* const area = qobject_cast<const QScrollArea*>(&widget);
+  return area != nullptr && area->viewport()->rect().contains(area->widget()->geometry());
+}
+
 /// What a scroll area shows may be larger than it.
 bool is_scrolled(const QWidget& widget) {
   for (const QWidget* each = widget.parentWidget(); each != nullptr && !each->isWindow(); each = each->parentWidget()) {
+    if (shows_all(*each)) continue;
     if (qobject_cast<const QAbstractScrollArea*>(each) != nullptr || qobject_cast<const QTabBar*>(each) != nullptr) return true;
   }
   return false;
@@ -60,8 +73,29 @@ QStringList outside(QWidget& window) {
   return found;
 }
 
+/// Plots, pictures and tables in which something is picked, that are too small for it.
+QStringList too_small(QWidget& window) {
+  constexpr int least_px = 200;
+  QStringList found;
+  for (const QWidget* widget : window.findChildren<QWidget*>()) {
+    if (!widget->isVisible() || widget->window() != &window) continue;
+    const bool is_picked_in =
+        qobject_cast<const QCustomPlot*>(widget) != nullptr || qobject_cast<const StructureView*>(widget) != nullptr ||
+        qobject_cast<const QTableView*>(widget) != nullptr || qobject_cast<const QListWidget*>(widget) != nullptr;
+    if (!is_picked_in || (widget->width() >= least_px && widget->height() >= least_px)) continue;
+    found << QStringLiteral("%1: %2 × %3").arg(title_of(*widget)).arg(widget->width()).arg(widget->height());
+  }
+  return found;
+}
+
 void expect_inside(QWidget& window, const QSize& size, const std::string& where) {
   QApplication::processEvents();
+  for (const QScrollArea* area : window.findChildren<QScrollArea*>()) {
+    const bool is_of_page = area->isVisible() && area->objectName().endsWith(QLatin1String("_scrolled"));
+    EXPECT_TRUE(!is_of_page || shows_all(*area)) << where << ": " << area->objectName().toStdString();
+  }
+  EXPECT_LE(window.minimumSizeHint().height(), 720) << where << ": a title and a panel need room, too";
+  EXPECT_EQ(too_small(window).join("\n").toStdString(), "") << where;
   EXPECT_EQ(window.size(), size) << where;
   EXPECT_EQ(outside(window).join("\n").toStdString(), "") << where;
 }
@@ -73,6 +107,12 @@ void look_at_pages(MainWindow& window, const QSize& size, const std::string& whe
     project.pages()->setCurrentIndex(page);
     QTest::qWait(20);
     expect_inside(window, size, where + ", page " + project.pages()->tabText(page).toStdString());
+  }
+  project.pages()->setCurrentWidget(project.records_page());
+  auto* const tools = find<QComboBox>(*project.records_page(), "records_tool");
+  for (int tool = 0; tool < tools->count(); ++tool) {
+    tools->setCurrentIndex(tool);
+    expect_inside(window, size, where + ", records: " + tools->currentText().toStdString());
   }
   project.pages()->setCurrentWidget(project.solve_page());
   for (int result = 0; result < project.solve_page()->results()->count(); ++result) {

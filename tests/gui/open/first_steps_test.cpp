@@ -6,7 +6,6 @@
 #include <QTabWidget>
 #include <QTest>
 #include <QTextDocument>
-#include <QWheelEvent>
 #include <cmath>
 
 #include "frf/uff/uff_lines.hpp"
@@ -164,19 +163,6 @@ TEST(FirstSteps, PagesThatNeedNoSceneOpenWithoutOne) {
   EXPECT_EQ(project.pages()->currentWidget(), project.records_page());
   QTest::keyClick(&steps.window, Qt::Key_9, Qt::AltModifier);
   EXPECT_EQ(project.pages()->currentWidget(), project.loading_curve_page());
-}
-
-TEST(FirstSteps, TheWheelChangesNoChoice) {
-  FirstSteps steps;
-  QComboBox box(&steps.window);
-  box.addItems({"one", "two", "three"});
-  box.show();
-  box.setFocus();
-  QWheelEvent wheel(QPointF(5, 5), box.mapToGlobal(QPointF(5, 5)), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
-  QApplication::sendEvent(&box, &wheel);
-  EXPECT_EQ(box.currentIndex(), 0);
-  QTest::keyClick(&box, Qt::Key_Down);
-  EXPECT_EQ(box.currentIndex(), 1);
 }
 
 /// A drop of plain files of bolts, the pairs chosen by keys, solved by F5.
