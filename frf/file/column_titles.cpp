@@ -70,7 +70,7 @@ bool is_name_of_nodes(std::string_view title) {
 std::string remedy_of_text(std::string_view cell) {
   const std::string_view direction = cell.substr(std::min(cell.find_first_not_of("+-"), cell.size()));
   const bool dof = cell.find_first_of("XYZxyz") != std::string_view::npos && !proposed_dof(cell).empty();
-  if (dof || (direction.size() == 1 && std::string_view("XYZxyz").find(direction) != std::string_view::npos))
+  if (dof || (direction.size() == 1 && std::string_view("XYZ").find(direction) != std::string_view::npos))
     return "of a table of nodes give each node one row, with its number in place of its DOFs: node, x, y, z";
   const bool plain = cell.find_first_not_of("0123456789:.,-/TZ+ ") == std::string_view::npos;
   const bool clock =

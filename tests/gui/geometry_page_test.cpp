@@ -20,6 +20,7 @@
 #include "gui/geometry/motion_bar.hpp"
 #include "gui/geometry/structure_view.hpp"
 #include "gui/look/paths.hpp"
+#include "gui/look/theme.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "widgets.hpp"
 
