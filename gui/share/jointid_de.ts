@@ -4332,6 +4332,350 @@ Eine Auswertung und die Kanäle wählen, dann ausführen.</translation>
         <source>sample</source>
         <translation>Abtastwert</translation>
     </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>95-%-Intervall</translation>
+    </message>
+    <message>
+        <source>95 % of lines</source>
+        <translation>95 % der Linien</translation>
+    </message>
+    <message>
+        <source>AIC − least</source>
+        <translation>AIC − kleinster</translation>
+    </message>
+    <message>
+        <source>FRF of B</source>
+        <translation>FRF von B</translation>
+    </message>
+    <message>
+        <source>Newton steps</source>
+        <translation>Newton-Schritte</translation>
+    </message>
+    <message>
+        <source>amplitude m</source>
+        <translation>Amplitude m</translation>
+    </message>
+    <message>
+        <source>answers</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>apart</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>at sample</source>
+        <translation>bei Abtastwert</translation>
+    </message>
+    <message>
+        <source>away from antiresonances</source>
+        <translation>abseits der Antiresonanzen</translation>
+    </message>
+    <message>
+        <source>best determined of these</source>
+        <translation>am besten bestimmt</translation>
+    </message>
+    <message>
+        <source>bias</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>bias %</source>
+        <translation>Abweichung %</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>chance</source>
+        <translation>Zufall</translation>
+    </message>
+    <message>
+        <source>closest</source>
+        <translation>nächste</translation>
+    </message>
+    <message>
+        <source>coherence, mean</source>
+        <translation>Kohärenz, Mittel</translation>
+    </message>
+    <message>
+        <source>condition</source>
+        <translation>Kondition</translation>
+    </message>
+    <message>
+        <source>coordinate</source>
+        <translation>Koordinate</translation>
+    </message>
+    <message>
+        <source>correlation</source>
+        <translation>Korrelation</translation>
+    </message>
+    <message>
+        <source>cost</source>
+        <translation>Kosten</translation>
+    </message>
+    <message>
+        <source>dB rms</source>
+        <translation>dB eff.</translation>
+    </message>
+    <message>
+        <source>damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>element</source>
+        <translation>Element</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>equations</source>
+        <translation>Gleichungen</translation>
+    </message>
+    <message>
+        <source>error of X</source>
+        <translation>Fehler von X</translation>
+    </message>
+    <message>
+        <source>error of the measurement</source>
+        <translation>Fehler der Messung</translation>
+    </message>
+    <message>
+        <source>error, dB</source>
+        <translation>Fehler, dB</translation>
+    </message>
+    <message>
+        <source>exponent</source>
+        <translation>Exponent</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>freedom</source>
+        <translation>Freiheitsgrade</translation>
+    </message>
+    <message>
+        <source>frequency, Hz</source>
+        <translation>Frequenz, Hz</translation>
+    </message>
+    <message>
+        <source>friction limit</source>
+        <translation>Reibgrenze</translation>
+    </message>
+    <message>
+        <source>how often</source>
+        <translation>wie oft</translation>
+    </message>
+    <message>
+        <source>imaginary</source>
+        <translation>Imaginärteil</translation>
+    </message>
+    <message>
+        <source>increments</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>initial stiffness</source>
+        <translation>Anfangssteifigkeit</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>behalten</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>größte</translation>
+    </message>
+    <message>
+        <source>late by s</source>
+        <translation>später um s</translation>
+    </message>
+    <message>
+        <source>least determined</source>
+        <translation>am wenigsten bestimmt</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>loss factor</source>
+        <translation>Verlustfaktor</translation>
+    </message>
+    <message>
+        <source>matrix</source>
+        <translation>Matrix</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>median %</source>
+        <translation>Median %</translation>
+    </message>
+    <message>
+        <source>minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>modulus</source>
+        <translation>Betrag</translation>
+    </message>
+    <message>
+        <source>most alike</source>
+        <translation>am ähnlichsten</translation>
+    </message>
+    <message>
+        <source>most changed</source>
+        <translation>am stärksten geändert</translation>
+    </message>
+    <message>
+        <source>most of it</source>
+        <translation>größter Anteil</translation>
+    </message>
+    <message>
+        <source>multiplier</source>
+        <translation>Multiplikator</translation>
+    </message>
+    <message>
+        <source>pairs</source>
+        <translation>Paare</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>partner, Hz</source>
+        <translation>Partner, Hz</translation>
+    </message>
+    <message>
+        <source>period s</source>
+        <translation>Periode s</translation>
+    </message>
+    <message>
+        <source>period samples</source>
+        <translation>Periode, Abtastwerte</translation>
+    </message>
+    <message>
+        <source>prior</source>
+        <translation>Vorwissen</translation>
+    </message>
+    <message>
+        <source>probability</source>
+        <translation>Wahrscheinlichkeit</translation>
+    </message>
+    <message>
+        <source>real</source>
+        <translation>Realteil</translation>
+    </message>
+    <message>
+        <source>relative</source>
+        <translation>relativ</translation>
+    </message>
+    <message>
+        <source>replaced</source>
+        <translation>ersetzt</translation>
+    </message>
+    <message>
+        <source>rms error</source>
+        <translation>mittlerer Fehler</translation>
+    </message>
+    <message>
+        <source>rms error %</source>
+        <translation>mittlerer Fehler %</translation>
+    </message>
+    <message>
+        <source>rms over trials</source>
+        <translation>eff. über Versuche</translation>
+    </message>
+    <message>
+        <source>rms relative error</source>
+        <translation>mittlerer rel. Fehler</translation>
+    </message>
+    <message>
+        <source>rms residual</source>
+        <translation>mittlerer Rest</translation>
+    </message>
+    <message>
+        <source>share slipped</source>
+        <translation>gleitender Anteil</translation>
+    </message>
+    <message>
+        <source>starts</source>
+        <translation>Starts</translation>
+    </message>
+    <message>
+        <source>std %</source>
+        <translation>Streuung %</translation>
+    </message>
+    <message>
+        <source>std error</source>
+        <translation>Std.-Fehler</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>stiffness lost</source>
+        <translation>verlorene Steifigkeit</translation>
+    </message>
+    <message>
+        <source>time ms</source>
+        <translation>Zeit ms</translation>
+    </message>
+    <message>
+        <source>times</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>nach</translation>
+    </message>
+    <message>
+        <source>true value</source>
+        <translation>wahrer Wert</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>Unbekannte</translation>
+    </message>
+    <message>
+        <source>weighting</source>
+        <translation>Gewichtung</translation>
+    </message>
+    <message>
+        <source>worst bound</source>
+        <translation>schlechteste Schranke</translation>
+    </message>
+    <message>
+        <source>χ² alone</source>
+        <translation>χ² allein</translation>
+    </message>
 </context>
 <context>
     <name>SceneEditor</name>

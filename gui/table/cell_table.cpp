@@ -15,6 +15,7 @@
 #include "gui/look/dialogs.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/output.hpp"
+#include "gui/table/table_heads.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -69,7 +70,7 @@ bool is_number(const QString& text) {
 
 CellRows rows_of(const report::Table& table) {
   CellRows out;
-  for (const report::Column& column : table.columns()) out.columns << QString::fromStdString(column.title);
+  for (const report::Column& column : table.columns()) out.columns << head_text(column.title);
   for (const auto& row : table.rows()) {
     out.cells.emplace_back();
     for (const std::string& cell : row) out.cells.back().push_back(Cell{QString::fromStdString(cell)});

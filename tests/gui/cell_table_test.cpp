@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 
 #include "base/error.hpp"
+#include "gui/look/language.hpp"
 #include "gui/look/paths.hpp"
 #include "widgets.hpp"
 
@@ -32,6 +33,19 @@ TEST(CellTable, NumbersEndBelowEachOther) {
   };
   EXPECT_EQ(alignment(0), 0);
   for (const int column : {1, 2}) EXPECT_EQ(alignment(column), Qt::AlignRight) << column;
+}
+
+/// Tables that the reports share have their titles in the language of the window, and their rows as they are.
+TEST(CellTable, TitlesOfReportsAreInGerman) {
+  report::Table table({{"value"}, {"std error"}, {"95 % interval"}, {"|X(3)| m"}});
+  table.add({"1", "2", "3", "4"});
+  choose_language("de");
+  use_language();
+  const CellRows rows = rows_of(table);
+  choose_language("en");
+  use_language();
+  EXPECT_EQ(rows.columns, QStringList({"Wert", "Std.-Fehler", "95-%-Intervall", "|X(3)| m"}));
+  EXPECT_EQ(rows_of(table).columns.front(), "value");
 }
 
 TEST(CellTable, NoCsvReplacesAnInput) {
