@@ -114,6 +114,8 @@ WildLines find_wild_lines(const Plan& plan, const Control& control) {
   if (values > most_searched || plan.lines.empty()) return found;
   for (const WatchedFile& file : files) {
     stop_if(control.interrupted);
+    // What passes many joints falls by orders of magnitude between two lines.
+    if ((plan.why_by_parts || plan.solver == Solver::by_parts) && file.of_assembly) continue;
     if (file.header().entries() > 0 && file.header().entries() <= frf::most_judged_frfs) file.find(found);
   }
   return found;

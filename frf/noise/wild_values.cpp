@@ -98,8 +98,8 @@ void WildSearch::judge(std::size_t line) {
   }
 }
 
-void WildSearch::judge(std::size_t line, std::size_t entry, double floor) {
-  const double f = header_.frequency_hz[line], size = std::abs(value(line, entry));
+std::optional<WildSearch::Typical> WildSearch::typical(std::size_t line, std::size_t entry) const {
+  const double f = header_.frequency_hz[line];
   std::array<double, 2 * reach> above{}, below{};
   std::size_t count = 0;
   for (std::size_t n = line - std::min(line, reach); n <= std::min(line + reach, lines_ - 1); ++n) {
@@ -108,14 +108,56 @@ void WildSearch::judge(std::size_t line, std::size_t entry, double floor) {
     above[count] = of * std::max(1.0, fall);
     below[count++] = of * std::min(1.0, fall);
   }
-  if (count < fewest_neighbours) return;
-  const double under = typical_of(std::span(above).first(count)), over = typical_of(std::span(below).first(count));
+  if (count < fewest_neighbours) return std::nullopt;
+  return Typical{typical_of(std::span(above).first(count)), typical_of(std::span(below).first(count))};
+}
+
+void WildSearch::judge(std::size_t line, std::size_t entry, double floor) {
+  const auto about = typical(line, entry);
+  if (!about) return;
+  const auto [under, over] = *about;
+  const double size = std::abs(value(line, entry));
   if (under > 0.0 && size > std::max(large_factor * under, floor)) {
     const bool resonates = size <= no_resonance * under && is_resonance(line, entry);
     if (!resonates && !passes_joints(line, entry)) note(WildKind::large, line, entry, size / under);
   } else if (over > floor && size * small_factor < over && is_dropout(line, entry, over) && !mirror_falls(line, entry)) {
     note(WildKind::small, line, entry, size / over);
   }
+}
+
+const WildSearch::Ratios& WildSearch::ratios(std::size_t line) {
+  constexpr double large = 0.01;
+  if (ratios_ && ratios_->line == line) return *ratios_;
+  ratios_ = Ratios{.line = line};
+  std::vector<double> typicals;
+  for (std::size_t i = 0; i < header_.entries(); ++i) {
+    const auto about = std::isnan(magnitude(line, i)) ? std::nullopt : typical(line, i);
+    typicals.push_back(about ? about->under : 0.0);
+    ratios_->own.push_back(typicals[i] > 0.0 ? std::abs(value(line, i)) / typicals[i] : 0.0);
+    ratios_->largest = std::max(ratios_->largest, typicals[i]);
+  }
+  std::vector<double> of_large;
+  for (std::size_t i = 0; i < header_.entries(); ++i) {
+    if (ratios_->own[i] > 0.0) ratios_->sorted.push_back(ratios_->own[i]);
+    if (ratios_->own[i] > 0.0 && typicals[i] >= large * ratios_->largest) of_large.push_back(ratios_->own[i]);
+  }
+  std::ranges::sort(ratios_->sorted);
+  if (!of_large.empty()) ratios_->of_large = typical_of(of_large);
+  return *ratios_;
+}
+
+/// Each joint that a wave passes multiplies what it loses on the lines beside, so that no number is too large for a long row.
+/// FRFs about the force hardly change.
+bool WildSearch::passes_joints(std::size_t line, std::size_t entry) {
+  constexpr double high = 10.0, of_the_same_kind = 0.01;
+  const Ratios& all = ratios(line);
+  const double own = all.own[entry];
+  const auto others_above = [&](double least) {
+    const auto count = static_cast<std::size_t>(all.sorted.end() - std::ranges::upper_bound(all.sorted, least));
+    return count - (own > least ? 1 : 0);
+  };
+  return std::abs(value(line, entry)) < large_factor * all.largest && all.of_large < large_factor &&
+         3 * others_above(high) >= all.sorted.size() - 1 && others_above(of_the_same_kind * own) > 1;
 }
 
 bool WildSearch::is_resonance(std::size_t line, std::size_t entry) {
@@ -125,52 +167,28 @@ bool WildSearch::is_resonance(std::size_t line, std::size_t entry) {
          std::abs(right) >= rise * std::abs(value(line + 2, entry)) && std::abs(left + right) < opposite * std::abs(left - right);
 }
 
-double WildSearch::beside(std::size_t line, std::size_t entry) const {
-  double largest = 0.0;
-  if (line > 0 && magnitude(line - 1, entry) > largest) largest = magnitude(line - 1, entry);
-  if (line + 1 < lines_ && magnitude(line + 1, entry) > largest) largest = magnitude(line + 1, entry);
-  return largest;
-}
-
-std::size_t WildSearch::Rises::above(double least) const {
-  return static_cast<std::size_t>(sorted.end() - std::ranges::upper_bound(sorted, least));
-}
-
-const WildSearch::Rises& WildSearch::rises(std::size_t line) {
-  constexpr double large = 0.01;
-  if (rises_ && rises_->line == line) return *rises_;
-  rises_ = Rises{.line = line};
-  for (std::size_t i = 0; i < header_.entries(); ++i) {
-    const double before = beside(line, i);
-    rises_->largest = std::max(rises_->largest, before);
-    rises_->own.push_back(before > 0.0 && !std::isnan(magnitude(line, i)) ? magnitude(line, i) / before : 0.0);
-  }
-  std::vector<double> of_large;
-  for (std::size_t i = 0; i < header_.entries(); ++i) {
-    if (rises_->own[i] > 0.0) rises_->sorted.push_back(rises_->own[i]);
-    if (rises_->own[i] > 0.0 && beside(line, i) >= large * rises_->largest) of_large.push_back(rises_->own[i]);
-  }
-  std::ranges::sort(rises_->sorted);
-  if (!of_large.empty()) rises_->of_large = typical_of(of_large);
-  return *rises_;
+std::optional<bool> WildSearch::rises(std::size_t line, std::size_t entry) const {
+  constexpr double high = 10.0;
+  double beside = 0.0;
+  if (line > 0 && magnitude(line - 1, entry) > beside) beside = magnitude(line - 1, entry);
+  if (line + 1 < lines_ && magnitude(line + 1, entry) > beside) beside = magnitude(line + 1, entry);
+  if (!(beside > 0.0) || std::isnan(magnitude(line, entry))) return std::nullopt;
+  return magnitude(line, entry) > high * beside;
 }
 
 /// A resonance that falls on one line lifts most FRFs.
 bool WildSearch::others_rise(std::size_t line, std::size_t entry) {
-  constexpr double high = 10.0;
-  const Rises& all = rises(line);
-  const double own = all.own[entry];
-  const std::size_t risen = all.above(high) - (own > high ? 1 : 0), others = all.sorted.size() - (own > 0.0 ? 1 : 0);
+  if (!rise_ || rise_->line != line) {
+    rise_ = Rise{.line = line};
+    for (std::size_t i = 0; i < header_.entries(); ++i) {
+      const std::optional<bool> rise = rises(line, i);
+      rise_->compared += rise ? 1U : 0U;
+      rise_->risen += rise.value_or(false) ? 1U : 0U;
+    }
+  }
+  const std::optional<bool> own = rises(line, entry);
+  const std::size_t risen = rise_->risen - (own.value_or(false) ? 1 : 0), others = rise_->compared - (own ? 1 : 0);
   return risen > 0 && 3 * risen >= others;
-}
-
-/// Each joint that a wave passes multiplies what it loses on the lines beside, so that no number is too large for a long row.
-/// FRFs about the force hardly change.
-bool WildSearch::passes_joints(std::size_t line, std::size_t entry) {
-  constexpr double of_the_same_kind = 0.01;
-  const Rises& all = rises(line);
-  if (magnitude(line, entry) > large_factor * all.largest) return false;
-  return all.of_large < large_factor && others_rise(line, entry) && all.above(of_the_same_kind * all.own[entry]) > 2;
 }
 
 bool WildSearch::mirror_falls(std::size_t line, std::size_t entry) const {

@@ -41,9 +41,9 @@ inline constexpr std::size_t most_judged_frfs = std::size_t{1} << 18;  ///< seve
 /// the frequency.
 ///   - large: |H| > 500 M. A resonance between two lines is left out: |H_{l±1}| ≥ 1.3 |H_{l±2}| on both sides and
 ///     |H_{l−1} + H_{l+1}| < 0.7 |H_{l−1} − H_{l+1}|, unless |H| > 10⁵ M; on the two lines at either end, where a third of all
-///     other FRFs are 10 times their nearest neighbours. What passes a row of joints on this line alone is left out, too: a third
-///     of all other FRFs rise so, two of them by |H|'s own rise over 100 or more, and the median of those that are large on the
-///     lines beside, 1 % of the largest or more, rises by less than 500, and |H| is less than 500 times the largest there;
+///     other FRFs are 10 times their nearest neighbours. What passes a row of joints on few lines is left out, too: a third of
+///     all other FRFs are above 10 M, two of them above |H|/M's hundredth, |H| is below 500 times the largest M, and so is the
+///     median of |H|/M of FRFs whose M is 1 % of the largest or more;
 ///   - small: |H| < M/1000 and its nearest neighbours that are not small themselves, one on each side, agree: their difference is
 ///   at most
 ///     their mean. So an antiresonance, where they have opposite signs, is left out, and so are the ends, and where H_ji of H_ij
@@ -71,8 +71,13 @@ class WildSearch {
   bool is_resonance(std::size_t line, std::size_t entry);
   bool others_rise(std::size_t line, std::size_t entry);
   bool passes_joints(std::size_t line, std::size_t entry);
-  /// The larger one of its nearest neighbours, where there is such a number; else 0.
-  double beside(std::size_t line, std::size_t entry) const;
+  /// M of large values and that of small ones; nothing where fewer than three neighbours are numbers.
+  struct Typical {
+    double under, over;
+  };
+  std::optional<Typical> typical(std::size_t line, std::size_t entry) const;
+  /// Of an FRF that can be compared with its neighbours: whether it is 10 times the larger one.
+  std::optional<bool> rises(std::size_t line, std::size_t entry) const;
   bool mirror_falls(std::size_t line, std::size_t entry) const;
   bool is_dropout(std::size_t line, std::size_t entry, double typical) const;
   Complex value(std::size_t line, std::size_t entry) const { return values_[line % kept][entry]; }
@@ -91,17 +96,20 @@ class WildSearch {
   std::vector<WildValue> found_;
   std::size_t more_ = 0;
 
-  /// Of FRFs over the larger one of their nearest neighbours, on the line that is judged, once it was asked; 0 where there is
-  /// none.
-  struct Rises {
+  /// Of all FRFs of the line that is judged, once it was asked.
+  struct Rise {
+    std::size_t line, risen = 0, compared = 0;
+  };
+  std::optional<Rise> rise_;
+  /// |H|/M of all FRFs of the line that is judged, once it was asked; 0 where there is none.
+  struct Ratios {
     std::size_t line;
     std::vector<double> own{}, sorted{};
-    double of_large = 0.0;  ///< the median of those that are large beside the line
-    double largest = 0.0;   ///< of the FRFs beside it
-    std::size_t above(double least) const;
+    double largest = 0.0;   ///< M
+    double of_large = 0.0;  ///< the median of those whose M is large
   };
-  const Rises& rises(std::size_t line);
-  std::optional<Rises> rises_;
+  const Ratios& ratios(std::size_t line);
+  std::optional<Ratios> ratios_;
 };
 
 }  // namespace jointid::frf
