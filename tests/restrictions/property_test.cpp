@@ -113,7 +113,8 @@ RC_GTEST_PROP(RestrictionProperty, SpringsStoreTheEnergyOfTheirElongations, ()) 
   const Doubles x = r.matrix(Kind::stiffness, k);
   double from_matrix = 0.0;
   for (std::size_t i = 0; i < size * size; ++i) {
-    from_matrix += all[i / size].sign * u[i / size] * x[i] * all[i % size].sign * u[i % size];
+    const std::size_t row = i / size, column = i % size;
+    from_matrix += all[row].sign * u[row] * x[i] * all[column].sign * u[column];
   }
   RC_ASSERT(from_matrix == energy);
   RC_ASSERT(r.symmetric());
