@@ -21,7 +21,6 @@
 namespace jointid::ident {
 namespace {
 
-using testing::Each;
 using testing::HasSubstr;
 using testing::Le;
 
@@ -63,7 +62,8 @@ class UnreachableJoint : public testing::Test {
 
   double largest_error(const Solution& solution) const {
     double largest = 0.0;
-    for (std::size_t u = 0; u < truth_.size(); ++u) largest = std::max(largest, std::abs(solution.unknowns[u].value / truth_[u] - 1.0));
+    for (std::size_t u = 0; u < truth_.size(); ++u)
+      largest = std::max(largest, std::abs(solution.unknowns[u].value / truth_[u] - 1.0));
     return largest;
   }
 

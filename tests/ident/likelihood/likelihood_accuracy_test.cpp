@@ -1,17 +1,16 @@
-#include "ident/identify.hpp"
 #include "tests/ident/likelihood_accuracy.hpp"
 
 #include <gtest/gtest.h>
 
+#include "ident/identify.hpp"
+
 namespace jointid::ident {
 namespace {
 
-using restrictions::Kind;
-
 /// Prints what was found, for the log of a test that fails.
 std::string text(const Accuracy& a) {
-  return "mean " + std::to_string(a.mean) + ", worst " + std::to_string(a.worst) + ", coverage " +
-         std::to_string(a.coverage()) + ", not converged " + std::to_string(a.failed);
+  return "mean " + std::to_string(a.mean) + ", worst " + std::to_string(a.worst) + ", coverage " + std::to_string(a.coverage()) +
+         ", not converged " + std::to_string(a.failed);
 }
 
 TEST(LikelihoodAccuracy, ReachesTheBoundAtFivePerCent) {

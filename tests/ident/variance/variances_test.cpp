@@ -7,10 +7,10 @@
 #include "base/statistics.hpp"
 #include "frf/noise/repeats.hpp"
 #include "frf/set/h1.hpp"
-#include "study/trial_runner.hpp"
-#include "tests/ident/memory_systems.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/problem.hpp"
+#include "study/trial_runner.hpp"
+#include "tests/ident/memory_systems.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -18,7 +18,6 @@ namespace {
 using frf::Composition;
 using frf::NoiseRecord;
 using ::testing::HasSubstr;
-
 
 std::vector<std::size_t> all_lines(const frf::FrfSystem& system) {
   std::vector<std::size_t> lines(system.frequency_hz().size());
@@ -142,9 +141,8 @@ TEST(Variances, FollowTheLawOfTheNoiseAtTheMeasuredValue) {
     for (std::size_t line = 0; line < axis.size(); ++line) {
       const Complex h = set.values[line];
       const bool circular = kind == frf::NoiseKind::circular;
-      expect_near(read.variance[line],
-                  circular ? Complex(0.0018 * std::norm(h), 0.0018 * std::norm(h))
-                           : Complex(0.0012 * h.real() * h.real(), 0.0012 * h.imag() * h.imag()));
+      expect_near(read.variance[line], circular ? Complex(0.0018 * std::norm(h), 0.0018 * std::norm(h))
+                                                : Complex(0.0012 * h.real() * h.real(), 0.0012 * h.imag() * h.imag()));
     }
   }
 }
@@ -156,9 +154,7 @@ TEST(Variances, OfAFloorAreConstantInTheQuantityOfTheFile) {
   const auto system = memory_system("assembly", {set}, Composition::merged);
   const auto read = read_all(*system, set.header.response, set.header.reference, with_noise(model));
   double mean_square = 0.0;
-  const auto to_stored = [](std::size_t line) {
-    return std::norm(frf::from_receptance(frf::Quantity::accelerance, axis[line]));
-  };
+  const auto to_stored = [](std::size_t line) { return std::norm(frf::from_receptance(frf::Quantity::accelerance, axis[line])); };
   for (std::size_t line = 0; line < axis.size(); ++line) mean_square += std::norm(set.values[line]) * to_stored(line) / 4.0;
   for (std::size_t line = 0; line < axis.size(); ++line) {
     const double part = 0.005 * mean_square / to_stored(line);
@@ -199,7 +195,7 @@ TEST(Variances, OfOneAverageAreRefusedWithTheRemedy) {
   const frf::FrfSet set = with_coherence(sample("a.h5", dofs({"1:+X"}), dofs({"1:+X"})), 1.0, 1.0);
   const auto system = memory_system("assembly", {set}, Composition::merged);
   try {
-    Variances(*system, set.header.response, set.header.reference, {});
+    const Variances refused(*system, set.header.response, set.header.reference, {});
     FAIL();
   } catch (const InputError& error) {
     EXPECT_EQ(error.kind(), ErrorKind::data);
@@ -277,9 +273,12 @@ TEST(Variances, FromTheScatterNeedNothingElse) {
 
 /// The law holds on average over the noise: the mean of the variances found is the scatter of the polluted values.
 RC_GTEST_PROP(Variances, AgreeWithTheScatterOverSeeds, ()) {
-  const auto kind = *rc::gen::element(frf::NoiseKind::uniform, frf::NoiseKind::gaussian, frf::NoiseKind::circular,
-                                      frf::NoiseKind::hammer);
-  const frf::NoiseModel model{.kind = kind, .level = 0.05, .coherence = 0.99, .averages = 6,
+  const auto kind =
+      *rc::gen::element(frf::NoiseKind::uniform, frf::NoiseKind::gaussian, frf::NoiseKind::circular, frf::NoiseKind::hammer);
+  const frf::NoiseModel model{.kind = kind,
+                              .level = 0.05,
+                              .coherence = 0.99,
+                              .averages = 6,
                               .floor = kind == frf::NoiseKind::hammer ? 0.0 : *rc::gen::element(0.0, 0.03)};
   frf::FrfSet clean;
   clean.header.frequency_hz.resize(4000);
