@@ -57,6 +57,11 @@ std::optional<double> factor_of_remark(std::string_view text) {
   return stated_factor(text);
 }
 
+/// Without the signs of a comment before it.
+std::string_view text_of(const TableRemark& remark) {
+  return std::string_view(remark.text).substr(std::min(remark.text.find_first_not_of("#% \t"), remark.text.size()));
+}
+
 std::size_t longest_of(const Columns& columns) {
   std::size_t longest = 0;
   for (const NumberColumn& column : columns.columns) longest = std::max(longest, column.values.size());
@@ -72,17 +77,19 @@ std::size_t longest_of(const Columns& columns) {
 }  // namespace
 
 std::optional<UnreadUnit> unread_unit(const Columns& columns, const std::function<bool(const Unit&)>& is_asked_for) {
+  const auto is_unread = [&](std::string_view label) {
+    const auto unit = parse_unit(label);
+    return unit && unit->si != 1.0 && is_asked_for(*unit);
+  };
   for (const TableRemark& remark : columns.remarks) {
+    std::vector<std::string_view> labels;
     for (const std::string_view label : labels_in(remark.text)) {
-      const auto unit = label.size() < remark.text.size() ? parse_unit(label) : std::nullopt;
-      if (unit && unit->si != 1.0 && is_asked_for(*unit)) return UnreadUnit{remark.place, std::string(label)};
+      if (label.size() < remark.text.size()) labels.push_back(label);
     }
-    const std::size_t in = remark.text.rfind(" in ");  // "mass in g"
-    if (in != std::string::npos) {
-      const std::string_view label = trimmed(std::string_view(remark.text).substr(in + 4));
-      const auto unit = parse_unit(label);
-      if (unit && unit->si != 1.0 && is_asked_for(*unit)) return UnreadUnit{remark.place, std::string(label)};
-    }
+    if (const std::size_t in = remark.text.rfind(" in "); in != std::string::npos)  // "mass in g"
+      labels.push_back(trimmed(std::string_view(remark.text).substr(in + 4)));
+    const auto found = std::ranges::find_if(labels, is_unread);
+    if (found != labels.end()) return UnreadUnit{remark.place, std::string(*found)};
     std::string_view before;
     for (const std::string_view word : words_of_remark(remark.text)) {
       const auto unit = is_unit_in_sentence(word) && !is_plain_number(before) ? parse_unit(word) : std::nullopt;
@@ -98,12 +105,12 @@ std::optional<UnreadUnit> unapplied_sensitivity(const Columns& columns) {
     const std::string plain = lower_case(remark.text);
     const bool applied = plain.find("applied") != std::string::npos && plain.find("not applied") == std::string::npos;
     if ((states_sensitivity(remark.text) || doubts_numbers(remark.text)) && !applied)
-      return UnreadUnit{remark.place, remark.text.substr(std::min(remark.text.find_first_not_of("#% \t"), remark.text.size()))};
+      return UnreadUnit{remark.place, std::string(text_of(remark))};
   }
   constexpr std::size_t most_channels = 64;
+  const std::size_t longest = longest_of(columns);
   for (const NumberColumn& column : columns.columns) {
-    const bool few =
-        !column.values.empty() && column.values.size() <= most_channels && column.values.size() < longest_of(columns);
+    const bool few = !column.values.empty() && column.values.size() <= most_channels && column.values.size() < longest;
     if (few && use_of_number(column.name) == NumberUse::multiplies &&
         std::ranges::any_of(column.values, [](double v) { return v != 1.0; }))
       return UnreadUnit{"column " + column.name, fmt::format("{} = {:g}", column.name, column.values.front())};
@@ -113,8 +120,7 @@ std::optional<UnreadUnit> unapplied_sensitivity(const Columns& columns) {
 
 void require_no_factor(const Columns& columns) {
   for (const TableRemark& remark : columns.remarks) {
-    const std::string_view text =
-        std::string_view(remark.text).substr(std::min(remark.text.find_first_not_of("#% \t"), remark.text.size()));
+    const std::string_view text = text_of(remark);
     const auto factor = factor_of_remark(text);
     if (factor && *factor != 1.0 && *factor != 0.0) refuse_factor(columns, remark.place, text);
   }

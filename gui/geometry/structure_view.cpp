@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/geometry/nearest.hpp"
 #include "gui/look/named.hpp"
 
 namespace jointid::gui {
@@ -125,15 +126,8 @@ QPointF StructureView::tip_of(const frf::Dof& dof) const {
 QPointF StructureView::place_of(std::int64_t node) const { return camera_.project(drawn_position(node)); }
 
 std::optional<frf::Dof> StructureView::dof_at(const QPointF& at) const {
-  double nearest = nearest_px;
-  std::optional<frf::Dof> found;
-  for (const frf::Dof& dof : structure_.dofs) {
-    const double distance = distance_to(at, camera_.project(drawn_position(dof.node)), tip_of(dof));
-    if (distance >= nearest) continue;
-    nearest = distance;
-    found = dof;
-  }
-  return found;
+  return nearest(structure_.dofs, nearest_px,
+                 [&](const frf::Dof& dof) { return distance_to(at, place_of(dof.node), tip_of(dof)); });
 }
 
 void StructureView::turn(double azimuth, double elevation) {

@@ -93,6 +93,7 @@ class StructureView : public QWidget {
   void draw_axes(QPainter& painter) const;
   std::optional<frf::Dof> dof_at(const QPointF& at) const;
   std::optional<std::int64_t> node_at(const QPointF& at) const;
+  std::vector<frf::NodeLine> drawn_own_lines() const;
   std::vector<frf::NodeLine> all_lines() const;
   std::optional<frf::NodeLine> own_line_at(const QPointF& at) const;
   void draw_pen(QPainter& painter) const;

@@ -1,6 +1,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "gui/geometry/nearest.hpp"
 #include "gui/geometry/structure_view.hpp"
 #include "gui/look/theme.hpp"
 
@@ -20,38 +21,30 @@ void StructureView::set_drawing(bool on) {
 }
 
 std::optional<std::int64_t> StructureView::node_at(const QPointF& at) const {
-  double nearest = node_reach_px;
-  std::optional<std::int64_t> found;
-  for (const frf::Node& node : structure_.nodes) {
+  const auto found = nearest(structure_.nodes, node_reach_px, [&](const frf::Node& node) {
     const QPointF off = place_of(node.id) - at;
-    const double distance = std::hypot(off.x(), off.y());
-    if (distance >= nearest) continue;
-    nearest = distance;
-    found = node.id;
-  }
-  return found;
+    return std::hypot(off.x(), off.y());
+  });
+  return found ? std::optional(found->id) : std::nullopt;
+}
+
+std::vector<frf::NodeLine> StructureView::drawn_own_lines() const {
+  std::vector<frf::NodeLine> lines = own_lines();
+  std::erase_if(lines, [&](const frf::NodeLine& line) { return !is_drawn(line); });
+  return lines;
 }
 
 /// Of the files and by hand, between nodes that are there.
 std::vector<frf::NodeLine> StructureView::all_lines() const {
   std::vector<frf::NodeLine> lines = structure_.lines;
-  for (const frf::NodeLine& line : own_lines()) {
-    if (is_drawn(line)) lines.push_back(line);
-  }
+  const std::vector<frf::NodeLine> own = drawn_own_lines();
+  lines.insert(lines.end(), own.begin(), own.end());
   return lines;
 }
 
 std::optional<frf::NodeLine> StructureView::own_line_at(const QPointF& at) const {
-  double nearest = line_reach_px;
-  std::optional<frf::NodeLine> found;
-  for (const frf::NodeLine& line : own_lines()) {
-    if (!is_drawn(line)) continue;
-    const double distance = distance_to(at, place_of(line[0]), place_of(line[1]));
-    if (distance >= nearest) continue;
-    nearest = distance;
-    found = line;
-  }
-  return found;
+  return nearest(drawn_own_lines(), line_reach_px,
+                 [&](const frf::NodeLine& line) { return distance_to(at, place_of(line[0]), place_of(line[1])); });
 }
 
 void StructureView::pick(std::int64_t node) {

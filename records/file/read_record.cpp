@@ -38,8 +38,9 @@ void require_remarks_agree(const frf::Columns& table, const GivenUnit& given, co
 
 /// Numbers of a sensor whose sensitivity is stated, and whose unit is not, may be volts.
 void require_no_sensitivity(const frf::Columns& table, const GivenChannel& given, const std::string& place) {
+  if (given.factor != 1.0) return;
   const auto sensor = frf::unapplied_sensitivity(table);
-  if (!sensor || given.factor != 1.0) return;
+  if (!sensor) return;
   throw InputError(
       {ErrorKind::data, table.file, place,
        "states no unit, and " + sensor->place + " states '" + frf::shown_label(sensor->unit) + "', which nothing applies",

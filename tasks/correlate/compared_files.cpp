@@ -6,6 +6,7 @@
 #include "frf/file/open_as_one.hpp"
 #include "models/model_file.hpp"
 #include "tasks/correlate/modes_of_result.hpp"
+#include "tasks/json_file.hpp"
 
 namespace jointid::tasks {
 namespace {

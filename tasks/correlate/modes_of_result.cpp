@@ -1,7 +1,6 @@
 #include "tasks/correlate/modes_of_result.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
@@ -88,12 +87,6 @@ class ModalResult {
 };
 
 }  // namespace
-
-bool is_json_file(const std::filesystem::path& file) {
-  char first = ' ';
-  std::ifstream in(file);
-  return in >> first && first == '{';
-}
 
 std::vector<frf::Uff55Mode> modes_of_result(const std::filesystem::path& file) { return ModalResult(file).read(); }
 

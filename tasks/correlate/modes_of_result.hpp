@@ -7,9 +7,6 @@
 
 namespace jointid::tasks {
 
-/// Whether a file is JSON, by its first letter.
-bool is_json_file(const std::filesystem::path& file);
-
 /// The modes of what `jointid modalfit --json` wrote: frequency, damping and shape, all digits of it. Throws InputError (data) with the
 /// key that is missing or not as it should be.
 std::vector<frf::Uff55Mode> modes_of_result(const std::filesystem::path& file);

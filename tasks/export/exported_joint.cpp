@@ -1,7 +1,6 @@
 #include "tasks/export/exported_joint.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <set>
 
@@ -11,6 +10,7 @@
 #include "ident/likelihood/findings/joint_errors.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "tasks/export/joint_of_result.hpp"
+#include "tasks/json_file.hpp"
 
 namespace jointid::tasks {
 namespace {
@@ -117,9 +117,7 @@ void turn_to_positive(ExportedJoint& joint) {
 
 bool is_result_file(const std::filesystem::path& file) {
   require_regular_file(file, ErrorKind::usage);
-  std::ifstream in(file);
-  char first = 0;
-  return in >> first && first == '{';
+  return is_json_file(file);
 }
 
 ExportedJoint exported_joint(const std::filesystem::path& scene_or_result, std::size_t band, const ident::Control& control) {

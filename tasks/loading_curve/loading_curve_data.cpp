@@ -72,8 +72,9 @@ std::vector<double> si_values(const frf::Columns& columns, const frf::NumberColu
     return std::ranges::any_of(
         allowed, [&](const Dimension& d) { return of.length == d.length && of.time == d.time && of.force == d.force; });
   };
-  if (const auto sensor = frf::unapplied_sensitivity(columns); sensor && !is_time && frf::states_no_unit(stated))
-    refuse_unread(columns, column, *sensor, unit);
+  if (!is_time && frf::states_no_unit(stated)) {
+    if (const auto sensor = frf::unapplied_sensitivity(columns)) refuse_unread(columns, column, *sensor, unit);
+  }
   if (frf::states_no_unit(label)) {
     if (const auto unread = frf::unread_unit(columns, is_allowed)) refuse_unread(columns, column, *unread, unit);
     return values;

@@ -8,7 +8,6 @@
 #include <QTemporaryDir>
 
 #include "base/error.hpp"
-#include "gui/look/language.hpp"
 #include "gui/look/paths.hpp"
 #include "widgets.hpp"
 
@@ -39,12 +38,10 @@ TEST(CellTable, NumbersEndBelowEachOther) {
 TEST(CellTable, TitlesOfReportsAreInGerman) {
   report::Table table({{"value"}, {"std error"}, {"95 % interval"}, {"|X(3)| m"}});
   table.add({"1", "2", "3", "4"});
-  choose_language("de");
-  use_language();
-  const CellRows rows = rows_of(table);
-  choose_language("en");
-  use_language();
-  EXPECT_EQ(rows.columns, QStringList({"Wert", "Std.-Fehler", "95-%-Intervall", "|X(3)| m"}));
+  {
+    const Spoken german("de");
+    EXPECT_EQ(rows_of(table).columns, QStringList({"Wert", "Std.-Fehler", "95-%-Intervall", "|X(3)| m"}));
+  }
   EXPECT_EQ(rows_of(table).columns.front(), "value");
 }
 

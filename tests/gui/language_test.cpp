@@ -17,15 +17,6 @@
 namespace jointid::gui {
 namespace {
 
-/// English again, whatever a test did.
-struct Languages {
-  ~Languages() { speak("en"); }
-  static void speak(const QString& language) {
-    choose_language(language);
-    use_language();
-  }
-};
-
 QStringList titles(const MainWindow& window) {
   QStringList all;
   for (const QAction* action : window.menuBar()->actions()) all << action->text().remove('&');
@@ -34,39 +25,38 @@ QStringList titles(const MainWindow& window) {
 
 TEST(Language, WindowsSpeakIt) {
   if (!has_language("de")) GTEST_SKIP() << "built without lrelease";
-  Languages languages;
+  const Spoken languages("en");
   EXPECT_TRUE(titles(MainWindow()).contains("File"));
-  languages.speak("de");
+  Spoken::speak("de");
   EXPECT_TRUE(titles(MainWindow()).contains("Datei"));
   EXPECT_EQ(title_of("data").toStdString(), "Daten");
-  languages.speak("en");
+  Spoken::speak("en");
   EXPECT_EQ(title_of("data").toStdString(), "Data");
 }
 
 TEST(Language, KnowsOneFromSeveral) {
   if (!has_language("de")) GTEST_SKIP() << "built without lrelease";
-  Languages languages;
-  languages.speak("en");
+  const Spoken languages("en");
   EXPECT_EQ(MainWindow::tr("Reading %n file(s) …", nullptr, 1), "Reading 1 file …");
   EXPECT_EQ(MainWindow::tr("Reading %n file(s) …", nullptr, 3), "Reading 3 files …");
 }
 
 TEST(Language, IsKept) {
   if (!has_language("de")) GTEST_SKIP() << "built without lrelease";
-  Languages languages;
+  const Spoken languages("en");
   choose_language("de");
   EXPECT_EQ(language(), "de");
 }
 
 TEST(Language, WhatIsNotThereIsEnglish) {
-  Languages languages;
+  const Spoken languages("en");
   choose_language("tlh");
   EXPECT_EQ(language(), "en");
   EXPECT_FALSE(has_language("tlh"));
 }
 
 TEST(Language, AMenuOffersToBeginAnewWithTheSameFiles) {
-  Languages languages;
+  const Spoken languages("en");
   QTemporaryDir folder;
   write_file(folder.filePath("one.toml"), small_scene);
   MainWindow window;

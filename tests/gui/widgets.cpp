@@ -4,10 +4,14 @@
 #include <QAccessibleInterface>
 #include <QApplication>
 #include <QDir>
+#include <QDropEvent>
 #include <QFile>
 #include <QFileInfo>
+#include <QMimeData>
 #include <QMouseEvent>
+#include <QUrl>
 
+#include "gui/look/language.hpp"
 #include "gui/look/paths.hpp"
 #include "problems/case/coupling_problem.hpp"
 #include "problems/problem.hpp"
@@ -29,6 +33,23 @@ QStringList without_accessible_name(QWidget& window) {
 void move_mouse(QWidget* widget, const QPoint& to) {
   QMouseEvent event(QEvent::MouseMove, to, widget->mapToGlobal(to), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
   QApplication::sendEvent(widget, &event);
+}
+
+bool drop(QWidget& on, const QStringList& files) {
+  QMimeData data;
+  QList<QUrl> urls;
+  for (const QString& file : files) urls << QUrl::fromLocalFile(file);
+  data.setUrls(urls);
+  QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&on, &enter);
+  QDropEvent event(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&on, &event);
+  return enter.isAccepted();
+}
+
+void Spoken::speak(const char* language) {
+  choose_language(QString::fromLatin1(language));
+  use_language();
 }
 
 void write_file(const QString& file, const std::string& text) {

@@ -19,6 +19,19 @@ QStringList without_accessible_name(QWidget& window);
 /// Over a place, sent to the widget itself: QTest::mouseMove needs the pointer of a real screen.
 void move_mouse(QWidget* widget, const QPoint& to);
 
+/// Files from the mouse; whether they were taken.
+bool drop(QWidget& on, const QStringList& files);
+
+/// The language of all windows; English again, whatever a test did.
+class Spoken {
+ public:
+  explicit Spoken(const char* language) { speak(language); }
+  ~Spoken() { speak("en"); }
+  Spoken(const Spoken&) = delete;
+  Spoken& operator=(const Spoken&) = delete;
+  static void speak(const char* language);
+};
+
 void write_file(const QString& file, const std::string& text);
 std::string read_file(const QString& file);
 

@@ -29,16 +29,6 @@
 namespace jointid::gui {
 namespace {
 
-/// English again, whatever a test did.
-struct Spoken {
-  explicit Spoken(const char* language) { speak(language); }
-  ~Spoken() { speak("en"); }
-  static void speak(const char* language) {
-    choose_language(QString::fromLatin1(language));
-    use_language();
-  }
-};
-
 /// Whether all of it is seen.
 bool shows_all(const QWidget& widget) {
   const auto* const area = qobject_cast<const QScrollArea*>(&widget);

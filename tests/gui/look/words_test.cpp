@@ -39,12 +39,7 @@ QStringList titles_of_pages(MainWindow& window) {
 
 class PageWords : public testing::TestWithParam<const char*> {
  protected:
-  PageWords() { speak(GetParam()); }
-  ~PageWords() override { speak("en"); }
-  static void speak(const char* language) {
-    choose_language(QString::fromLatin1(language));
-    use_language();
-  }
+  Spoken spoken_{GetParam()};
 };
 
 TEST_P(PageWords, AreOneInMenuAndTab) {

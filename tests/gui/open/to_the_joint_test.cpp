@@ -5,17 +5,14 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
-#include <QDropEvent>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
-#include <QMimeData>
 #include <QPushButton>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTest>
 #include <QTextDocument>
-#include <QUrl>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -41,19 +38,6 @@ using testing::HasSubstr;
 bool wait(const std::function<bool()>& came) { return QTest::qWaitFor(came, 60000); }
 
 void click(QWidget& widget) { QTest::mouseClick(&widget, Qt::LeftButton); }
-
-/// What the mouse drops.
-void drop(QWidget& on, const QStringList& files) {
-  QMimeData data;
-  QList<QUrl> urls;
-  for (const QString& file : files) urls << QUrl::fromLocalFile(file);
-  data.setUrls(urls);
-  QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(&on, &enter);
-  ASSERT_TRUE(enter.isAccepted());
-  QDropEvent event(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(&on, &event);
-}
 
 /// An entry of a menu, both clicked.
 void choose_entry(MainWindow& window, const QString& menu, const QString& entry) {
@@ -89,7 +73,7 @@ TEST(ToTheJoint, FromPlainFilesToSpringsPerBoltByMouse) {
   window.show();
   window.activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
-  drop(window, without_positions(rig.files(), folder));
+  ASSERT_TRUE(drop(window, without_positions(rig.files(), folder)));
   ASSERT_TRUE(wait([&] { return window.count() == 1 && !window.current()->data_page()->is_busy(); }));
   Project& project = *window.current();
   ASSERT_TRUE(wait([&] { return project.data_page()->files().size() == 3; }));

@@ -4,7 +4,6 @@
 #include <QTest>
 
 #include "../widgets.hpp"
-#include "gui/look/language.hpp"
 #include "gui/plot/chart.hpp"
 #include "gui/plot/frf_plot.hpp"
 #include "gui/plot/heat_chart.hpp"
@@ -42,6 +41,13 @@ struct Shown {
     QCoreApplication::processEvents();
   }
   std::string readout() const { return plot.readout().toStdString(); }
+  /// The upper left axis, drawn now.
+  const QCPAxis& value_axis() {
+    plot.grab();
+    QCustomPlot* const drawn = plot.canvas().plot();
+    drawn->replot(QCustomPlot::rpImmediateRefresh);
+    return *drawn->axisRects().front()->axis(QCPAxis::atLeft);
+  }
 };
 
 TEST(FrfCursor, StatesTheLineWhereItIs) {
@@ -79,16 +85,13 @@ TEST(FrfAxes, OfASingleLineAreSensible) {
   Shown shown(rising(1, 1.0, 3e7));
   for (const bool decibel : {false, true}) {
     shown.plot.set_decibel(decibel);
-    shown.plot.grab();
-    QCustomPlot* const plot = shown.plot.canvas().plot();
-    plot->replot(QCustomPlot::rpImmediateRefresh);
-    const QCPAxis* const y = plot->axisRects().front()->axis(QCPAxis::atLeft);
+    const QCPAxis& y = shown.value_axis();
     const double value = decibel ? 20.0 * std::log10(3e7) : 3e7;
-    EXPECT_LT(y->range().lower, value);
-    EXPECT_GT(y->range().upper, value);
-    EXPECT_GT(y->range().lower, value / 100.0);
-    EXPECT_LT(y->range().upper, value * 100.0);
-    const QVector<QString> labels = y->tickVectorLabels();
+    EXPECT_LT(y.range().lower, value);
+    EXPECT_GT(y.range().upper, value);
+    EXPECT_GT(y.range().lower, value / 100.0);
+    EXPECT_LT(y.range().upper, value * 100.0);
+    const QVector<QString> labels = y.tickVectorLabels();
     EXPECT_GE(labels.size(), 1);
     EXPECT_EQ(QSet<QString>(labels.begin(), labels.end()).size(), labels.size());
   }
@@ -101,18 +104,14 @@ TEST(FrfAxes, TicksDoNotRepeat) {
   curve.values = {1.085471, 1.085472, 1.085473};
   Shown shown(curve);
   shown.plot.set_view(View::real_imaginary);
-  shown.plot.grab();
-  QCustomPlot* const plot = shown.plot.canvas().plot();
-  plot->replot(QCustomPlot::rpImmediateRefresh);
-  const QVector<QString> labels = plot->axisRects().front()->axis(QCPAxis::atLeft)->tickVectorLabels();
+  const QVector<QString> labels = shown.value_axis().tickVectorLabels();
   EXPECT_GT(labels.size(), 1);
   EXPECT_EQ(QSet<QString>(labels.begin(), labels.end()).size(), labels.size()) << QStringList(labels).join(' ').toStdString();
 }
 
 /// Names of axes, with units or without, and numbers as they are in tables.
 TEST(FrfAxes, SpeakGerman) {
-  choose_language("de");
-  use_language();
+  const Spoken german("de");
   for (const char* label : {"frequency (Hz)", "receptance (m/N)", "time of one solution (ms)", "rms relative error (median)",
                             "iteration", "objective", "displacement (mm)", "amplitude (m)", "order (pole pairs)"})
     EXPECT_NE(axis_text(label).toStdString(), label);
@@ -124,13 +123,8 @@ TEST(FrfAxes, SpeakGerman) {
   curve.values = {0.25, 0.5, 0.75};
   Shown shown(curve);
   shown.plot.set_view(View::real_imaginary);
-  shown.plot.grab();
-  QCustomPlot* const plot = shown.plot.canvas().plot();
-  plot->replot(QCustomPlot::rpImmediateRefresh);
-  const QString labels = QStringList(plot->axisRects().front()->axis(QCPAxis::atLeft)->tickVectorLabels()).join(' ');
+  const QString labels = QStringList(shown.value_axis().tickVectorLabels()).join(' ');
   QLocale::setDefault(before);
-  choose_language("en");
-  use_language();
   EXPECT_THAT(labels.toStdString(), testing::AllOf(HasSubstr("0.5"), testing::Not(HasSubstr(","))));
 }
 
