@@ -29,7 +29,7 @@ MatVariable MatFile::read(const MatInfo& info) {
   MatVariable variable = read_variable(info);
   if (info.kind != MatKind::real && info.kind != MatKind::complex) return variable;
   std::size_t size = 1;
-  for (const std::size_t extent : variable.info.dims) size *= extent;
+  for (const std::size_t extent : info.dims) size *= extent;
   if (variable.values.size() != size)
     fail(info.name, "holds " + std::to_string(variable.values.size()) + " numbers where its size states " + std::to_string(size),
          "the file is damaged; save it again");

@@ -105,7 +105,8 @@ class MatV4 final : public MatFile {
     const std::size_t parts = header->complex ? 2 : 1, width = header->width();
     const bool fits = header->rows == 0 || header->columns <= rest.size() / (width * parts) / header->rows;
     if (!fits)
-      fail(own, "is " + std::to_string(header->rows) + " by " + std::to_string(header->columns) + ", and the file ends before that",
+      fail(own,
+           "is " + std::to_string(header->rows) + " by " + std::to_string(header->columns) + ", and the file ends before that",
            "the file is cut off; save or copy it again");
     const std::size_t size = header->rows * header->columns * width * parts;
     list(*header, own, rest.substr(0, size));
@@ -113,9 +114,9 @@ class MatV4 final : public MatFile {
   }
 
   void list(const V4Header& header, const std::string& name, std::string_view numbers) {
-    const auto add = [&](const std::string& of, MatKind kind, std::vector<std::size_t> dims) {
+    const auto add = [&](const std::string& of, MatKind kind, const std::vector<std::size_t>& dims) {
       // Whole numbers are written as integers to save space: v4 has no other numbers than doubles.
-      variables_.push_back({.name = of, .kind = kind, .dims = std::move(dims), .unit = {}, .integers = false});
+      variables_.push_back({.name = of, .kind = kind, .dims = dims, .unit = {}, .integers = false});
       content_.emplace_back(header, numbers);
     };
     if (header.kind != sparse_kind) {
@@ -126,14 +127,12 @@ class MatV4 final : public MatFile {
       fail(name, "is no sparse matrix: its elements have " + std::to_string(header.columns) + " numbers, not 3 or 4",
            "the file is damaged; save it again");
     const std::size_t count = header.rows - 1;
-    add(name + ".data", header.columns == 4 ? MatKind::complex : MatKind::real, {count, 1});
-    add(name + ".row", MatKind::real, {count, 1});
-    add(name + ".col", MatKind::real, {count, 1});
-    add(name + ".shape", MatKind::real, {2, 1});
+    for (const char* part : {".data", ".row", ".col"}) add(name + part, MatKind::sparse, {count, 1});
+    add(name + ".shape", MatKind::sparse, {2, 1});
   }
 
-  /// An array of a sparse matrix, whose elements are the rows (row from 1, column from 1, real part, imaginary part); the last of these
-  /// has the numbers of rows and columns.
+  /// An array of a sparse matrix, whose elements are the rows (row from 1, column from 1, real part, imaginary part); the last of
+  /// these has the numbers of rows and columns.
   static std::vector<Complex> of_triplets(const V4Header& header, std::string_view numbers, std::string_view part) {
     const std::size_t rows = header.rows;
     const auto number = [&](std::size_t i, std::size_t j) { return value(header, numbers, i + rows * j); };

@@ -15,7 +15,9 @@
 namespace jointid::frf {
 
 /// What a variable of a MATLAB file holds, as far as FRFs are made of it.
-enum class MatKind : std::uint8_t { real, complex, text, other };
+/// `sparse`: an array of a sparse matrix (its elements, rows, columns or shape); dims say how many numbers it has at most, its
+/// content how many there are. Such an array is of a matrix, and never a channel, an axis or FRFs.
+enum class MatKind : std::uint8_t { real, complex, sparse, text, other };
 
 struct MatInfo {
   std::string name;  ///< of a field of a struct: S.field, S.inner.field, of an array of structs S(2).field; so are datasets in
@@ -45,7 +47,8 @@ class MatFile {
   /// The same by their names in lower case, those of one name in the order of the file; until another variable is added.
   const std::multimap<std::string, const MatInfo*>& by_lower_name() const;
 
-  /// Reads one of `variables`: as many numbers as its size says. Throws InputError when the file breaks its promises.
+  /// Reads one of `variables`: as many numbers as its size says, of a sparse matrix what is there. Throws InputError when the
+  /// file breaks its promises.
   MatVariable read(const MatInfo& info);
 
   /// Whether the program that wrote the file counts the last index fastest (C, numpy): `dims` and numbers of a variable then are

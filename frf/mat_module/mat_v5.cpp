@@ -221,7 +221,6 @@ class MatV5 final : public MatFile {
     MatVariable out{.info = info, .values = {}, .texts = {}};
     if (variable != nullptr && variable->class_type == MAT_C_SPARSE) {
       out.values = mat::sparse_numbers(*variable, std::string_view(info.name).substr(info.name.rfind('.') + 1));
-      out.info.dims = {out.values.size(), 1};
       return out;
     }
     if (variable == nullptr || kind_of(*variable) != info.kind || dims_of(*variable) != info.dims) {

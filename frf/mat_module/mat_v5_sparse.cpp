@@ -56,10 +56,10 @@ std::vector<Complex> places(const mat_uint32_t* from, std::size_t count) {
 
 std::vector<MatInfo> sparse_infos(const matvar_t& variable, const std::string& name) {
   const std::size_t room = variable.nbytes, columns = variable.rank == 2 && variable.dims != nullptr ? variable.dims[1] : 0;
-  return {{.name = name + ".data", .kind = variable.isComplex != 0 ? MatKind::complex : MatKind::real, .dims = {room, 1}},
-          {.name = name + ".ir", .kind = MatKind::real, .dims = {room, 1}, .integers = true},
-          {.name = name + ".jc", .kind = MatKind::real, .dims = {columns + 1, 1}, .integers = true},
-          {.name = name + ".shape", .kind = MatKind::real, .dims = {2, 1}, .integers = true}};
+  return {{.name = name + ".data", .kind = MatKind::sparse, .dims = {room, 1}},
+          {.name = name + ".ir", .kind = MatKind::sparse, .dims = {room, 1}, .integers = true},
+          {.name = name + ".jc", .kind = MatKind::sparse, .dims = {columns + 1, 1}, .integers = true},
+          {.name = name + ".shape", .kind = MatKind::sparse, .dims = {2, 1}, .integers = true}};
 }
 
 std::vector<Complex> sparse_numbers(const matvar_t& variable, std::string_view part) {

@@ -95,7 +95,9 @@ class MatrixReader {
     return unit && unit->si != 1.0 ? "the unit '" + label + "' of " + name_ : std::string();
   }
 
-  bool has(const std::string& name) const { return std::ranges::find(file_.variables(), name, &MatInfo::name) != file_.variables().end(); }
+  bool has(const std::string& name) const {
+    return std::ranges::find(file_.variables(), name, &MatInfo::name) != file_.variables().end();
+  }
 
   [[noreturn]] void fail(std::string problem, std::string remedy = "write it again") const {
     refuse_file(file_.file(), name_.empty() ? "" : "variable " + name_, std::move(problem), std::move(remedy));
@@ -129,7 +131,8 @@ class MatrixReader {
     const std::size_t rows = info.dims.empty() ? 1 : info.dims[0], columns = info.dims.size() < 2 ? 1 : info.dims[1];
     if (info.dims.size() > 2 || rows != columns)
       fail("the matrix is not square: " + std::to_string(rows) + " × " + std::to_string(columns), "");
-    if (rows > most_full_rows) fail("the matrix has more than " + std::to_string(most_full_rows) + " rows", "store it as a sparse one");
+    if (rows > most_full_rows)
+      fail("the matrix has more than " + std::to_string(most_full_rows) + " rows", "store it as a sparse one");
     const frf::MatVariable read = file_.read(info);
     for (std::size_t k = 0; k < read.values.size(); ++k) require_finite(read.values[k], k);
     const Eigen::Map<const Eigen::MatrixXcd> all(read.values.data(), at(rows), at(rows));
@@ -139,7 +142,8 @@ class MatrixReader {
   }
 
   void require_finite(Complex value, std::size_t k) const {
-    if (!std::isfinite(value.real()) || !std::isfinite(value.imag())) fail("element " + std::to_string(k + 1) + " is no finite number");
+    if (!std::isfinite(value.real()) || !std::isfinite(value.imag()))
+      fail("element " + std::to_string(k + 1) + " is no finite number");
   }
 
   /// Of an array of the sparse matrix.
@@ -147,7 +151,8 @@ class MatrixReader {
 
   std::vector<Complex> numbers(const std::string& part) {
     const auto found = std::ranges::find(file_.variables(), array_name(part), &MatInfo::name);
-    if (found == file_.variables().end() || !is_number(*found)) fail("it is a sparse matrix without numbers " + part);
+    if (found == file_.variables().end() || !(is_number(*found) || found->kind == MatKind::sparse))
+      fail("it is a sparse matrix without numbers " + part);
     return file_.read(*found).values;
   }
 
@@ -187,8 +192,7 @@ class MatrixReader {
   FileMatrix from_compressed(const Places& begins, const Places& rows, const std::vector<Complex>& data) {
     require_rows(begins.empty() ? 0 : begins.size() - 1);
     if (begins.back() > data.size() || begins.back() > rows.size()) fail("it has fewer elements than its columns state");
-    if (data.size() > rows.size())
-      fail("its elements are blocks", to_columns);
+    if (data.size() > rows.size()) fail("its elements are blocks", to_columns);
     const std::size_t n = begins.size() - 1;
     FileElements elements(file_.file());
     for (std::size_t j = 0; j < n; ++j) {

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
 #include "base/error.hpp"
+#include "frf/file/columns.hpp"
 #include "frf/file/variables.hpp"
 #include "frf/mat/mat_module.hpp"
 #include "models/files/matrix_file.hpp"
@@ -62,6 +64,23 @@ TEST(VariableMatrix, SparseOfMatlabV5) {
   EXPECT_THAT(error(foreign("sparse_v5.mat")), HasSubstr("the file holds several matrices: D, K, flags, model.M, wide, full"));
   EXPECT_THAT(error(foreign("sparse_v5.mat"), "frequency"), HasSubstr("the matrix is not square: 1 × 3"));
   EXPECT_THAT(error(foreign("sparse_v5.mat"), "k"), HasSubstr("there is no such matrix"));
+}
+
+/// Its elements may be fewer than the file has room for, and are no samples.
+TEST(VariableMatrix, SparseArraysAreNoChannels) {
+  if (!frf::has_matio()) JOINTID_SKIP("this build lacks matio");
+  for (const std::string name : {"sparse_v5.mat", "sparse_v4.mat"}) {
+    const auto file = frf::open_variables(foreign(name));
+    for (const frf::MatInfo& info : file->variables()) {
+      const std::string part = info.name.substr(std::min(info.name.find_last_of('.'), info.name.size()));
+      const bool sparse =
+          part == ".data" || part == ".ir" || part == ".jc" || part == ".row" || part == ".col" || part == ".shape";
+      EXPECT_EQ(info.kind == frf::MatKind::sparse, sparse) << name << ' ' << info.name;
+    }
+  }
+  std::vector<std::string> names;
+  for (const frf::NumberColumn& column : frf::read_columns(foreign("sparse_v5.mat")).columns) names.push_back(column.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"frequency"}));
 }
 
 TEST(VariableMatrix, SparseOfMatlabV4) {
