@@ -17,8 +17,9 @@ namespace {
 
 namespace py = pybind11;
 
-Outcome of_frfs(const report::ComparedFiles& files, const std::string& fdac) {
-  const auto [one, other] = tasks::read_compared(files.one, files.other);
+Outcome of_frfs(report::ComparedFiles files, const std::string& fdac) {
+  const auto [one, other, notes] = tasks::read_compared(files.one, files.other);
+  files.notes = notes;
   const auto found = std::make_shared<const correlation::CorrelatedFrfs>(correlation::correlate(one, other));
   std::shared_ptr<const correlation::ShapesOverLines> shapes;
   if (!fdac.empty())
@@ -51,14 +52,13 @@ Outcome correlate(const std::string& one, const std::string& other, bool modes, 
 Outcome expand(const std::string& parent, const std::string& measured, const std::string& way, std::size_t modes,
                const py::object& progress) {
   return watched(progress, 0, [=](const ident::Control&) -> Outcome {
-    const auto found =
-        std::make_shared<const correlation::ExpandedFrfs>(tasks::expanded_files(parent, measured, way, modes));
-    const report::ExpansionNames names{parent, measured, way, "in memory"};
+    const auto found = std::make_shared<const tasks::ExpandedFiles>(tasks::expanded_files(parent, measured, way, modes));
+    const report::ExpansionNames names{parent, measured, way, "in memory", found->notes};
     return {.status = "",
             .message = "",
-            .json = [=] { return report::expansion_json(names, *found); },
-            .text = [=] { return report::expansion_text(names, *found); },
-            .frfs = [=](const ident::Control&) { return found->set; }};
+            .json = [=] { return report::expansion_json(names, found->expanded); },
+            .text = [=] { return report::expansion_text(names, found->expanded); },
+            .frfs = [=](const ident::Control&) { return found->expanded.set; }};
   });
 }
 

@@ -45,10 +45,11 @@ void add_correlate(CLI::App& app, Chosen& chosen) {
   command->add_option("ONE", arguments->one, "FRFs of a structure (UFF, HDF5, MAT, numpy, CSV, text), or its modes with --modes")
       ->required();
   command
-      ->add_option("OTHER", arguments->other, "The same structure, measured again or by a model; the description of one (*.toml), too")
+      ->add_option("OTHER", arguments->other,
+                   "The same structure, measured again or by a model; the description of one (*.toml), too")
       ->required();
-  CLI::Option* modes =
-      command->add_flag("--modes", arguments->modes, "Compare mode shapes (universal files with dataset 55, or JSON of modalfit)");
+  CLI::Option* modes = command->add_flag("--modes", arguments->modes,
+                                         "Compare mode shapes (universal files with dataset 55, or JSON of modalfit)");
   command->add_option("--fdac", arguments->fdac, "A reference, e.g. 1:+Z: its FDAC, line by line, in the JSON")->excludes(modes);
   add_outputs(command, *arguments, "all criteria", "one FRF or mode a row");
   command->footer(
@@ -57,8 +58,9 @@ void add_correlate(CLI::App& app, Chosen& chosen) {
 }
 
 ExitCode execute(const CorrelateArguments& arguments, std::ostream& out) {
-  check_targets(inputs({{arguments.one, "ONE"}, {arguments.other, "OTHER"}}), {{"--json", arguments.json}, {"--csv", arguments.csv}});
-  const report::ComparedFiles files{arguments.one.string(), arguments.other.string()};
+  check_targets(inputs({{arguments.one, "ONE"}, {arguments.other, "OTHER"}}),
+                {{"--json", arguments.json}, {"--csv", arguments.csv}});
+  report::ComparedFiles files{arguments.one.string(), arguments.other.string()};
   if (arguments.modes) {
     const correlation::CorrelatedModes found =
         correlation::correlate(tasks::read_modes(arguments.one), tasks::read_modes(arguments.other));
@@ -66,7 +68,8 @@ ExitCode execute(const CorrelateArguments& arguments, std::ostream& out) {
         arguments, files, found, [&] { return report::correlation_json(files, found); }, out);
     return ExitCode::done;
   }
-  const auto [one, other] = tasks::read_compared(arguments.one, arguments.other);
+  const auto [one, other, notes] = tasks::read_compared(arguments.one, arguments.other);
+  files.notes = notes;
   const correlation::CorrelatedFrfs found = correlation::correlate(one, other);
   std::optional<correlation::ShapesOverLines> shapes;
   if (!arguments.fdac.empty()) shapes = correlation::shapes_over_lines(one, other, frf::Dof::parse(arguments.fdac));
@@ -79,9 +82,10 @@ void add_expand(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<ExpandArguments>(
       app, chosen, "expand", "FRFs at coordinates that were not measured, by a parent model: SEMM, or SEREP by its modes");
   command
-      ->add_option("PARENT", arguments->parent,
-                   "FRFs of the model between all its coordinates, or its description (*.toml); for way serep its modes (universal file, "
-                   "dataset 55)")
+      ->add_option(
+          "PARENT", arguments->parent,
+          "FRFs of the model between all its coordinates, or its description (*.toml); for way serep its modes (universal file, "
+          "dataset 55)")
       ->required();
   command->add_option("MEASURED", arguments->measured, "FRFs that were measured at some of them")->required();
   command->add_option("--way", arguments->way, "extended or semm (system equivalent model mixing), or serep")
@@ -105,10 +109,9 @@ ExitCode execute(const ExpandArguments& arguments, std::ostream& out) {
                       .place = "--modes",
                       .problem = "way " + arguments.way + " has FRFs for a parent, no modes",
                       .remedy = "add --way serep, or leave --modes out"});
-  const correlation::ExpandedFrfs found =
-      tasks::expanded_files(arguments.parent, arguments.measured, arguments.way, arguments.modes);
+  const auto [found, notes] = tasks::expanded_files(arguments.parent, arguments.measured, arguments.way, arguments.modes);
   frf::write(found.set, path);
-  const report::ExpansionNames names{arguments.parent.string(), arguments.measured.string(), arguments.way, path.string()};
+  const report::ExpansionNames names{arguments.parent.string(), arguments.measured.string(), arguments.way, path.string(), notes};
   if (arguments.json) write_target(*arguments.json, report::expansion_json(names, found), out);
   if (!takes_output({arguments.json})) out << report::expansion_text(names, found);
   return ExitCode::done;

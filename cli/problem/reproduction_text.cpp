@@ -6,6 +6,7 @@
 
 #include "cli/problem/reproduction_rows.hpp"
 #include "report/json_value.hpp"
+#include "report/text/notes.hpp"
 #include "report/text/table.hpp"
 
 namespace jointid::cli {
@@ -23,13 +24,13 @@ std::string row_text(const ReproductionReport& report, const RowOf& row) {
   std::vector<report::Column> columns = {{report.table.entries[row.first].row, report::Align::left}};
   for (std::size_t e = row.first; e < row.last; ++e) columns.push_back({report.table.entries[e].column});
   report::Table table(std::move(columns));
-  table.add(line("print", [](const TableEntry& entry, const Reproduced&) {
-    return entry.print.text + (entry.print.doubtful ? "?" : "");
-  }));
+  table.add(line(
+      "print", [](const TableEntry& entry, const Reproduced&) { return entry.print.text + (entry.print.doubtful ? "?" : ""); }));
   table.add(line("median", [](const TableEntry&, const Reproduced& result) { return four_digits(result.ours.median); }));
   table.add(line("5 %", [](const TableEntry&, const Reproduced& result) { return four_digits(result.ours.low); }));
   table.add(line("95 %", [](const TableEntry&, const Reproduced& result) { return four_digits(result.ours.high); }));
-  table.add(line("inside", [](const TableEntry&, const Reproduced& result) -> std::string { return result.inside ? "yes" : "NO"; }));
+  table.add(
+      line("inside", [](const TableEntry&, const Reproduced& result) -> std::string { return result.inside ? "yes" : "NO"; }));
   return "\n" + table.text(0);
 }
 
@@ -46,7 +47,7 @@ std::string reproduction_text(const ReproductionReport& report) {
                                  report.table.number, report.table.title, report.trials, report.seed);
   for (const RowOf& row : rows_of(report.table.entries)) text += row_text(report, row);
   text += "\n" + verdict_text(count(report)) + "\n";
-  for (const std::string& note : report.table.notes) text += "note: " + note + "\n";
+  text += report::notes_text(report.table.notes);
   return text;
 }
 

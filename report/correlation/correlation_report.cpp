@@ -11,6 +11,7 @@
 #include "correlation/common_places.hpp"
 #include "report/json_value.hpp"
 #include "report/text/frf_criteria.hpp"
+#include "report/text/notes.hpp"
 #include "report/text/table.hpp"
 
 namespace jointid::report {
@@ -106,12 +107,13 @@ std::string correlation_text(const ComparedFiles& files, const CorrelatedFrfs& f
   } else {
     text += "χ²: neither file states its noise\n";
   }
-  return text + what_criteria_miss;
+  return text + what_criteria_miss + notes_text(files.notes);
 }
 
 std::string correlation_json(const ComparedFiles& files, const CorrelatedFrfs& found,
                              const correlation::ShapesOverLines* shapes) {
   Json out = {{"files", names_of(files)},
+              {"notes", files.notes},
               {"chi_square", value(found.freedom > 0.0 ? std::optional(found.chi_square) : std::nullopt)},
               {"degrees_of_freedom", value(found.freedom)},
               {"frfs", Json::array()},
@@ -209,11 +211,12 @@ std::string expansion_text(const ExpansionNames& names, const ExpandedFrfs& foun
           ? "Modes that are not kept are not in the expanded FRFs.\n"
           : "Where nothing was measured the dynamic stiffness stays that of the parent (exactly so by way semm). A joint there\n"
             "is the parent's: do not identify it from these FRFs.\n";
-  return text + "FRFs without variances: " + names.out + "\n";
+  return text + notes_text(names.notes) + "FRFs without variances: " + names.out + "\n";
 }
 
 std::string expansion_json(const ExpansionNames& names, const ExpandedFrfs& found) {
   return json_text({{"files", Json::array({names.parent, names.measured})},
+                    {"notes", names.notes},
                     {"way", names.way},
                     {"file", names.out},
                     {"measured", dof_names(found.measured)},

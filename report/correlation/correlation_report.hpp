@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "correlation/correlated_frfs.hpp"
 #include "correlation/correlated_modes.hpp"
@@ -8,9 +9,10 @@
 
 namespace jointid::report {
 
-/// What was compared, by name.
+/// What was compared, by name, and what speaks against it.
 struct ComparedFiles {
   std::string one, other;
+  std::vector<std::string> notes{};
 };
 
 /// The FRFs that agree least (by FRAC), the lines that do, χ² over degrees of freedom, and what the criteria do not see.
@@ -29,6 +31,7 @@ std::string correlation_csv(const correlation::CorrelatedModes& found);
 /// `way`: as the command has it; `out`: the file of the FRFs.
 struct ExpansionNames {
   std::string parent, measured, way, out;
+  std::vector<std::string> notes{};
 };
 
 std::string expansion_text(const ExpansionNames& names, const correlation::ExpandedFrfs& found);

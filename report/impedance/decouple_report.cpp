@@ -7,6 +7,7 @@
 #include "base/statistics.hpp"
 #include "base/text.hpp"
 #include "report/json_value.hpp"
+#include "report/text/notes.hpp"
 #include "report/text/table.hpp"
 
 namespace jointid::report {
@@ -112,7 +113,7 @@ std::string decouple_text(const impedance::DecoupleScene& scene, const Decoupled
                         found.likelihood.chi_square / found.likelihood.freedom, found.likelihood.likely);
   }
   text += error_table(found).text();
-  for (const std::string& note : found.notes) text += "note: " + note + "\n";
+  text += notes_text(found.notes);
   text += "FRFs of B by way \"" + impedance::name(found.ways.front().way) + "\": " + file + "\n";
   return text + "status: " + name(found.status) + (found.message.empty() ? "" : ": " + found.message) + "\n";
 }

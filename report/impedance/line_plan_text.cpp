@@ -11,6 +11,7 @@
 #include "report/impedance/line_report.hpp"
 #include "report/json_value.hpp"
 #include "report/text/dof_list.hpp"
+#include "report/text/notes.hpp"
 #include "report/text/table.hpp"
 #include "report/text/variances_text.hpp"
 #include "report/text/words.hpp"
@@ -55,7 +56,12 @@ std::string names_of(const std::vector<Kind>& list) {
 
 /// Of every element over the lines.
 Table element_table(const impedance::IdentifiedLines& bound) {
-  Table table({{"element", Align::left}, {"std error over |z|, median"}, {"least"}, {"at Hz"}, {"largest"}, {"at Hz"},
+  Table table({{"element", Align::left},
+               {"std error over |z|, median"},
+               {"least"},
+               {"at Hz"},
+               {"largest"},
+               {"at Hz"},
                {"lines below 10 %"}});
   for (std::size_t t = 0; t < bound.likelihood.elements.size(); ++t) {
     std::vector<double> errors, hz;
@@ -74,18 +80,22 @@ Table element_table(const impedance::IdentifiedLines& bound) {
 }
 
 std::string bound_text(const impedance::IdentifiedLines& bound) {
-  std::string text = "\nbound: smallest standard errors at a line with these FRFs and their errors\n" + element_table(bound).text();
+  std::string text =
+      "\nbound: smallest standard errors at a line with these FRFs and their errors\n" + element_table(bound).text();
   if (!bound.laws.empty() && bound.laws.front().converged) {
     text += "\nof law " + impedance::name(bound.laws.front().law) + "\n" + parameter_table(bound.laws.front()).text();
     if (bound.laws.size() > 1) text += "how far AIC separates the laws\n" + law_table(bound).text();
   }
-  for (const std::string& note : bound.notes) text += "note: " + note + "\n";
+  text += notes_text(bound.notes);
   return text + (bound.status == Status::ok ? "" : "The FRFs themselves: " + bound.message + "\n");
 }
 
 Json bound_json(const impedance::IdentifiedLines& bound) {
-  Json out = {{"lines", Json::array()}, {"relative_median", Json::array()}, {"laws", Json::array()},
-              {"status", name(bound.status)}, {"message", bound.message}};
+  Json out = {{"lines", Json::array()},
+              {"relative_median", Json::array()},
+              {"laws", Json::array()},
+              {"status", name(bound.status)},
+              {"message", bound.message}};
   for (const auto& line : bound.likelihood.lines) {
     if (!line) {
       out["lines"].push_back(nullptr);
@@ -129,8 +139,7 @@ std::string line_plan_text(const LineScene& scene, const LinePlan& plan) {
   table.add({"degrees of freedom of a line",
              fmt::format("{:.0f}{}", plan.freedom, plan.freedom > 0.0 ? "" : ": nothing can contradict the answer")});
   return (scene.scene.title.empty() ? "" : scene.scene.title + "\n") + table.text() + variances_text(plan.variances) +
-         phrases("warnings", plan.warnings) + phrases("notes", plan.notes) +
-         (plan.bound ? bound_text(*plan.bound) : "");
+         phrases("warnings", plan.warnings) + phrases("notes", plan.notes) + (plan.bound ? bound_text(*plan.bound) : "");
 }
 
 std::string line_plan_json(const LineScene& scene, const LinePlan& plan) {
@@ -147,11 +156,13 @@ std::string line_plan_json(const LineScene& scene, const LinePlan& plan) {
               {"variances", Json::array()},
               {"warnings", plan.warnings},
               {"notes", plan.notes}};
-  for (const impedance::ElementName& element : plan.elements) out["elements"].push_back({{"name", element.name}, {"unit", element.unit}});
+  for (const impedance::ElementName& element : plan.elements)
+    out["elements"].push_back({{"name", element.name}, {"unit", element.unit}});
   for (const impedance::Way way : scene.ways) out["ways"].push_back(impedance::name(way));
   for (const impedance::LawKind law : scene.laws) out["laws"].push_back(impedance::name(law));
   for (const auto& [block, count] : plan.blocks) out["frfs_of_line"][block] = count;
-  for (const ident::VarianceSource& file : plan.variances) out["variances"].push_back({{"file", file.file}, {"origin", file.origin}});
+  for (const ident::VarianceSource& file : plan.variances)
+    out["variances"].push_back({{"file", file.file}, {"origin", file.origin}});
   if (plan.bound) out["bound"] = bound_json(*plan.bound);
   return json_text(out);
 }

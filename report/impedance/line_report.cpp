@@ -6,6 +6,7 @@
 
 #include "base/statistics.hpp"
 #include "report/json_value.hpp"
+#include "report/text/notes.hpp"
 
 namespace jointid::report {
 namespace {
@@ -229,7 +230,7 @@ std::string line_text(const impedance::LineScene& scene, const IdentifiedLines& 
     }
   }
   text += laws_text(found) + smooth_text(found);
-  for (const std::string& note : found.notes) text += "note: " + note + "\n";
+  text += notes_text(found.notes);
   return text + "status: " + name(found.status) + (found.message.empty() ? "" : ": " + found.message) + "\n";
 }
 

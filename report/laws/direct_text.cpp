@@ -10,6 +10,7 @@
 #include "friction/curve/equivalent.hpp"
 #include "laws/task/direct_bins.hpp"
 #include "report/laws/state_json.hpp"
+#include "report/text/notes.hpp"
 #include "response/fourier/harmonics.hpp"
 
 namespace jointid::report {
@@ -76,7 +77,7 @@ std::string direct_text(const laws::LawScene& scene, const laws::DirectIdentific
                         scene.joints[j].beside.name, found.known[j], found.steps.size());
     text += direct_table(found.steps, j).text() + "\n";
   }
-  for (const std::string& note : found.notes) text += "note: " + note + "\n";
+  text += notes_text(found.notes);
   return text + "status: " + name(found.status) + (found.message.empty() ? "" : ": " + found.message) + "\n";
 }
 

@@ -7,6 +7,7 @@
 
 #include "report/json_value.hpp"
 #include "report/laws/law_text.hpp"
+#include "report/text/notes.hpp"
 #include "report/text/table.hpp"
 
 namespace jointid::report {
@@ -83,8 +84,8 @@ std::string law_bound_text(const laws::LawScene& scene, const LawBound& bound) {
                                            : "what each force level adds, the most important first") +
             "\n" + worth_table(scene, bound).text() + "\n";
   }
-  for (const std::string& what : bound.all.unseen) text += "note: " + what + "\n";
-  for (const std::string& note : bound.notes) text += "note: " + note + "\n";
+  text += notes_text(bound.all.unseen);
+  text += notes_text(bound.notes);
   return text;
 }
 

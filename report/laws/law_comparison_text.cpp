@@ -10,6 +10,7 @@
 #include "report/json_value.hpp"
 #include "report/page/page.hpp"
 #include "report/page/status_banner.hpp"
+#include "report/text/notes.hpp"
 
 namespace jointid::report {
 namespace {
@@ -65,7 +66,7 @@ std::string law_ways_summary(const LawComparison& comparison) {
 std::string law_comparison_text(const laws::LawScene& scene, const LawComparison& comparison) {
   std::string text = (scene.title.empty() ? "" : scene.title + "\n") + law_ways_summary(comparison) + "\n";
   text += law_ways_table(comparison).text() + "\n";
-  for (const std::string& note : comparison.notes) text += "note: " + note + "\n";
+  text += notes_text(comparison.notes);
   return text;
 }
 

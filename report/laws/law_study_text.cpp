@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "laws/task/identify_laws.hpp"
 #include "report/json_value.hpp"
+#include "report/text/notes.hpp"
 #include "report/text/table.hpp"
 
 namespace jointid::report {
@@ -52,9 +53,8 @@ std::string law_study_summary(const laws::LawStudy& study) {
   text += "status: " + counts(study.statuses) + "\n";
   if (!study.chosen.empty()) {
     text += "model selection (AIC): " + counts(study.chosen) + "\n";
-    text += fmt::format(
-        "the true laws in {} of {} trials, others equally good in {}, the true ones ruled out in {}\n",
-        study.right, study.usable, study.undecided, study.missed);
+    text += fmt::format("the true laws in {} of {} trials, others equally good in {}, the true ones ruled out in {}\n",
+                        study.right, study.usable, study.undecided, study.missed);
   }
   return text + fmt::format("χ² over its freedom {}, data that contradict each other in {} trials\n",
                             study.usable > 0 ? fmt::format("{:.3f}", study.chi_square) : "–", study.contradicting);
@@ -63,7 +63,7 @@ std::string law_study_summary(const laws::LawStudy& study) {
 std::string law_study_text(const laws::LawScene& scene, const laws::LawStudy& study) {
   std::string text = (scene.title.empty() ? "" : scene.title + "\n") + law_study_summary(study) + "\n";
   text += law_values_table(study).text() + "\n";
-  for (const std::string& note : study.notes) text += "note: " + note + "\n";
+  text += notes_text(study.notes);
   return text;
 }
 

@@ -8,6 +8,7 @@
 #include "base/statistics.hpp"
 #include "base/text.hpp"
 #include "report/laws/direct_text.hpp"
+#include "report/text/notes.hpp"
 
 namespace jointid::report {
 namespace {
@@ -120,7 +121,7 @@ std::string law_text(const laws::LawScene& scene, const LawIdentification& found
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
     text += scene.joints[j].beside.name + ": stiffness and damping without a law\n" + direct_table(found, j).text() + "\n";
   }
-  for (const std::string& note : found.notes) text += "note: " + note + "\n";
+  text += notes_text(found.notes);
   return text + "status: " + name(found.status) + (found.message.empty() ? "" : ": " + found.message) + "\n";
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "report/oscillate/oscillate_report.hpp"
+#include "report/text/notes.hpp"
 #include "report/text/table.hpp"
 
 namespace jointid::report {
@@ -95,21 +96,23 @@ Table reduction_table(const tasks::ReductionTable& reduction) {
 }
 
 Table normal_table(const tasks::NormalVibrationResult& result) {
-  Table table({{"slider Hz"}, {"amplitude m"}, {"N0 N"}, {"N1 with the slider"}, {"N1 a quarter ahead"}, {"|N1|/N0 %"}, {"nub m"}});
+  Table table(
+      {{"slider Hz"}, {"amplitude m"}, {"N0 N"}, {"N1 with the slider"}, {"N1 a quarter ahead"}, {"|N1|/N0 %"}, {"nub m"}});
   for (std::size_t k = 0; k < result.motions.size(); ++k) {
     const oscillation::NormalMotion& motion = result.motions[k];
-    table.add({number(result.frequencies_hz[k]), number(result.amplitudes[k]), number(motion.force), number(motion.force_first.real()),
-               number(motion.force_first.imag()), fmt::format("{:.3g}", 100.0 * std::abs(motion.force_first) / motion.force),
-               number(std::abs(motion.first))});
+    table.add({number(result.frequencies_hz[k]), number(result.amplitudes[k]), number(motion.force),
+               number(motion.force_first.real()), number(motion.force_first.imag()),
+               fmt::format("{:.3g}", 100.0 * std::abs(motion.force_first) / motion.force), number(std::abs(motion.first))});
   }
   return table;
 }
 
 std::string normal_line(const tasks::NormalVibrationResult& result) {
-  return fmt::format("N = {:.6g} N {} {:.6g} N/m times the slider's displacement while nothing vibrates; the nub and the springs resonate "
-                     "at {:.4g} Hz, where this changes its sign",
-                     result.system.static_force(), result.system.static_slope() < 0.0 ? "−" : "+",
-                     std::abs(result.system.static_slope()), result.system.natural_hz());
+  return fmt::format(
+      "N = {:.6g} N {} {:.6g} N/m times the slider's displacement while nothing vibrates; the nub and the springs resonate "
+      "at {:.4g} Hz, where this changes its sign",
+      result.system.static_force(), result.system.static_slope() < 0.0 ? "−" : "+", std::abs(result.system.static_slope()),
+      result.system.natural_hz());
 }
 
 Table thick_table(const std::vector<oscillation::ThickMode>& modes) {
@@ -181,7 +184,7 @@ Table ranges_table(const tasks::OscillateResult& run, const std::vector<oscillat
 
 std::string oscillate_text(const tasks::OscillateResult& run) {
   std::string text = run.title.empty() ? "" : run.title + "\n";
-  for (const std::string& remark : run.remarks) text += "note: " + remark + "\n";
+  text += notes_text(run.remarks);
   text += "motion: " + motion_line(run) + "\n";
   if (run.modes) {
     text +=

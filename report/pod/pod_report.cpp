@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/json_value.hpp"
+#include "report/text/notes.hpp"
 #include "report/text/table.hpp"
 
 namespace jointid::report {
@@ -103,11 +104,12 @@ std::string pod_text(const tasks::PodResult& report) {
   std::string text =
       fmt::format("{} samples of {} channels, {}, inner product {}\n", pod.samples, report.names.size(),
                   report.mean_kept ? "mean kept" : "mean removed", report.weighted ? "of the mass matrix" : "plain");
-  for (const std::string& remark : pod_remarks(report)) text += "note: " + remark + "\n";
+  text += notes_text(pod_remarks(report));
   text += fmt::format("\nproper orthogonal values; energy by Σσ² (mean squares; the usual one) and by Σσ\n{}",
                       pod_values_table(pod).text());
   text += fmt::format("\nmodes for 99 % of Σσ²: {}; for 99.99 %: {}", pod.modes_for(0.99), pod.modes_for(0.9999));
-  if (const auto rank = oscillation::rank_above_noise(pod)) text += fmt::format("; above white noise (Gavish and Donoho): {}", *rank);
+  if (const auto rank = oscillation::rank_above_noise(pod))
+    text += fmt::format("; above white noise (Gavish and Donoho): {}", *rank);
   text += fmt::format("\n\nproper orthogonal modes\n{}", pod_shapes_table(report).text());
   if (report.cosines.size() > 0) {
     text += fmt::format("\nbeside {}\n{}\ntheir contributions to each mode, |v|/Σ|v|\n{}", report.compared,

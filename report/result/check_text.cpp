@@ -66,7 +66,7 @@ std::string virtual_points_text(const std::vector<virtualpoint::Consistency>& po
   return "\nconsistency of virtual points (1: the virtual point explains the channels fully)\n\n" + table.text();
 }
 
-std::string notes_text(const std::vector<std::string>& notes) {
+std::string note_paragraphs(const std::vector<std::string>& notes) {
   std::string text;
   for (const std::string& note : notes) text += "\nnote: " + note + "\n";
   return text;
@@ -104,7 +104,7 @@ std::string reciprocity_text(const ident::CheckResult& result) {
 
 std::string check_text(const ident::CheckResult& result) {
   std::string text = verdict_text(result);
-  const std::string rest = reciprocity_text(result) + notes_text(result.notes) + virtual_points_text(result.virtual_points);
+  const std::string rest = reciprocity_text(result) + note_paragraphs(result.notes) + virtual_points_text(result.virtual_points);
   if (result.suspects.empty()) return text + rest;
   Table table(
       {{"", Align::right}, {"kind", Align::left}, {"file", Align::left}, {"DOFs", Align::left}, {"confidence", Align::right}});

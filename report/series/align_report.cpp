@@ -10,6 +10,7 @@
 #include "report/json_value.hpp"
 #include "report/page/page.hpp"
 #include "report/page/status_banner.hpp"
+#include "report/text/notes.hpp"
 
 namespace jointid::report {
 namespace {
@@ -79,7 +80,7 @@ std::string align_summary(const tasks::AlignResult& report) {
 
 std::string align_text(const tasks::AlignResult& report) {
   std::string text;
-  for (const std::string& remark : align_remarks(report)) text += "note: " + remark + "\n";
+  text += notes_text(align_remarks(report));
   return text +
          fmt::format(
              "against {} at {} Hz; a delay is known up to whole periods, and holds the phase that the motion itself has "

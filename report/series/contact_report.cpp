@@ -10,6 +10,7 @@
 #include "report/page/limits.hpp"
 #include "report/page/page.hpp"
 #include "report/page/status_banner.hpp"
+#include "report/text/notes.hpp"
 
 namespace jointid::report {
 
@@ -90,7 +91,7 @@ std::string contact_summary(const tasks::ContactResult& report) {
 
 std::string contact_text(const tasks::ContactResult& report) {
   std::string text;
-  for (const std::string& remark : contact_remarks(report)) text += "note: " + remark + "\n";
+  text += notes_text(contact_remarks(report));
   return text + "μ(V) = μ_K + (μ_S − μ_K) exp(−αV)\n" + contact_table(report).text();
 }
 

@@ -6,6 +6,7 @@
 
 #include "report/json_value.hpp"
 #include "report/series/delay_report.hpp"
+#include "report/text/notes.hpp"
 #include "report/text/table.hpp"
 
 namespace jointid::report {
@@ -73,7 +74,7 @@ Table recurrences_table(const tasks::DelayResult& report) {
 std::string delay_text(const tasks::DelayResult& report) {
   std::string text =
       fmt::format("{}, channel {}: {} samples at {} Hz\n", report.file, report.channel, report.samples, number(report.rate_hz));
-  for (const std::string& remark : report.remarks) text += "note: " + remark + "\n";
+  text += notes_text(report.remarks);
   text += answers_table(report).text();
   text += "\nfalse neighbours (Kennel: ratio above 10, size above 2)\n" + neighbours_table(report).text();
   if (!report.wolf.empty()) {

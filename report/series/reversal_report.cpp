@@ -9,6 +9,7 @@
 #include "report/page/contents.hpp"
 #include "report/page/page.hpp"
 #include "report/page/status_banner.hpp"
+#include "report/text/notes.hpp"
 
 namespace jointid::report {
 namespace {
@@ -47,7 +48,7 @@ Table reversal_table(const tasks::ReversalResult& report) {
 
 std::string reversal_text(const tasks::ReversalResult& report) {
   std::string text;
-  for (const std::string& remark : reversal_remarks(report)) text += "note: " + remark + "\n";
+  text += notes_text(reversal_remarks(report));
   return text + reversal_table(report).text();
 }
 

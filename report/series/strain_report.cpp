@@ -9,6 +9,7 @@
 #include "report/page/limits.hpp"
 #include "report/page/page.hpp"
 #include "report/page/status_banner.hpp"
+#include "report/text/notes.hpp"
 
 namespace jointid::report {
 namespace {
@@ -75,7 +76,7 @@ std::string strain_summary(const tasks::StrainResult& report) {
 
 std::string strain_text(const tasks::StrainResult& report) {
   std::string text = strain_summary(report) + "\n";
-  for (const std::string& remark : strain_remarks(report)) text += "note: " + remark + "\n";
+  text += notes_text(strain_remarks(report));
   return text + strain_table(report).text();
 }
 
