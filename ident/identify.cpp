@@ -14,6 +14,7 @@
 #include "ident/likelihood/data/systematic_plan.hpp"
 #include "ident/modal_regeneration.hpp"
 #include "ident/plan/data_source.hpp"
+#include "ident/plan/expected_time.hpp"
 #include "ident/prepare_plan.hpp"
 #include "ident/scene/scene_failure.hpp"
 #include "ident/wild_lines.hpp"
@@ -40,6 +41,8 @@ std::unique_ptr<Plan> plan_start(const Plan& plan, const StartChoices& choices) 
   scene.identify = {};
   for (restrictions::JointSpec& joint : scene.joints) joint.definite.clear();
   scene.couple_first = {};  // done already
+  constexpr double longest = 60.0;  // s, of a start by parts
+  std::unique_ptr<Plan> rows;       // of parts, few unknowns
   for (const auto& [method, equations] : choices) {
     scene.identify.method = method;
     scene.identify.equations = equations;
@@ -47,11 +50,14 @@ std::unique_ptr<Plan> plan_start(const Plan& plan, const StartChoices& choices) 
       auto start = make_plan(scene, plan.substructures, plan.assembly);
       const bool by_parts = plan.scene.identify.solver == Solver::by_parts || plan.scene.identify.loose;
       if (by_parts || !start->why_by_parts || start->columns->size() >= least_unknowns_by_parts) return start;
+      if (!rows) rows = std::move(start);
     } catch (const InputError&) {
       // The next one needs less.
     }
   }
-  if (auto start = plan_start_by_parts(plan, scene)) return start;
+  if (auto start = plan_start_by_parts(plan, scene)) {
+    return rows && !are_expected_within(longest, start->cost) ? std::move(rows) : std::move(start);
+  }
   fail(plan.scene, "[identify] start", "the data allow no linear estimate to start from", "add start = { … } to [identify]");
 }
 
