@@ -214,7 +214,8 @@ PlannedMethod plan_observations(const Plan& plan, const StartPlanner& plan_start
   limit_error_sums(plan.lines.size(), *own.observations);
   if (plan.scene.identify.start.empty()) {
     // Method One, else the direct solution, else the likelihood by parts.
-    own.start = plan_start(plan, {{Method::one, plan.scene.identify.equations}, {Method::one, {}}, {Method::direct, {}}});
+    own.start = plan_start(
+        plan, {{Method::one, plan.scene.identify.equations}, {Method::one, {}}, {Method::direct, {}}, {Method::likelihood, {}}});
     if (!own.observations->layout().reaches_joint()) {
       out.notes.push_back(
           "The assembly is not measured at the joint, and [identify] has no start: starts are guessed. One of yours, "
