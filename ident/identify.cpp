@@ -34,6 +34,7 @@ std::unique_ptr<Plan> plan_start(const Plan& plan, const StartChoices& choices) 
   const bool may_go_by_parts = std::ranges::any_of(choices, [](const auto& choice) { return choice.first == Method::likelihood; });
   std::unique_ptr<Plan> rows;
   for (const auto& [method, equations] : choices) {
+    if (method == Method::direct && rows && rows->columns->size() >= least_unknowns_by_parts) return rows;
     scene.identify.method = method;
     scene.identify.equations = equations;
     scene.identify.solver = method == Method::likelihood ? Solver::by_parts : Solver::automatic;
@@ -46,7 +47,6 @@ std::unique_ptr<Plan> plan_start(const Plan& plan, const StartChoices& choices) 
       // The next one needs less.
     }
   }
-  if (rows && rows->columns->size() >= least_unknowns_by_parts) return rows;
   fail(plan.scene, "[identify] start", "the data allow no linear estimate to start from", "add start = { … } to [identify]");
 }
 
