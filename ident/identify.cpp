@@ -1,5 +1,6 @@
 #include "ident/identify.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 #include "base/error.hpp"
@@ -14,6 +15,7 @@
 #include "ident/likelihood/data/systematic_plan.hpp"
 #include "ident/modal_regeneration.hpp"
 #include "ident/plan/data_source.hpp"
+#include "ident/plan/expected_time.hpp"
 #include "ident/prepare_plan.hpp"
 #include "ident/scene/scene_failure.hpp"
 #include "ident/wild_lines.hpp"
@@ -21,37 +23,30 @@
 namespace jointid::ident {
 namespace {
 
-/// The likelihood by parts, for the whole likelihood of assemblies that were not excited at their joints; null where the data or
-/// the scene do not allow it.
-std::unique_ptr<Plan> plan_start_by_parts(const Plan& plan, Scene scene) {
-  if (plan.scene.identify.method != Method::likelihood) return nullptr;
-  scene.identify.method = Method::likelihood;
-  scene.identify.solver = Solver::by_parts;
-  scene.identify.equations.clear();
-  try {
-    return make_plan(scene, plan.substructures, plan.assembly);
-  } catch (const InputError&) {
-    return nullptr;
-  }
-}
-
+/// A likelihood among the choices is that by parts: where it takes less than a minute, it comes before rows by parts, which bear noise
+/// badly. Few unknowns do without a start by rows alone.
 std::unique_ptr<Plan> plan_start(const Plan& plan, const StartChoices& choices) {
+  constexpr double longest = 60.0;  // s
   Scene scene = plan.scene;
   scene.identify = {};
   for (restrictions::JointSpec& joint : scene.joints) joint.definite.clear();
   scene.couple_first = {};  // done already
+  const bool may_go_by_parts = std::ranges::any_of(choices, [](const auto& choice) { return choice.first == Method::likelihood; });
+  std::unique_ptr<Plan> rows;
   for (const auto& [method, equations] : choices) {
+    if (method == Method::direct && rows && rows->columns->size() >= least_unknowns_by_parts) return rows;
     scene.identify.method = method;
     scene.identify.equations = equations;
+    scene.identify.solver = method == Method::likelihood ? Solver::by_parts : Solver::automatic;
     try {
       auto start = make_plan(scene, plan.substructures, plan.assembly);
-      const bool by_parts = plan.scene.identify.solver == Solver::by_parts || plan.scene.identify.loose;
-      if (by_parts || !start->why_by_parts || start->columns->size() >= least_unknowns_by_parts) return start;
+      if (method == Method::likelihood && rows && !are_expected_within(longest, start->cost)) return rows;
+      if (!start->why_by_parts || !may_go_by_parts || method == Method::likelihood || plan.scene.identify.loose) return start;
+      if (!rows) rows = std::move(start);
     } catch (const InputError&) {
       // The next one needs less.
     }
   }
-  if (auto start = plan_start_by_parts(plan, scene)) return start;
   fail(plan.scene, "[identify] start", "the data allow no linear estimate to start from", "add start = { … } to [identify]");
 }
 

@@ -4,8 +4,10 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "base/eigen.hpp"
+#include "base/error.hpp"
 #include "base/stopwatch.hpp"
 #include "ident/admissible/admissible_fit.hpp"
 #include "ident/admissible/outcome.hpp"
@@ -178,9 +180,21 @@ class LikelihoodMethod final : public LikelihoodPlan {
 }  // namespace
 
 PlannedMethod plan_likelihood(const Plan& plan, const StartPlanner& plan_start) {
-  if (goes_by_parts(plan)) return plan_by_parts(plan, plan_start);
-  PlannedMethod whole = plan_observations(plan, plan_start, std::make_unique<LikelihoodMethod>());
-  return is_better_by_parts(plan, whole.cost) ? plan_by_parts(plan, plan_start) : std::move(whole);
+  const auto plan_whole = [&] { return plan_observations(plan, plan_start, std::make_unique<LikelihoodMethod>()); };
+  if (!goes_by_parts(plan)) {
+    PlannedMethod whole = plan_whole();
+    return is_better_by_parts(plan, whole.cost) ? quicker(plan, plan_by_parts(plan, plan_start), std::move(whole))
+                                                : std::move(whole);
+  }
+  PlannedMethod parts = plan_by_parts(plan, plan_start);
+  if (!may_be_quicker_whole(plan, parts)) return parts;
+  std::optional<PlannedMethod> whole;
+  try {
+    whole = plan_whole();
+  } catch (const InputError&) {
+    // It asks more of the joint.
+  }
+  return whole ? quicker(plan, std::move(parts), std::move(*whole)) : std::move(parts);
 }
 
 }  // namespace jointid::ident

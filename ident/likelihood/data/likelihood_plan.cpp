@@ -213,8 +213,9 @@ PlannedMethod plan_observations(const Plan& plan, const StartPlanner& plan_start
                                                     *plan.substructures, *plan.assembly);
   limit_error_sums(plan.lines.size(), *own.observations);
   if (plan.scene.identify.start.empty()) {
-    // Method One, else the direct solution, else the likelihood by parts.
-    own.start = plan_start(plan, {{Method::one, plan.scene.identify.equations}, {Method::one, {}}, {Method::direct, {}}});
+    // Method One, else the likelihood by parts, else the direct solution.
+    own.start = plan_start(
+        plan, {{Method::one, plan.scene.identify.equations}, {Method::one, {}}, {Method::likelihood, {}}, {Method::direct, {}}});
     if (!own.observations->layout().reaches_joint()) {
       out.notes.push_back(
           "The assembly is not measured at the joint, and [identify] has no start: starts are guessed. One of yours, "

@@ -280,6 +280,12 @@ void plan_cost(const Plan& plan, const PartsMethod& own, PlannedMethod& out) {
   iteration.memory_bytes = out.entries_per_line * plan.lines.size() * 6 * sizeof(Complex);
 }
 
+std::size_t widest_of(const PartsMethod& own) {
+  std::size_t widest = 0;
+  for (const PartGroup& group : own.groups.groups) widest = std::max(widest, group.unknowns.size());
+  return widest;
+}
+
 }  // namespace
 
 bool goes_by_parts(const Plan& plan) {
@@ -317,6 +323,20 @@ PlannedMethod plan_by_parts(const Plan& plan, const StartPlanner& plan_start) {
                       " has its own estimate of the motions at its joints. Standard errors hold what this costs (docs/many-joints.md).");
   out.method = std::move(own);
   return out;
+}
+
+bool may_be_quicker_whole(const Plan& plan, const PlannedMethod& parts) {
+  if (plan.scene.identify.solver != Solver::automatic || are_expected_within(longest, parts.cost)) return false;
+  return 2 * widest_of(dynamic_cast<const PartsMethod&>(*parts.method)) > plan.columns->size();
+}
+
+PlannedMethod quicker(const Plan& plan, PlannedMethod parts, PlannedMethod whole) {
+  const double by_parts = expected_seconds(parts.cost, 2);
+  if (by_parts < expected_seconds(whole.cost, 2)) return parts;
+  whole.notes.push_back("The likelihood by parts would take about " + digits(by_parts) + " s: one substructure carries " +
+                        std::to_string(widest_of(dynamic_cast<const PartsMethod&>(*parts.method))) + " of " +
+                        std::to_string(plan.columns->size()) + " unknowns.");
+  return whole;
 }
 
 std::optional<WholeInformation> information_by_parts(const Plan& plan, const std::vector<double>& theta, std::size_t pieces,

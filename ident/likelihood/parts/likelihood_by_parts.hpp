@@ -23,6 +23,13 @@ bool is_better_by_parts(const Plan& plan, const Cost& whole);
 /// coupled first or synthesised FRFs, and data without the motions at the joints.
 PlannedMethod plan_by_parts(const Plan& plan, const StartPlanner& plan_start);
 
+/// Whether the whole likelihood may take less time than the plan by parts, where the scene leaves the solver open: this takes
+/// longer than a minute, and one group carries more than half of the unknowns.
+bool may_be_quicker_whole(const Plan& plan, const PlannedMethod& parts);
+
+/// By expected time; the whole one, and a note that says why, where it takes no longer.
+PlannedMethod quicker(const Plan& plan, PlannedMethod parts, PlannedMethod whole);
+
 /// Fisher's information of the FRFs of a plan by parts about the scaled unknowns, all substructures together: what no estimate by parts
 /// can do better than.
 struct WholeInformation {

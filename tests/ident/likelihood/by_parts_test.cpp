@@ -8,9 +8,11 @@
 #include "base/complex.hpp"
 #include "base/eigen.hpp"
 #include "ident/identify.hpp"
+#include "ident/likelihood/data/likelihood_plan.hpp"
 #include "ident/likelihood/parts/likelihood_by_parts.hpp"
 #include "ident/likelihood/parts/parts_covariance.hpp"
 #include "ident/plan/coordinates.hpp"
+#include "ident/plan/expected_time.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/case/many_joints_problem.hpp"
 
@@ -233,6 +235,41 @@ TEST(ByParts, AreChosenForManyJoints) {
     scene.identify.method = Method::likelihood;
     const auto plan = problems::plan(scene, {problem.substructures, problem.assembly});
     EXPECT_EQ(name(plan->solver), joints == 25 ? "by-parts" : "gauss-helmert");
+  }
+}
+
+Problem star(std::size_t joints) {
+  return problems::many_joints_problem(problems::star_of_beams({.joints = joints}), {"star", ""}, false);
+}
+
+/// One part with all joints has the FRFs of all of them in its covariance: the whole likelihood is the shorter one there.
+TEST(ByParts, AreNotChosenWhereOnePartCarriesTheJoints) {
+  for (const std::size_t joints : {std::size_t{24}, std::size_t{26}}) {
+    const Problem problem = star(joints);
+    Scene scene = problems::scene(problem);
+    scene.identify.method = Method::likelihood;
+    const problems::Measurement data{problem.substructures, problem.assembly};
+    const auto chosen = problems::plan(scene, data);
+    EXPECT_EQ(name(chosen->solver), "gauss-helmert") << joints;
+    scene.identify.solver = Solver::by_parts;
+    const auto parts = problems::plan(scene, data);
+    EXPECT_EQ(name(parts->solver), "by-parts") << joints;
+    EXPECT_LT(expected_seconds(chosen->cost, 1), expected_seconds(parts->cost, 1)) << joints;
+    if (joints < 25) continue;
+    EXPECT_THAT(chosen->notes, testing::Contains(testing::HasSubstr("one substructure carries 156 of 156 unknowns")));
+  }
+}
+
+/// Nor do they give the start of the whole likelihood there: rows do.
+TEST(ByParts, GiveNoStartThatTakesLongerThanAMinute) {
+  const std::vector<std::pair<Problem, bool>> all = {{chain(24), false}, {chain(26), false}, {star(24), true}, {star(26), true}};
+  for (const auto& [problem, is_star] : all) {
+    Scene scene = problems::scene(problem);
+    scene.identify.method = Method::likelihood;
+    scene.identify.solver = Solver::gauss_helmert;
+    const auto plan = problems::plan(scene, {problem.substructures, problem.assembly});
+    EXPECT_EQ(likelihood_plan(*plan)->start->scene.identify.method, is_star ? Method::one : Method::likelihood)
+        << is_star << ' ' << problem.unknowns.size();
   }
 }
 
