@@ -31,6 +31,8 @@ class MatrixModel final : public Model {
   /// Prepares a Reduction where the lines are so many that it costs less.
   void expect(const Request& request) override;
 
+  ModelUse use(std::size_t lines, std::size_t coordinates) const override;
+
   const StructureMatrices& matrices() const { return matrices_; }
   bool is_sparse() const { return sparse_; }
   const Reduction* reduction() const { return reduction_.get(); }
@@ -38,15 +40,19 @@ class MatrixModel final : public Model {
  private:
   std::optional<Eigen::MatrixXcd> solve(double omega, std::span<const std::size_t> forces);
   std::optional<Eigen::MatrixXcd> factorised(double omega, std::span<const std::size_t> rows, std::span<const std::size_t> columns);
-  /// False where there is no reduction, or it disagrees with a factorisation at its worst line, which very large ones are not
-  /// held against.
+  /// False, and why, where there is no reduction, or it disagrees with a factorisation at its worst line, which very large ones are
+  /// not held against.
   bool reduce(double low, double high);
+  bool is_not_reduced(std::string why);
+  std::string why_factorised(std::size_t lines) const;
+  void predict(std::size_t lines, std::size_t coordinates, ModelUse& out) const;
 
   StructureMatrices matrices_;
   Eigen::SparseMatrix<Complex> stiffness_;  ///< K(1 + iη) + iD
   bool sparse_;
   SparseFactors factors_;
   bool may_reduce_;
+  std::string why_not_reduced_;  ///< once it was tried
   std::size_t lines_asked_ = 0;
   double low_ = 0.0, high_ = 0.0;             ///< range that was reduced, rad/s
   std::vector<std::size_t> reduced_between_;  ///< ascending
