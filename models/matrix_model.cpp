@@ -160,9 +160,9 @@ ModelUse MatrixModel::use(std::size_t lines, std::size_t coordinates) const {
 
 /// What blocks of bricks took, shells and beams of as many coordinates take less: docs/model-parts.md.
 void MatrixModel::predict(std::size_t lines, std::size_t coordinates, ModelUse& out) const {
-  constexpr double vectors_each = 8.0, factor_entries = 17.0, lu_entries = 42.0;     // of n^(4/3)
+  constexpr double vectors_each = 8.0, factor_entries = 17.0, lu_entries = 60.0;     // of n^(4/3)
   constexpr double factor_seconds = 8e-10, lu_seconds = 3e-8, full_seconds = 6e-10;  // of n², n², n³
-  constexpr double fast = 2.5e10, slow = 4e9, matrix_bytes = 60.0;                   // flop/s; bytes of an element of K and M
+  constexpr double fast = 2.5e10, slow = 4e9, matrix_bytes = 115.0;                   // flop/s; bytes of an element of K and M
   const auto n = static_cast<double>(matrices_.mass.rows()), each = static_cast<double>(lines), m = static_cast<double>(coordinates);
   const double elements = static_cast<double>(matrices_.stiffness.nonZeros()), fill = std::pow(n, 4.0 / 3.0);
   const double lu_bytes = lu_entries * fill * sizeof(Complex);

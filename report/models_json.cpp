@@ -25,7 +25,8 @@ Json models_json(const std::vector<ident::UsedModel>& models, bool planned) {
       if (use.expected_bytes > 0.0) out["expected"] = planned_json(use);
     } else {
       if (use.vectors > 0)
-        out["basis"] = {{"vectors", use.vectors}, {"shifts", use.shifts}, {"error", value(use.error)}, {"worst_hz", value(use.worst_hz)}};
+        out["basis"] = {
+            {"vectors", use.vectors}, {"shifts", use.shifts}, {"error", value(use.error)}, {"worst_hz", value(use.worst_hz)}};
       out["reduced_lines"] = use.reduced_lines;
       out["factorizations"] = use.factorizations;
     }

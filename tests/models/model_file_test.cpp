@@ -165,7 +165,7 @@ TEST_F(ModelFile, RefusesModesThatItDoesNotUnderstand) {
 
 TEST_F(ModelFile, ModalMassesAreInTheUnitsOfDataset164) {
   const std::string real = "  0.00000E+00  0.00000E+00  1.00000E+00\n";
-  const std::string units = "    -1\n   164\n         5mm (milli newton)             2\n"
+  const std::string units = "    -1\n   164\n        10mm (newton)                  2\n"
                             "  1.00000000000000000D+03  1.00000000000000000D+00  1.00000000000000000D+00\n"
                             "  2.73150000000000000D+02\n    -1\n";
   const auto largest = [&](const std::string& text) {
