@@ -103,6 +103,7 @@ void MatrixModel::expect(const Request& request) {
     std::ranges::set_union(reduced_between_, request.coordinates, std::back_inserter(all));
     reduced_between_ = std::move(all);
     reduction_.reset();
+    compared_vectors_ = 0;
   }
   may_reduce_ = reduce(low, high);
   if (!may_reduce_) reduction_.reset();
@@ -120,7 +121,8 @@ bool MatrixModel::reduce(double low, double high) {
   }
   low_ = low;
   high_ = high;
-  if (matrices_.mass.rows() > most_compared) return true;
+  const Eigen::Index vectors = reduction_->vectors();
+  if (matrices_.mass.rows() > most_compared || std::exchange(compared_vectors_, vectors) == vectors) return true;
   const std::vector<std::size_t>& all = reduced_between_;
   const auto exact = factorised(reduction_->worst_omega(), all, all), own = reduction_->receptance(reduction_->worst_omega(), all, all);
   const bool agree = exact && own && (*exact - *own).cwiseAbs().maxCoeff() <=

@@ -13,7 +13,7 @@ namespace jointid::models {
 /// H = (K(1 + iη) + iD + iωC − ω²M)⁻¹, at each ω by one factorisation and a solution for each row or column asked for, whichever
 /// are fewer: H is symmetric. Matrices of few rows or many elements are factorised as full ones. Of sparse ones many lines are
 /// taken from a Reduction where C and D permit it, one line of which is compared with a factorisation where that is no great
-/// effort.
+/// effort, again after the basis has grown.
 class MatrixModel final : public Model {
  public:
   enum class Factors { by_size, full, sparse };
@@ -58,6 +58,7 @@ class MatrixModel final : public Model {
   std::vector<std::size_t> reduced_between_;  ///< ascending
   std::optional<ProportionalForm> form_;      ///< once a reduction was asked for
   std::unique_ptr<Reduction> reduction_;
+  Eigen::Index compared_vectors_ = 0;  ///< of the basis when it was compared last
 };
 
 }  // namespace jointid::models

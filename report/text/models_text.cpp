@@ -46,7 +46,7 @@ std::string used_way(const ModelUse& use) {
   if (use.vectors > 0) {
     text += fmt::format(" of {}, {}; estimated error {:.1e} of the largest FRF of a line (bound {:.0e}{}), worst at {} Hz",
                         counted(use.vectors, "vector"), counted(use.shifts, "shift"), use.error, use.bound,
-                        use.error > use.bound ? ": a shift makes it no less" : "", number(use.worst_hz));
+                        use.error > use.bound ? ": more vectors make it no less" : "", number(use.worst_hz));
   }
   if (use.reduced_lines > 0) text += "; " + counted(use.reduced_lines, "line");
   if (use.factorizations > 0) text += "; " + counted(use.factorizations, "factorisation");

@@ -252,7 +252,7 @@ TEST(ModelSource, ReadsManyLinesOfALargeModelWithoutAFactorisationOfEach) {
   EXPECT_EQ(few.model_count().factorizations, 10u);
   for (std::size_t first = 0; first < 200; first += 25) read(many, range(first, 25), {0, 1}, {0});
   const std::size_t factorised = many.model_count().factorizations;
-  EXPECT_LE(factorised, 5u);  // ranges are doubled, and one line of each is compared
+  EXPECT_LE(factorised, 2u);  // ranges are doubled, and one line is compared where the basis grew
   Indices lines;
   for (std::size_t line = 0; line < 10; ++line) lines.push_back(20 * line);
   const std::vector<Complex> found = read(many, lines, {0, 1, 2, 3}, {0, 2});

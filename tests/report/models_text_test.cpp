@@ -54,7 +54,7 @@ TEST(ModelsText, TheResultStatesVectorsShiftsAndError) {
   std::vector<ident::UsedModel> rounded = sample_models();
   rounded[0].use.error = 7e-11;
   EXPECT_THAT(used_models_text(rounded),
-              HasSubstr("7.0e-11 of the largest FRF of a line (bound 1e-11: a shift makes it no less)"));
+              HasSubstr("7.0e-11 of the largest FRF of a line (bound 1e-11: more vectors make it no less)"));
 }
 
 TEST(ModelsText, ManyModelsAreCutOff) {
