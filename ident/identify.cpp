@@ -14,6 +14,7 @@
 #include "ident/likelihood/data/systematic_plan.hpp"
 #include "ident/modal_regeneration.hpp"
 #include "ident/plan/data_source.hpp"
+#include "ident/plan/models_of_plan.hpp"
 #include "ident/prepare_plan.hpp"
 #include "ident/scene/scene_failure.hpp"
 #include "ident/wild_lines.hpp"

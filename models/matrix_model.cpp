@@ -125,9 +125,9 @@ bool MatrixModel::reduce(double low, double high) {
   if (matrices_.mass.rows() > most_compared || std::exchange(compared_vectors_, vectors) == vectors) return true;
   const std::vector<std::size_t>& all = reduced_between_;
   const auto exact = factorised(reduction_->worst_omega(), all, all), own = reduction_->receptance(reduction_->worst_omega(), all, all);
-  const bool agree = exact && own && (*exact - *own).cwiseAbs().maxCoeff() <=
-                                         disagreement * std::max(reduction_->error(), Reduction::accepted) *
-                                             exact->cwiseAbs().maxCoeff();
+  const bool agree = exact && own &&
+                     (*exact - *own).cwiseAbs().maxCoeff() <=
+                         disagreement * std::max(reduction_->error(), Reduction::accepted) * exact->cwiseAbs().maxCoeff();
   return agree || is_not_reduced("the factorisation that is compared differs from the basis");
 }
 
@@ -164,8 +164,9 @@ ModelUse MatrixModel::use(std::size_t lines, std::size_t coordinates) const {
 void MatrixModel::predict(std::size_t lines, std::size_t coordinates, ModelUse& out) const {
   constexpr double vectors_each = 8.0, factor_entries = 17.0, lu_entries = 60.0;     // of n^(4/3)
   constexpr double factor_seconds = 8e-10, lu_seconds = 3e-8, full_seconds = 6e-10;  // of n², n², n³
-  constexpr double fast = 2.5e10, slow = 4e9, matrix_bytes = 115.0;                   // flop/s; bytes of an element of K and M
-  const auto n = static_cast<double>(matrices_.mass.rows()), each = static_cast<double>(lines), m = static_cast<double>(coordinates);
+  constexpr double fast = 2.5e10, slow = 4e9, matrix_bytes = 115.0;                  // flop/s; bytes of an element of K and M
+  const auto n = static_cast<double>(matrices_.mass.rows()), each = static_cast<double>(lines),
+             m = static_cast<double>(coordinates);
   const double elements = static_cast<double>(matrices_.stiffness.nonZeros()), fill = std::pow(n, 4.0 / 3.0);
   const double lu_bytes = lu_entries * fill * sizeof(Complex);
   out.expected_bytes = matrix_bytes * elements;
@@ -180,8 +181,9 @@ void MatrixModel::predict(std::size_t lines, std::size_t coordinates, ModelUse& 
     const bool compares = matrices_.mass.rows() <= most_compared;
     out.expected_vectors = static_cast<std::size_t>(vectors);
     out.expected_bytes += factor_entries * fill * sizeof(double) + n * vectors * sizeof(double) + (compares ? lu_bytes : 0.0);
-    out.expected_seconds = factor_seconds * n * n + 8.0 * vectors * factor_entries * fill / fast + 4.0 * n * vectors * vectors / slow +
-                           8.0 * each * vectors * m * m / fast + (compares ? lu_seconds * n * n : 0.0);
+    out.expected_seconds = factor_seconds * n * n + 8.0 * vectors * factor_entries * fill / fast +
+                           4.0 * n * vectors * vectors / slow + 8.0 * each * vectors * m * m / fast +
+                           (compares ? lu_seconds * n * n : 0.0);
   }
 }
 

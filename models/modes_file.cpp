@@ -54,7 +54,8 @@ void require_usable(const Path& file, const frf::Uff55Mode& mode, const frf::Uff
     return;
   }
   if (has_phases(mode.shape))
-    fail("it is a normal mode, and its shape is complex", "export it as a complex mode with eigenvalue and modal A, or with a real shape");
+    fail("it is a normal mode, and its shape is complex",
+         "export it as a complex mode with eigenvalue and modal A, or with a real shape");
   if (!(mode.modal_mass > 0.0))
     fail("its modal mass is " + scene::number_text(mode.modal_mass), "export the modes with modal masses");
   if (!(mode.frequency_hz >= 0.0)) fail("its frequency is " + scene::number_text(mode.frequency_hz) + " Hz", "it is at least 0");

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "frf/set/frf_set.hpp"
-#include "ident/plan/plan.hpp"
 #include "models/model.hpp"
 
 namespace jointid::ident {
@@ -15,15 +14,6 @@ std::vector<UsedModel> used_models(const ModelsInUse& models, std::size_t lines,
     out.push_back({each.file, each.model->use(lines, static_cast<std::size_t>(asked))});
   }
   return out;
-}
-
-std::vector<UsedModel> used_models(const Plan& plan) {
-  Dofs dofs = joined(joined(plan.coordinates.joint, plan.coordinates.responses), plan.coordinates.references);
-  for (const auto& [first, second] : plan.scene.couple_first.pairs) {
-    dofs.push_back(first);
-    dofs.push_back(second);
-  }
-  return used_models(plan.models, plan.lines.size(), dofs);
 }
 
 }  // namespace jointid::ident

@@ -22,12 +22,7 @@ struct ModelInUse {
 
 using ModelsInUse = std::vector<ModelInUse>;
 
-struct Plan;
-
 /// What they did so far, and what they will take for so many lines between those of the DOFs that they have.
 std::vector<UsedModel> used_models(const ModelsInUse& models, std::size_t lines, const std::vector<frf::Dof>& dofs);
-
-/// The same for the lines and DOFs of a plan.
-std::vector<UsedModel> used_models(const Plan& plan);
 
 }  // namespace jointid::ident

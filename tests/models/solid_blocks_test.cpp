@@ -9,6 +9,7 @@
 #include "base/complex.hpp"
 #include "base/eigen.hpp"
 #include "ident/identify.hpp"
+#include "ident/plan/models_of_plan.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "models/matrix_model.hpp"
 #include "tests/test_folder.hpp"
