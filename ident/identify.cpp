@@ -16,6 +16,7 @@
 #include "ident/modal_regeneration.hpp"
 #include "ident/plan/data_source.hpp"
 #include "ident/plan/expected_time.hpp"
+#include "ident/plan/models_of_plan.hpp"
 #include "ident/prepare_plan.hpp"
 #include "ident/scene/scene_failure.hpp"
 #include "ident/wild_lines.hpp"
@@ -94,6 +95,7 @@ std::unique_ptr<Plan> plan_without(const Plan& plan, const std::vector<double>& 
   try {
     auto out = make_plan(scene, plan.substructures, plan.assembly);
     out->chosen = plan.chosen;
+    out->models = plan.models;
     return out;
   } catch (const InputError&) {
     return nullptr;  // too few lines are left
@@ -136,6 +138,7 @@ std::unique_ptr<Plan> make_plan(const Scene& scene) {
   auto plan = make_plan(scene, std::move(substructures), std::move(assembly));
   for (const ModalRegeneration& each : regenerated) plan->notes.push_back(note(each));
   plan->regenerated = std::move(regenerated);
+  plan->models = std::move(opened.models);
   return plan;
 }
 
@@ -218,6 +221,7 @@ Solution solve(Plan& plan, const Control& asked) {
   find_loose_joints(plan, out);
   tell_wild_lines(wild, out);
   check_briefly(plan, control, out);
+  out.models = used_models(plan);
   out.runtime_s.total = seconds_since(start);
   return out;
 }

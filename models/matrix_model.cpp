@@ -1,6 +1,7 @@
 #include "models/matrix_model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -102,6 +103,7 @@ void MatrixModel::expect(const Request& request) {
     std::ranges::set_union(reduced_between_, request.coordinates, std::back_inserter(all));
     reduced_between_ = std::move(all);
     reduction_.reset();
+    compared_vectors_ = 0;
   }
   may_reduce_ = reduce(low, high);
   if (!may_reduce_) reduction_.reset();
@@ -110,17 +112,79 @@ void MatrixModel::expect(const Request& request) {
 bool MatrixModel::reduce(double low, double high) {
   if (!reduction_) {
     if (!form_) form_ = proportional_form(matrices_, most_dampers);
-    if (!form_) return false;
+    if (!form_) return is_not_reduced("its damping is no combination of mass and stiffness, at more than 64 coordinates");
     reduction_ = std::make_unique<Reduction>(matrices_, *form_, reduced_between_);
   }
-  if (!reduction_->cover(low, high, matrices_.mass.rows() / least_share)) return false;
+  if (!reduction_->cover(low, high, matrices_.mass.rows() / least_share)) {
+    return is_not_reduced(reduction_->vectors() == 0 ? "its stiffness is not positive"
+                                                     : "a basis of a third of its coordinates does not reach the bound");
+  }
   low_ = low;
   high_ = high;
-  if (matrices_.mass.rows() > most_compared) return true;
+  const Eigen::Index vectors = reduction_->vectors();
+  if (matrices_.mass.rows() > most_compared || std::exchange(compared_vectors_, vectors) == vectors) return true;
   const std::vector<std::size_t>& all = reduced_between_;
   const auto exact = factorised(reduction_->worst_omega(), all, all), own = reduction_->receptance(reduction_->worst_omega(), all, all);
-  return exact && own && (*exact - *own).cwiseAbs().maxCoeff() <=
-                             disagreement * std::max(reduction_->error(), Reduction::accepted) * exact->cwiseAbs().maxCoeff();
+  const bool agree = exact && own &&
+                     (*exact - *own).cwiseAbs().maxCoeff() <=
+                         disagreement * std::max(reduction_->error(), Reduction::accepted) * exact->cwiseAbs().maxCoeff();
+  return agree || is_not_reduced("the factorisation that is compared differs from the basis");
+}
+
+bool MatrixModel::is_not_reduced(std::string why) {
+  why_not_reduced_ = std::move(why);
+  return false;
+}
+
+std::string MatrixModel::why_factorised(std::size_t lines) const {
+  if (!why_not_reduced_.empty()) return why_not_reduced_;
+  return lines < least_lines ? "fewer than 12 lines" : "";
+}
+
+ModelUse MatrixModel::use(std::size_t lines, std::size_t coordinates) const {
+  ModelUse out{.way = ModelWay::full, .coordinates = size()};
+  out.factorizations = count_.factorizations;
+  out.reduced_lines = count_.reduced;
+  if (sparse_) {
+    out.reason = why_factorised(std::max(lines, lines_asked_));
+    out.way = out.reason.empty() ? ModelWay::reduced : ModelWay::factorised;
+  }
+  if (out.way == ModelWay::reduced) out.bound = Reduction::bound;
+  if (reduction_) {
+    out.vectors = static_cast<std::size_t>(reduction_->vectors());
+    out.shifts = reduction_->shifts();
+    out.error = reduction_->error();
+    out.worst_hz = hertz(reduction_->worst_omega());
+  }
+  predict(lines, coordinates, out);
+  return out;
+}
+
+/// What blocks of bricks took, shells and beams of as many coordinates take less: docs/model-parts.md.
+void MatrixModel::predict(std::size_t lines, std::size_t coordinates, ModelUse& out) const {
+  constexpr double vectors_each = 8.0, factor_entries = 17.0, lu_entries = 60.0;     // of n^(4/3)
+  constexpr double factor_seconds = 8e-10, lu_seconds = 3e-8, full_seconds = 6e-10;  // of n², n², n³
+  constexpr double fast = 2.5e10, slow = 4e9, matrix_bytes = 115.0;                  // flop/s; bytes of an element of K and M
+  const auto n = static_cast<double>(matrices_.mass.rows()), each = static_cast<double>(lines),
+             m = static_cast<double>(coordinates);
+  const double elements = static_cast<double>(matrices_.stiffness.nonZeros()), fill = std::pow(n, 4.0 / 3.0);
+  const double lu_bytes = lu_entries * fill * sizeof(Complex);
+  out.expected_bytes = matrix_bytes * elements;
+  if (out.way == ModelWay::full) {
+    out.expected_bytes += 3.0 * n * n * sizeof(Complex);
+    out.expected_seconds = each * full_seconds * n * n * n;
+  } else if (out.way == ModelWay::factorised) {
+    out.expected_bytes += lu_bytes;
+    out.expected_seconds = each * lu_seconds * n * n;
+  } else {
+    const double vectors = std::min(vectors_each * m, n / static_cast<double>(least_share));
+    const bool compares = matrices_.mass.rows() <= most_compared;
+    out.expected_vectors = static_cast<std::size_t>(vectors);
+    out.expected_bytes += factor_entries * fill * sizeof(double) + n * vectors * sizeof(double) + (compares ? lu_bytes : 0.0);
+    out.expected_seconds = factor_seconds * n * n + 8.0 * vectors * factor_entries * fill / fast +
+                           4.0 * n * vectors * vectors / slow + 8.0 * each * vectors * m * m / fast +
+                           (compares ? lu_seconds * n * n : 0.0);
+  }
 }
 
 std::optional<Eigen::MatrixXcd> MatrixModel::receptance(double omega, std::span<const std::size_t> rows,

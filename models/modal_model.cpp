@@ -62,4 +62,6 @@ std::optional<Eigen::MatrixXcd> ModalModel::receptance(double omega, std::span<c
   return h;
 }
 
+ModelUse ModalModel::use(std::size_t, std::size_t) const { return {.way = ModelWay::modes, .coordinates = size()}; }
+
 }  // namespace jointid::models

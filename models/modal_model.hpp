@@ -41,6 +41,7 @@ class ModalModel final : public Model {
   std::size_t size() const override { return modes_.coordinates(); }
   std::optional<Eigen::MatrixXcd> receptance(double omega, std::span<const std::size_t> rows,
                                              std::span<const std::size_t> columns) override;
+  ModelUse use(std::size_t lines, std::size_t coordinates) const override;
 
  private:
   Modes modes_;

@@ -5,6 +5,8 @@
 #include <optional>
 #include <span>
 
+#include "models/model_use.hpp"
+
 namespace jointid::models {
 
 /// H_kk |Z_kk| from which on a receptance is infinite to rounding.
@@ -42,6 +44,9 @@ class Model {
   virtual void expect(const Request&) {}
 
   const ModelCount& count() const { return count_; }
+
+  /// What was done so far, and what so many lines between so many coordinates will take.
+  virtual ModelUse use(std::size_t lines, std::size_t coordinates) const = 0;
 
  protected:
   ModelCount count_;

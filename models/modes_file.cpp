@@ -27,6 +27,17 @@ namespace {
 
 using Path = std::filesystem::path;
 
+/// Whether imaginary parts are more than rounding.
+bool has_phases(const std::vector<Complex>& shape) {
+  constexpr double of_six_digits = 1e-6;
+  double largest = 0.0, imaginary = 0.0;
+  for (const Complex& each : shape) {
+    largest = std::max(largest, std::abs(each));
+    imaginary = std::max(imaginary, std::abs(each.imag()));
+  }
+  return imaginary > of_six_digits * largest;
+}
+
 void require_usable(const Path& file, const frf::Uff55Mode& mode, const frf::Uff55Mode& first) {
   const std::string place = "mode " + std::to_string(mode.number);
   const auto fail = [&](std::string problem, std::string remedy) {
@@ -34,11 +45,17 @@ void require_usable(const Path& file, const frf::Uff55Mode& mode, const frf::Uff
   };
   if (mode.dofs != first.dofs)
     fail("its DOFs are not those of mode " + std::to_string(first.number), "export all modes at the same nodes");
+  if (mode.quantity != frf::Quantity::receptance)
+    fail(mode.quantity == frf::Quantity::mobility ? "its shape is one of velocities" : "its shape is one of accelerations",
+         "export shapes of displacements, scaled with the modal masses");
   if (mode.is_complex) {
     if (mode.modal_a == Complex(0.0)) fail("its modal A is 0", "export the modes with modal A");
     if (mode.eigenvalue.real() > 0.0) fail("its eigenvalue has a real part above 0: it is not damped", "correct its sign");
     return;
   }
+  if (has_phases(mode.shape))
+    fail("it is a normal mode, and its shape is complex",
+         "export it as a complex mode with eigenvalue and modal A, or with a real shape");
   if (!(mode.modal_mass > 0.0))
     fail("its modal mass is " + scene::number_text(mode.modal_mass), "export the modes with modal masses");
   if (!(mode.frequency_hz >= 0.0)) fail("its frequency is " + scene::number_text(mode.frequency_hz) + " Hz", "it is at least 0");
@@ -209,7 +226,11 @@ void require_unit_masses(const FileVariable& named, const Eigen::MatrixXd& shape
 
 UffModes read_uff_modes(const Path& file) {
   require_universal(file);
-  std::vector<frf::Uff55Mode> read = frf::read_uff55(file);
+  std::vector<std::string> not_read;
+  std::vector<frf::Uff55Mode> read = frf::read_uff55(file, &not_read);
+  if (!not_read.empty()) {
+    refuse_file(file, "dataset 55", "it holds " + not_read.front(), "export all modes with three or six components per node");
+  }
   for (const frf::Uff55Mode& mode : read) require_usable(file, mode, read.front());
   std::erase_if(read, [](const frf::Uff55Mode& mode) { return mode.is_complex && mode.eigenvalue.imag() < 0.0; });
   require_once(file, read);

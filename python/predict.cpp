@@ -37,17 +37,23 @@
 namespace jointid::python {
 namespace {
 
-std::vector<frf::FrfSet> loaded(const ident::CoupleScene& scene) {
+std::vector<frf::FrfSet> loaded(const ident::CoupleScene& scene, ident::ModelsInUse& models) {
   std::vector<frf::FrfSet> sets;
-  auto systems = ident::open_systems({scene.parts}, scene.frequency, scene.file);
+  auto systems = ident::open_systems({scene.parts}, scene.frequency, scene.file, &models);
   for (const auto& source : systems.front()) sets.push_back(frf::load_with_covariance(*source));
   return sets;
 }
 
 tasks::CoupledSets coupled(const ident::CoupleScene& scene, const std::filesystem::path& out, bool bounds,
                            const ident::Control& control) {
-  if (out.empty()) return tasks::couple(scene, loaded(scene), bounds, control);
   tasks::CoupledSets sets;
+  if (out.empty()) {
+    ident::ModelsInUse models;
+    sets = tasks::couple(scene, loaded(scene, models), bounds, control);
+    for (const ident::ModelInUse& each : models)
+      sets.result.models.push_back(ident::used_models({each}, sets.result.lines, each.dofs).front());
+    return sets;
+  }
   sets.result = tasks::couple(scene, out, bounds, control);
   if (!sets.result.records.empty()) sets.frfs = frf::load_with_covariance(*frf::open(out));
   return sets;

@@ -7,6 +7,7 @@
 #include "report/check_json.hpp"
 #include "report/identifiability_json.hpp"
 #include "report/json_value.hpp"
+#include "report/models_json.hpp"
 #include "report/text/joints_text.hpp"
 
 namespace jointid::report {
@@ -253,6 +254,7 @@ std::string solution_json(const ident::Solution& solution) {
   }
   json["used"] = used(solution.used);
   json["variances"] = variances(solution.variances);
+  if (!solution.models.empty()) json["models"] = models_json(solution.models, false);
   json["warnings"] = solution.warnings;
   if (solution.check) json["check"] = check_json(*solution.check);
   return json_text(json);

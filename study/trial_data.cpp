@@ -316,8 +316,8 @@ std::shared_ptr<const TrialData> load_trial_data(const ident::Scene& scene) {
     fail(scene, "gain_errors and mass_errors are not drawn for sensors of virtual points",
          "remove them, or [[virtual_points]]");
   }
-  auto [substructures, assembly] = open_scene(scene);
-  return prepare(scene, std::move(substructures), std::move(assembly));
+  ident::OpenedScene opened = open_scene(scene);
+  return prepare(scene, std::move(opened.substructures), std::move(opened.assembly));
 }
 
 std::shared_ptr<const TrialData> make_trial_data(const ident::Scene& scene, const Measurements& base) {

@@ -28,8 +28,8 @@ std::vector<coupling::Part> parts_of(const ident::CoupleScene& scene, ident::Sou
   return parts;
 }
 
-std::vector<coupling::Part> open_parts(const ident::CoupleScene& scene) {
-  return parts_of(scene, std::move(open_systems({scene.parts}, scene.frequency, scene.file).front()));
+std::vector<coupling::Part> open_parts(const ident::CoupleScene& scene, ident::ModelsInUse& models) {
+  return parts_of(scene, std::move(open_systems({scene.parts}, scene.frequency, scene.file, &models).front()));
 }
 
 std::vector<coupling::Part> parts_in_memory(const ident::CoupleScene& scene, std::vector<frf::FrfSet> sets) {
@@ -289,8 +289,12 @@ CoupleResult couple(const ident::CoupleScene& scene, const ident::Path& out, boo
   const auto to_file = [](const ident::Path& path) -> MakeSink {
     return [path](const frf::FrfHeader& header, bool covariance) { return std::make_unique<FileSink>(path, header, covariance); };
   };
+  ident::ModelsInUse models;
   CoupleResult result =
-      coupled(scene, open_parts(scene), bounds ? to_file(with_all_path(out)) : MakeSink(), to_file(out), control);
+      coupled(scene, open_parts(scene, models), bounds ? to_file(with_all_path(out)) : MakeSink(), to_file(out), control);
+  for (const ident::ModelInUse& each : models) {
+    result.models.push_back(ident::used_models({each}, result.lines, each.dofs).front());
+  }
   result.result.path = out;
   if (result.with_all) result.with_all->path = with_all_path(out);
   return result;

@@ -2,6 +2,7 @@
 
 #include "coupling/dependency.hpp"
 #include "ident/result/control.hpp"
+#include "ident/result/used_model.hpp"
 #include "ident/scene/couple_scene.hpp"
 
 namespace jointid::tasks {
@@ -26,6 +27,7 @@ struct CoupleResult {
   std::optional<coupling::Dependencies> dependencies;
   std::vector<coupling::LineRecord> survey;  ///< by line, with the alphas of all of `dependencies`
   CoupledFile result;
+  std::vector<ident::UsedModel> models{};  ///< of parts
   std::optional<CoupledFile> with_all;  ///< bounds: the same with the redundant conditions
 };
 

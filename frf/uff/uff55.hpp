@@ -15,6 +15,7 @@ struct Uff55Mode {
   std::array<std::string, 5> id;  ///< ID lines, UTF-8
   int number = 0;                 ///< mode number
   bool is_complex = false;        ///< analysis type 3 or 7 (complex eigenvalue); else 2 (normal mode)
+  Quantity quantity = Quantity::receptance;  ///< of a displacement, as the shape is; mobility: velocity, accelerance: acceleration
 
   double frequency_hz = 0.0;        ///< normal: as stated; complex: |λ|/2π
   double modal_mass = 1.0;          ///< normal modes
@@ -32,8 +33,8 @@ struct Uff55Mode {
 /// strains, stresses and reactions, and without three or six components per node. Dataset 164 applies to lengths, to modal
 /// masses, modal A and B (mass, force·s/length and force/length of the file's units: tonnes for mm and N) and to rotations
 /// of shapes. Without it values are taken as SI. Throws InputError if there is no shape, or if a dataset breaks the
-/// format.
-std::vector<Uff55Mode> read_uff55(const std::filesystem::path& path);
+/// format. `not_read`: gets a phrase for each mode shape without three or six components per node.
+std::vector<Uff55Mode> read_uff55(const std::filesystem::path& path, std::vector<std::string>* not_read = nullptr);
 
 /// Writes dataset 151, 164 (SI), 2411 if nodes are known, and a dataset 55 for each mode, by a temporary name. Data are real for
 /// normal modes, complex for complex ones; three components per node, six if a DOF is a rotation, 0 where the mode has none. The

@@ -111,15 +111,27 @@ void take_node(Lines& lines, const Kind& kind, Uff55Mode& mode) {
   }
 }
 
+/// Of specific data types 11 and 12; others are displacements, also those that are not stated.
+Quantity quantity_of(const Kind& kind) {
+  return kind.specific == 11 ? Quantity::mobility : kind.specific == 12 ? Quantity::accelerance : Quantity::receptance;
+}
+
 /// False for a dataset 55 that is no mode shape.
-bool read_mode(uff::ByteFile& file, const Dataset& dataset, Uff55Mode& mode) {
+bool read_mode(uff::ByteFile& file, const Dataset& dataset, Uff55Mode& mode, std::vector<std::string>* not_read) {
   Lines lines(file, dataset);
   for (std::string& id : mode.id) id = uff::to_utf8(uff::trim(lines.next("ID lines")));
   lines.next("record 6");
   const auto field = [&](std::size_t index) { return lines.integer(index, "record 6"); };
   const Kind kind{field(1), field(2), field(3), field(4), field(5)};
-  if (!kind.is_mode() || !kind.is_motion() || !kind.is_vector()) return false;
+  if (!kind.is_mode() || !kind.is_motion()) return false;
+  if (!kind.is_vector()) {
+    if (not_read != nullptr)
+      not_read->push_back("a mode shape of " + std::to_string(kind.values) + " values per node, data characteristic " +
+                          std::to_string(kind.characteristic));
+    return false;
+  }
   mode.is_complex = kind.is_complex();
+  mode.quantity = quantity_of(kind);
   lines.next("record 7");
   const std::int64_t reals = lines.integer(1, "record 7");
   if (reals < 0 || reals > 100)
@@ -143,7 +155,7 @@ void scale_to_si(Uff55Mode& mode, const uff::UnitFactors& factors) {
 
 }  // namespace
 
-std::vector<Uff55Mode> read_uff55(const std::filesystem::path& path) {
+std::vector<Uff55Mode> read_uff55(const std::filesystem::path& path, std::vector<std::string>* not_read) {
   uff::ByteFile file(path);
   const std::vector<Dataset> datasets = uff::scan(file);
   const uff::UnitTable units(file, datasets);
@@ -151,7 +163,7 @@ std::vector<Uff55Mode> read_uff55(const std::filesystem::path& path) {
   for (const Dataset& dataset : datasets) {
     if (dataset.number != 55 || dataset.binary) continue;
     Uff55Mode mode;
-    if (!read_mode(file, dataset, mode)) continue;
+    if (!read_mode(file, dataset, mode, not_read)) continue;
     const uff::UnitFactors factors = units.at(dataset);
     if (!factors.contradiction.empty())
       dataset.place.fail("modal masses", factors.contradiction, "correct dataset 164, which their unit is taken from");

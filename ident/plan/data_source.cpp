@@ -69,7 +69,8 @@ std::vector<double> lines_of(const FrequencySection& frequency) {
 
 Sources open_all(const std::vector<DataFile>& files) { return std::move(open_systems({files}, {}, {}).front()); }
 
-std::vector<Sources> open_systems(const std::vector<std::vector<DataFile>>& systems, const FrequencySection& frequency, const Path& scene) {
+std::vector<Sources> open_systems(const std::vector<std::vector<DataFile>>& systems, const FrequencySection& frequency, const Path& scene,
+                                  ModelsInUse* models) {
   std::vector<Sources> all;
   std::vector<double> others;
   for (const std::vector<DataFile>& files : systems) {
@@ -83,15 +84,20 @@ std::vector<Sources> open_systems(const std::vector<std::vector<DataFile>>& syst
     for (std::size_t i = 0; i < systems[s].size(); ++i) {
       if (all[s][i]) continue;
       if (lines.empty()) refuse(scene, "[frequency]", "all files are models, which have every frequency", "give range and step");
-      all[s][i] = ModelFrfs(systems[s][i]).at(lines);
+      const ModelFrfs frfs(systems[s][i]);
+      all[s][i] = frfs.at(lines);
+      if (models != nullptr) models->push_back({systems[s][i].path.string(), all[s][i]->header().response, frfs.model()});
     }
   }
   return all;
 }
 
 OpenedScene open_scene(const Scene& scene) {
-  auto systems = open_systems({scene.data.substructures, scene.data.assembly}, scene.frequency, scene.file);
-  return {std::move(systems[0]), std::move(systems[1])};
+  OpenedScene out;
+  auto systems = open_systems({scene.data.substructures, scene.data.assembly}, scene.frequency, scene.file, &out.models);
+  out.substructures = std::move(systems[0]);
+  out.assembly = std::move(systems[1]);
+  return out;
 }
 
 bool has_virtual_points(const Scene& scene) {

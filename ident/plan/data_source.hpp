@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "frf/set/frf_source.hpp"
+#include "ident/plan/model_in_use.hpp"
 #include "ident/scene/scene.hpp"
 
 namespace jointid::ident {
@@ -16,12 +17,14 @@ using Sources = std::vector<std::unique_ptr<frf::FrfSource>>;
 Sources open_all(const std::vector<DataFile>& files);
 
 /// The same of several systems: a system of models alone has the lines of the first file of the others that is none, and where there is
-/// none those of [frequency] range and step. `scene`: for the message where these are missing.
-std::vector<Sources> open_systems(const std::vector<std::vector<DataFile>>& systems, const FrequencySection& frequency, const Path& scene);
+/// none those of [frequency] range and step. `scene`: for the message where these are missing. `models` gets those that there are.
+std::vector<Sources> open_systems(const std::vector<std::vector<DataFile>>& systems, const FrequencySection& frequency, const Path& scene,
+                                  ModelsInUse* models = nullptr);
 
 /// Substructures and assembly of a scene.
 struct OpenedScene {
   Sources substructures, assembly;
+  ModelsInUse models;
 };
 OpenedScene open_scene(const Scene& scene);
 

@@ -9,6 +9,7 @@
 #include "ident/plan/coordinates.hpp"
 #include "ident/plan/line.hpp"
 #include "ident/plan/method.hpp"
+#include "ident/plan/model_in_use.hpp"
 #include "ident/plan/planned_method.hpp"
 #include "ident/plan/regeneration_note.hpp"
 #include "ident/plan/unknown_columns.hpp"
@@ -39,6 +40,7 @@ struct Plan : PlannedMethod {
   double omega0 = 0.0;                ///< rad/s, of the scaled unknowns x = {k, ω₀²m, ω₀c, d}: the highest used frequency
   /// Unknown of a column in SI units = scaled unknown · this.
   double unscale(std::size_t column) const;
+  ModelsInUse models{};  ///< of its files
   std::vector<ModalRegeneration> regenerated;  ///< structures whose FRFs are those of modal models
   std::vector<std::string> warnings;  ///< what may be wrong with the data or the scene, one sentence each
 };

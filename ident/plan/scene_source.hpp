@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "frf/set/frf_source.hpp"
+#include "ident/plan/model_in_use.hpp"
 #include "ident/scene/scene.hpp"
 #include "models/model_source.hpp"
 
@@ -20,6 +21,8 @@ class ModelFrfs {
 
   /// As the scene has them, at the lines that its corrections make `frequency_hz` of. All of them share the model.
   std::unique_ptr<frf::FrfSource> at(std::vector<double> frequency_hz) const;
+
+  const std::shared_ptr<models::Model>& model() const { return named_.model; }
 
  private:
   DataFile file_;

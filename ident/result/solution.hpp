@@ -12,6 +12,7 @@
 #include "ident/result/identifiability.hpp"
 #include "ident/result/loose_joint.hpp"
 #include "ident/result/suspect.hpp"
+#include "ident/result/used_model.hpp"
 #include "ident/scene/scene.hpp"
 
 namespace jointid::ident {
@@ -184,6 +185,7 @@ struct Solution {
   std::vector<RelativeMotion> relative_motions{};  ///< of ways by parts, if the assembly's files state errors: all pairs of joint DOFs
   std::vector<LooseJoint> loose{};  ///< if the scene asks for loose joints: the most probable first
   std::vector<VarianceSource> variances;  ///< per file, of methods that weigh FRFs by their variances
+  std::vector<UsedModel> models{};        ///< per file that describes a model: how its FRFs were computed
 };
 
 }  // namespace jointid::ident

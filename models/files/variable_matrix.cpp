@@ -168,10 +168,29 @@ class MatrixReader {
   }
 
   FileMatrix sparse(const SparseWay& way) {
-    const std::vector<std::size_t> columns = places(way.parts[0]), rows = places(way.parts[1]);
+    const std::vector<std::size_t> columns = places(way.parts[0]);
+    if (way.compressed) require_rows_of_matlab(way, columns.size());
+    if (is_without_elements(way, columns)) return from_compressed(columns, {}, {});
+    const std::vector<std::size_t> rows = places(way.parts[1]);
     const std::vector<Complex> data = numbers(way.parts[2]);
     if (way.compressed && has(array_name("shape"))) require_square();
     return way.compressed ? from_compressed(columns, rows, data) : from_places(columns, rows, data);
+  }
+
+  /// MATLAB v7.3 states the rows in an attribute of the group.
+  void require_rows_of_matlab(const SparseWay& way, std::size_t begins) {
+    const auto first = std::ranges::find(file_.variables(), array_name(way.parts.front()), &MatInfo::name);
+    for (const auto& [place, text] : file_.notes(*first)) {
+      if (!place.ends_with("@MATLAB_sparse")) continue;
+      if (text != std::to_string(begins - 1)) fail("the matrix is not square: " + text + " × " + std::to_string(begins - 1), "");
+      return;
+    }
+  }
+
+  /// Of a matrix of zeros MATLAB v7.3 writes where columns begin, and nothing else.
+  bool is_without_elements(const SparseWay& way, const std::vector<std::size_t>& begins) const {
+    return way.compressed && !has(array_name(way.parts[1])) && !has(array_name(way.parts[2])) &&
+           std::ranges::all_of(begins, [](std::size_t begin) { return begin == 0; });
   }
 
   /// Its rows.

@@ -2,6 +2,7 @@
 
 #include "report/couple/couple_text.hpp"
 #include "report/json_value.hpp"
+#include "report/models_json.hpp"
 
 namespace jointid::report {
 namespace {
@@ -34,6 +35,7 @@ std::string couple_json(const ident::CoupleScene& scene, const tasks::CoupleResu
               {"result", file_json(result.result)}};
   if (result.with_all) out["with_all"] = file_json(*result.with_all);
   if (result.dependencies) out["dependencies"] = dependencies_json(*result.dependencies);
+  if (!result.models.empty()) out["models"] = models_json(result.models, false);
   out["kept"] = Json::array();
   for (const auto& [kept, lines] : kept_counts(result)) out["kept"].push_back({{"conditions", kept}, {"lines", lines}});
   if (const std::size_t worst = worst_line(result); worst != frf::npos) {

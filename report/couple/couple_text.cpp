@@ -9,6 +9,7 @@
 #include <span>
 
 #include "base/text.hpp"
+#include "report/text/models_text.hpp"
 #include "report/text/table.hpp"
 
 namespace jointid::report {
@@ -101,6 +102,7 @@ std::string couple_text(const ident::CoupleScene& scene, const tasks::CoupleResu
     text += "dependency of the conditions, median over the lines\n" + conditions_table(*result.dependencies).text() + "  " +
             result.dependencies->reason + "\n";
   }
+  if (!result.models.empty()) text += used_models_text(result.models).substr(1);
   const bool is_file = !result.result.path.empty();
   text += "resonances\n  " + (is_file ? result.result.path.string() + ": " : "") + frequencies_text(result.result.resonances_hz) + "\n";
   if (result.with_all) {

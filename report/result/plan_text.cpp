@@ -12,9 +12,12 @@
 #include "ident/likelihood/findings/variance_sources.hpp"
 #include "ident/likelihood/parts/likelihood_by_parts.hpp"
 #include "ident/plan/expected_time.hpp"
+#include "ident/plan/models_of_plan.hpp"
 #include "report/json_value.hpp"
+#include "report/models_json.hpp"
 #include "report/result/bound_json.hpp"
 #include "report/text/dof_list.hpp"
+#include "report/text/models_text.hpp"
 #include "report/text/table.hpp"
 #include "report/text/variances_text.hpp"
 #include "report/text/words.hpp"
@@ -164,8 +167,8 @@ std::string plan_text(const ident::Plan& plan) {
   table.add({"assembly FRFs", !plan.predicted_responses.empty() ? "synthesised and compared" : "not synthesised"});
   return (plan.scene.title.empty() ? "" : plan.scene.title + "\n") + table.text() +
          phrases("constraints", ident::constraint_phrases(plan)) + cost_text(plan) + pattern_text(plan) +
-         variances_text(ident::variance_sources(plan)) + phrases("left out", plan.left_out) +
-         phrases("warnings", plan.warnings) + phrases("notes", plan.notes);
+         variances_text(ident::variance_sources(plan)) + planned_models_text(ident::used_models(plan)) +
+         phrases("left out", plan.left_out) + phrases("warnings", plan.warnings) + phrases("notes", plan.notes);
 }
 
 std::string plan_json(const ident::Plan& plan, const std::optional<tasks::BoundReport>& bound) {
@@ -193,6 +196,7 @@ std::string plan_json(const ident::Plan& plan, const std::optional<tasks::BoundR
   json["cost"] = cost_json(plan);
   if (const auto pattern = pattern_of(plan)) json["structure"] = pattern_json(*pattern);
   json["variances"] = variances_json(ident::variance_sources(plan));
+  if (!plan.models.empty()) json["models"] = models_json(ident::used_models(plan), true);
   json["left_out"] = plan.left_out;
   json["warnings"] = plan.warnings;
   json["notes"] = plan.notes;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "report/models_json.hpp"
 
 namespace jointid::report {
 
@@ -253,6 +254,7 @@ void read_findings(const Json& json, ident::Solution& out) {
     out.variances.push_back(
         {each.at("file").get<std::string>(), each.at("origin").get<std::string>(), each.at("note").get<std::string>()});
   }
+  out.models = models_of_json(json.value("models", Json::array()));
 }
 
 ident::Solution read_solution(const Json& json) {

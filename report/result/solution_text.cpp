@@ -11,6 +11,7 @@
 #include "report/text/joints_text.hpp"
 #include "report/text/systematic_text.hpp"
 #include "report/text/table.hpp"
+#include "report/text/models_text.hpp"
 #include "report/text/variances_text.hpp"
 #include "report/text/words.hpp"
 
@@ -193,7 +194,8 @@ std::string solution_text(const ident::Solution& solution, const std::string& ti
       is_shown_by_joint(solution) ? joints_text(solution) : matrices_text(solution, units) + unknowns_text(solution);
   return head(solution, title) + values + constraints_text(solution) + loose_text(solution) +
          systematic_text(solution) + identifiability_text(solution) + fit_text(solution) + search_text(solution) +
-         variances_text(solution.variances) + quality_text(solution.quality) + time_text(solution.runtime_s);
+         variances_text(solution.variances) + used_models_text(solution.models) +
+         quality_text(solution.quality) + time_text(solution.runtime_s);
 }
 
 std::string unknowns_csv(const ident::Solution& solution) {

@@ -141,6 +141,41 @@ TEST_F(ModelFile, ReadsModesOfUniversalFiles) {
   EXPECT_THAT(error_of("modes = \"modes.uff\""), HasSubstr("its modal mass is 0"));
 }
 
+/// Two DOFs of a node; `data` and `values` of record 6, shape as the format has it.
+std::string mode_55(int specific, int data, int values, const std::string& shape, const std::string& mass = "  2.00000E-03") {
+  const std::string numbers = "  5.00000E+01" + mass + "  2.00000E-02  0.00000E+00\n";
+  return "    -1\n    55\nmode\nNONE\nNONE\nNONE\nNONE\n         1         2         " + std::to_string(values == 6 ? 3 : 2) +
+         (specific < 10 ? "         " : "        ") + std::to_string(specific) + "         " + std::to_string(data) + "         " +
+         std::to_string(values) + "\n         2         4         1         1\n" + numbers + "         1\n" + shape + "    -1\n";
+}
+
+TEST_F(ModelFile, RefusesModesThatItDoesNotUnderstand) {
+  const auto refused = [&](const std::string& text) {
+    write_text(folder_ / "modes.uff", text);
+    return error_of("modes = \"modes.uff\"");
+  };
+  const std::string real = "  0.00000E+00  0.00000E+00  1.00000E+00\n", good = mode_55(8, 2, 3, real);
+  EXPECT_THAT(refused(mode_55(11, 2, 3, real)), HasSubstr("mode 1: its shape is one of velocities"));
+  EXPECT_THAT(refused(mode_55(12, 2, 3, real)),
+              testing::AllOf(HasSubstr("its shape is one of accelerations"), HasSubstr("shapes of displacements")));
+  const std::string turned = "  0.00000E+00  0.00000E+00  0.00000E+00  0.00000E+00  1.00000E+00  1.00000E-01\n";
+  EXPECT_THAT(refused(mode_55(8, 5, 3, turned)), HasSubstr("it is a normal mode, and its shape is complex"));
+  EXPECT_THAT(refused(good + mode_55(8, 2, 1, "  1.00000E+00\n")), HasSubstr("a mode shape of 1 values per node"));
+}
+
+TEST_F(ModelFile, ModalMassesAreInTheUnitsOfDataset164) {
+  const std::string real = "  0.00000E+00  0.00000E+00  1.00000E+00\n";
+  const std::string units = "    -1\n   164\n        10mm (newton)                  2\n"
+                            "  1.00000000000000000D+03  1.00000000000000000D+00  1.00000000000000000D+00\n"
+                            "  2.73150000000000000D+02\n    -1\n";
+  const auto largest = [&](const std::string& text) {
+    write_text(folder_ / "modes.uff", text);
+    return std::abs(frf::load(*open_model(written("modes = \"modes.uff\""), {40.0})).values.front());
+  };
+  const double in_tonnes = largest(units + mode_55(8, 2, 3, real)), in_kg = largest(mode_55(8, 2, 3, real, "  2.00000E+00"));
+  EXPECT_NEAR(in_tonnes, in_kg, 1e-12 * in_kg);
+}
+
 TEST_F(ModelFile, SaysWhatIsWrong) {
   const std::string names = "dofs = " + dof_list(part_.dofs());
   EXPECT_THAT(error_of("loss_factor = 0.1"), HasSubstr("it describes no model"));

@@ -161,7 +161,13 @@ TEST_F(ModelParts, AreCoupled) {
     const std::string text =
         "[data]\nparts = [\"A1_substructure_1.h5\", \"" + part +
         "\"]\n[couple]\njoin = [[\"4:+Y\", \"5:+Y\"], [\"4:+RZ\", \"5:+RZ\"]]\nkeep = [\"1:+Y\", \"7:+Y\"]\n";
-    tasks::couple(parse_couple_scene(text, folder_ / "couple.toml"), folder_ / "out.h5", false, {});
+    const auto coupled = tasks::couple(parse_couple_scene(text, folder_ / "couple.toml"), folder_ / "out.h5", false, {});
+    const bool is_model = part == "b.toml";
+    EXPECT_EQ(coupled.models.size(), is_model ? 1u : 0u);
+    if (is_model) {
+      EXPECT_EQ(coupled.models.at(0).use.way, models::ModelWay::full);
+      EXPECT_EQ(coupled.models.at(0).use.factorizations, coupled.lines);
+    }
     return frf::load(*frf::open_hdf5(folder_ / "out.h5"));
   };
   const frf::FrfSet expected = result("A1_substructure_2.h5"), found = result("b.toml");

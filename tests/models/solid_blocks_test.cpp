@@ -9,6 +9,7 @@
 #include "base/complex.hpp"
 #include "base/eigen.hpp"
 #include "ident/identify.hpp"
+#include "ident/plan/models_of_plan.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "models/matrix_model.hpp"
 #include "tests/test_folder.hpp"
@@ -103,6 +104,25 @@ TEST(SolidBlocks, TheBoltsAreFoundBetweenTheModels) {
   }
   EXPECT_GT(squares, 8.0) << "24 squares of standard numbers";
   EXPECT_LT(squares, 52.0);
+  ASSERT_EQ(found.models.size(), 2u);
+  for (const ident::UsedModel& each : found.models) {
+    EXPECT_EQ(each.use.way, models::ModelWay::reduced) << each.file;
+    EXPECT_GE(each.use.reduced_lines + each.use.factorizations, 73u) << "the first few lines are factorised";
+    EXPECT_EQ(each.use.bound, models::Reduction::bound);
+    EXPECT_LE(each.use.error, models::Reduction::accepted);
+    EXPECT_GT(each.use.vectors, 0u);
+  }
+}
+
+/// Before a line is read: what both blocks will take.
+TEST(SolidBlocks, ThePlanStatesWhatModelsTake) {
+  const TestFolder folder;
+  const auto plan = ident::make_plan(ident::read_scene(write(make_solid_blocks(), folder / "", {})));
+  const std::vector<ident::UsedModel> models = ident::used_models(*plan);
+  ASSERT_EQ(models.size(), 2u);
+  EXPECT_EQ(models[1].use.coordinates, 1890u);
+  EXPECT_EQ(models[1].use.expected_vectors, 8u * 15u) << "of the 15 DOFs that the file names";
+  EXPECT_EQ(models[1].use.reduced_lines, 0u);
 }
 
 }  // namespace

@@ -89,6 +89,21 @@ TEST(VariableMatrix, SparseOfMatlabV4) {
   EXPECT_THAT(error(foreign("sparse_v4.mat"), "wide"), HasSubstr("not square: 2 × 4"));
 }
 
+/// As MATLAB writes them, a group of data, ir and jc whose attribute MATLAB_sparse has the rows.
+TEST(VariableMatrix, SparseOfMatlabV73) {
+  expect_sample("sparse_v73.mat", "K");
+  expect_sample("sparse_v73.mat", "model.M", 2.0);
+  expect_sample("sparse_v73.mat", "full");
+  expect_lossy("sparse_v73.mat", "D");
+  const Eigen::MatrixXd flags = read_file_matrix(foreign("sparse_v73.mat"), "flags").real;
+  EXPECT_EQ(flags, sample().unaryExpr([](double value) { return value != 0.0 ? 1.0 : 0.0; }));
+  EXPECT_EQ(Eigen::MatrixXd(read_file_matrix(foreign("sparse_v73.mat"), "zero").real), Eigen::MatrixXd::Zero(4, 4));
+  EXPECT_THAT(error(foreign("sparse_v73.mat"), "wide"), HasSubstr("variable wide: the matrix is not square: 2 × 4"));
+  EXPECT_THAT(error(foreign("sparse_v73.mat"), "tall"), HasSubstr("the matrix is not square: 4 × 2"));
+  EXPECT_THAT(error(foreign("sparse_v73.mat"), "none"), HasSubstr("there is no such matrix"));
+  EXPECT_THAT(error(foreign("sparse_v73.mat"), "cut"), HasSubstr("it is a sparse matrix without numbers ir"));
+}
+
 TEST(VariableMatrix, SparseOfScipy) {
   expect_sample("csc.npz");
   expect_sample("coo.npz");
