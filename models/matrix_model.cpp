@@ -106,7 +106,12 @@ void MatrixModel::expect(const Request& request) {
     compared_vectors_ = 0;
   }
   may_reduce_ = reduce(low, high);
-  if (!may_reduce_) reduction_.reset();
+  if (may_reduce_) {
+    why_not_reduced_.clear();
+  } else {
+    reduction_.reset();
+    compared_vectors_ = 0;  // a basis that is built again is compared again
+  }
 }
 
 bool MatrixModel::reduce(double low, double high) {
